@@ -1,0 +1,53 @@
+/// @file
+/// @brief Influence tables: displacement at one surface node by a unit load on the patch of another.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "viscoroll/observer.hpp"
+#include "viscoroll/sphere.hpp"
+
+namespace viscoroll {
+
+/// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
+struct Mesh {
+  int nodes_per_revolution = 0;  ///< 2 pi / spacing, >= 16
+  int max_order = 0;             ///< N_t: orders |m|, |n| <= N_t are summed, >= nodes_per_revolution / 2
+
+  friend bool operator==(const Mesh&, const Mesh&) = default;
+};
+
+/// @brief Check a mesh.
+/// @throws std::invalid_argument naming parameter, value and range
+void validate(const Mesh& mesh);
+
+/// @brief The 3 x 3 set of influence tables c_PQ(phi_M - phi_N, theta_M - theta_N) with the patch load (53).
+struct InfluenceTables {
+  int phi_reach = 0;           ///< offsets j in phi run from -phi_reach to phi_reach
+  int theta_reach = 0;         ///< offsets l in theta run from -theta_reach to theta_reach
+  std::vector<double> values;  ///< [m/N], row-major [P][Q][j][l], P and Q in the order (r, phi, theta)
+
+  /// @brief Displacement in direction `p` by a unit force in direction `q`.
+  /// @param[in] p,q 0, 1, 2 for r, phi, theta
+  /// @param[in] j,l offset of the displaced node from the loaded node, in spacings
+  /// @return [m/N]
+  [[nodiscard]] double operator()(int p, int q, int j, int l) const {
+    const auto row = (static_cast<std::ptrdiff_t>(p) * 3 + q) * (2 * phi_reach + 1) + (j + phi_reach);
+    return values[static_cast<std::size_t>(row * (2 * theta_reach + 1) + (l + theta_reach))];
+  }
+};
+
+/// @brief Sum the orders of the coating into influence tables, theory.md section 4.
+/// @param[in] sphere rigid core and layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] mesh spacing and truncation
+/// @param[in] phi_reach,theta_reach largest offsets, in [0, nodes_per_revolution / 2]
+/// @param[in] threads number of threads, 0 for all cores
+/// @param[in] observer progress and cancellation
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+                                               int phi_reach, int theta_reach, int threads = 0,
+                                               const Observer& observer = {});
+
+}  // namespace viscoroll

@@ -1,0 +1,62 @@
+/// @file
+/// @brief Response of the coating to one order (m, n) of the two-variable Fourier series (14).
+///
+/// A field f(r, phi, theta) = sum_mn f_mn(r) exp(i (m phi + n theta)) is steady in space while the material turns, so a
+/// material point sees order m at the angular frequency m Omega. Components are ordered (r, phi, theta).
+#pragma once
+
+#include <array>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "viscoroll/sphere.hpp"
+
+namespace viscoroll {
+
+/// @brief 3 x 3 complex matrix in row-major order.
+using ComplexMatrix3 = std::array<std::complex<double>, 9>;
+
+/// @brief 6 x 6 complex matrix in row-major order.
+using ComplexMatrix6 = std::array<std::complex<double>, 36>;
+
+/// @brief Surface compliance of single orders: displacement d_mn(r_o) [m] per surface stress f_mn(r_o) [Pa], both in
+/// the order (r, phi, theta), with the core rigid and inertia in full. Paper equation (31), by a recursion that
+/// carries the compliance outwards and so neither overflows nor loses digits (theory.md section 3).
+/// @param[in] sphere rigid core and layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] m orders in phi, any sign
+/// @param[in] n orders in theta, any sign, as many as `m`
+/// @return one matrix for each pair (m, n) [m/Pa]
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed,
+                                                             std::span<const int> m, std::span<const int> n);
+
+/// @brief Matrix of the system z' = B z in s = ln r, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi,
+/// r sigma_rtheta): paper equation (23) in the form of theory.md section 3, finite at Poisson's ratio 1/2.
+/// @param[in] layer the layer that holds the point
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] radius r [m], > 0
+/// @param[in] m order in phi
+/// @param[in] n order in theta
+/// @return B, its blocks in the units [-, 1/Pa; Pa, -]
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n);
+
+/// @brief Uniform radial displacement of the surface by centrifugal load, paper equation (36): order m = n = 0.
+/// @param[in] sphere rigid core and layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @return d_R^(c) [m], outwards; 0 for incompressible layers
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed);
+
+/// @brief Lowest rolling speed at which the steady problem of this library ceases to hold: the surface outruns the
+/// Rayleigh wave of the outer layer's short-time modulus, or an order of the undamped coating resonates (a soft layer
+/// below a stiff one does so earlier). Above it waves are radiated. Theory.md section 7.
+/// @param[in] sphere rigid core and layers
+/// @param[in] highest_frequency angular frequency at which a `CustomModulus` stands for its short-time limit [rad/s]
+/// @return critical Omega [rad/s]; infinite without inertia or where no short-time modulus is finite
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] double critical_speed(const CoatedSphere& sphere, double highest_frequency = 1e9);
+
+}  // namespace viscoroll

@@ -1,0 +1,45 @@
+/// @file
+/// @brief The rolling body: a rigid core covered by bonded viscoelastic layers.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "viscoroll/materials.hpp"
+
+namespace viscoroll {
+
+/// @brief One homogeneous, isotropic, linear viscoelastic layer.
+/// Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+struct Layer {
+  double thickness = 0.0;               ///< [m], > 0
+  ShearModulus shear_modulus;           ///< mu*(w) [Pa]
+  std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
+  std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant: Poisson's ratio then follows mu*(w)
+  double density = 0.0;                 ///< [kg/m^3], >= 0; 0 leaves inertia out
+};
+
+/// @brief A rigid sphere with layers bonded to it and to one another.
+struct CoatedSphere {
+  double core_radius = 0.0;   ///< [m], > 0
+  std::vector<Layer> layers;  ///< from the core outwards, at least one
+};
+
+/// @return outer radius r_o [m]
+[[nodiscard]] double outer_radius(const CoatedSphere& sphere);
+
+/// @return thickness of all layers together [m]
+[[nodiscard]] double coating_thickness(const CoatedSphere& sphere);
+
+/// @brief Check a layer.
+/// @param[in] layer any layer
+/// @param[in] prefix what stands before the parameter's name in messages
+/// @throws std::invalid_argument naming parameter, value, unit and range
+void validate(const Layer& layer, std::string_view prefix = "layer.");
+
+/// @brief Check a sphere and its layers.
+/// @throws std::invalid_argument naming parameter, value, unit and range
+void validate(const CoatedSphere& sphere);
+
+}  // namespace viscoroll

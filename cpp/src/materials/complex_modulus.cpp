@@ -1,0 +1,169 @@
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "materials/master_curve.hpp"
+#include "validate.hpp"
+#include "viscoroll/materials.hpp"
+
+namespace viscoroll {
+namespace {
+
+using detail::reject;
+using detail::require_nonnegative;
+using detail::require_positive;
+using detail::text;
+using cplx = std::complex<double>;
+
+std::string joined(std::string_view prefix, std::string_view name) { return std::string(prefix) + std::string(name); }
+
+double weight_sum(const Prony& m) { return std::accumulate(m.weights.begin(), m.weights.end(), 0.0); }
+
+struct Validator {
+  std::string_view prefix;
+
+  void operator()(const Elastic& m) const { require_positive(joined(prefix, "modulus"), m.modulus, "Pa"); }
+
+  void operator()(const Prony& m) const {
+    require_positive(joined(prefix, "instantaneous_modulus"), m.instantaneous_modulus, "Pa");
+    if (m.relaxation_times.size() != m.weights.size()) {
+      reject(joined(prefix, "relaxation_times"), "as many as weights (" + std::to_string(m.weights.size()) + ")",
+             std::to_string(m.relaxation_times.size()));
+    }
+    for (std::size_t k = 0; k < m.weights.size(); ++k) {
+      const std::string index = "[" + std::to_string(k) + "]";
+      if (!(m.weights[k] > 0.0 && m.weights[k] < 1.0)) {
+        reject(joined(prefix, "weights") + index, "in (0, 1)", m.weights[k]);
+      }
+      require_positive(joined(prefix, "relaxation_times") + index, m.relaxation_times[k], "s");
+    }
+    if (!(weight_sum(m) < 1.0)) {
+      reject(joined(prefix, "weights"), "of a sum < 1 (a solid keeps some stiffness at rest)", weight_sum(m));
+    }
+  }
+
+  void operator()(const KelvinVoigt& m) const {
+    require_positive(joined(prefix, "modulus"), m.modulus, "Pa");
+    require_nonnegative(joined(prefix, "viscosity"), m.viscosity, "Pa s");
+  }
+
+  void operator()(const FractionalZener& m) const {
+    require_positive(joined(prefix, "relaxed_modulus"), m.relaxed_modulus, "Pa");
+    if (!(std::isfinite(m.instantaneous_modulus) && m.instantaneous_modulus >= m.relaxed_modulus)) {
+      reject(joined(prefix, "instantaneous_modulus"), ">= relaxed_modulus = " + text(m.relaxed_modulus) + " Pa",
+             m.instantaneous_modulus);
+    }
+    require_positive(joined(prefix, "relaxation_time"), m.relaxation_time, "s");
+    if (!(m.order > 0.0 && m.order <= 1.0)) reject(joined(prefix, "order"), "in (0, 1]", m.order);
+  }
+
+  void operator()(const MasterCurve& m) const { detail::validate_table(m, prefix); }
+
+  void operator()(const CustomModulus& m) const {
+    if (!m.evaluate) reject(joined(prefix, "evaluate"), "a function", "none");
+  }
+};
+
+struct Evaluator {
+  std::span<const double> omega;
+  std::span<cplx> modulus;
+
+  template <class Function>
+  void fill(const Function& mu) const {
+    for (std::size_t i = 0; i < omega.size(); ++i) modulus[i] = mu(omega[i]);
+  }
+
+  void operator()(const Elastic& m) const {
+    fill([&](double) { return cplx(m.modulus); });
+  }
+
+  void operator()(const Prony& m) const {
+    const double equilibrium = 1.0 - weight_sum(m);
+    fill([&](double w) {
+      cplx sum = equilibrium;
+      for (std::size_t k = 0; k < m.weights.size(); ++k) {
+        const double wt = w * m.relaxation_times[k];
+        // i wt / (1 + i wt) = wt (wt + i) / (1 + wt^2), divided through by wt where wt^2 would overflow
+        sum += wt < 1e100 ? m.weights[k] * wt / (1.0 + wt * wt) * cplx(wt, 1.0) : cplx(m.weights[k], m.weights[k] / wt);
+      }
+      return m.instantaneous_modulus * sum;
+    });
+  }
+
+  void operator()(const KelvinVoigt& m) const {
+    fill([&](double w) { return cplx(m.modulus, w * m.viscosity); });
+  }
+
+  void operator()(const FractionalZener& m) const {
+    const double half_pi = std::acos(0.0);
+    fill([&](double w) {
+      const double size = std::pow(w * m.relaxation_time, m.order);
+      if (size > 1e100) return cplx(m.instantaneous_modulus);
+      const cplx power = std::polar(size, half_pi * m.order);  // (i w tau)^alpha
+      return m.relaxed_modulus + (m.instantaneous_modulus - m.relaxed_modulus) * (power / (1.0 + power));
+    });
+  }
+
+  void operator()(const MasterCurve& m) const {
+    fill([&](double w) { return detail::interpolate(m, w); });
+  }
+
+  void operator()(const CustomModulus& m) const { m.evaluate(omega, modulus); }
+};
+
+/// A modulus that the layers can be solved with: finite, stiff and passive.
+void require_passive(double omega, cplx mu) {
+  const std::string where = "shear_modulus at " + text(omega) + " rad/s";
+  if (!(std::isfinite(mu.real()) && std::isfinite(mu.imag()))) {
+    reject(where, "finite", text(mu.real()) + (mu.imag() < 0 ? " - " : " + ") + text(std::abs(mu.imag())) + "i Pa");
+  }
+  if (!(mu.real() > 0.0)) reject(where, "of storage modulus > 0 Pa", mu.real());
+  // A loss of round-off size below zero is a lossless material.
+  if (mu.imag() < -1e-12 * mu.real()) reject(where, "passive, with loss modulus >= 0 Pa", mu.imag());
+}
+
+}  // namespace
+
+Prony standard_linear_solid(double instantaneous_modulus, double relaxed_modulus, double relaxation_time) {
+  require_positive("instantaneous_modulus", instantaneous_modulus, "Pa");
+  require_positive("relaxed_modulus", relaxed_modulus, "Pa");
+  require_positive("relaxation_time", relaxation_time, "s");
+  if (relaxed_modulus > instantaneous_modulus) {
+    reject("relaxed_modulus", "<= instantaneous_modulus = " + text(instantaneous_modulus) + " Pa", relaxed_modulus);
+  }
+  if (relaxed_modulus == instantaneous_modulus) return {.instantaneous_modulus = instantaneous_modulus};
+  return {.instantaneous_modulus = instantaneous_modulus,
+          .weights = {1.0 - relaxed_modulus / instantaneous_modulus},
+          .relaxation_times = {relaxation_time}};
+}
+
+void validate(const ShearModulus& modulus, std::string_view prefix) { std::visit(Validator{prefix}, modulus); }
+
+std::vector<cplx> complex_modulus(const ShearModulus& modulus, std::span<const double> omega) {
+  validate(modulus);
+  for (const double w : omega) require_nonnegative("omega", w, "rad/s");
+  // A custom function that leaves an entry unwritten is caught as not finite.
+  std::vector<cplx> mu(omega.size(), cplx(std::numeric_limits<double>::quiet_NaN()));
+  std::visit(Evaluator{omega, mu}, modulus);
+  for (std::size_t i = 0; i < omega.size(); ++i) {
+    require_passive(omega[i], mu[i]);
+    if (omega[i] == 0.0) mu[i] = mu[i].real();  // mu*(-w) = conj mu*(w): at rest there is no loss
+  }
+  return mu;
+}
+
+double short_time_modulus(const ShearModulus& modulus, double highest_frequency) {
+  require_positive("highest_frequency", highest_frequency, "rad/s");
+  if (const auto* m = std::get_if<KelvinVoigt>(&modulus)) {
+    return m->viscosity > 0.0 ? std::numeric_limits<double>::infinity() : m->modulus;
+  }
+  if (const auto* m = std::get_if<Prony>(&modulus)) return m->instantaneous_modulus;
+  if (const auto* m = std::get_if<FractionalZener>(&modulus)) return m->instantaneous_modulus;
+  if (const auto* m = std::get_if<MasterCurve>(&modulus)) return m->storage.back();
+  return complex_modulus(modulus, std::span(&highest_frequency, 1)).front().real();
+}
+
+}  // namespace viscoroll
