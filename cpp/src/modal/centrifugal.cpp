@@ -1,0 +1,67 @@
+// Order m = n = 0 under the centrifugal load: the term -rho Omega^2 r of paper equation (27), with u_r and sigma_rr
+// alone.
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "modal/medium.hpp"
+#include "viscoroll/modal.hpp"
+
+namespace viscoroll {
+namespace {
+
+using State = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
+
+constexpr int kMaxTerms = 60;
+
+/// One radial step of (1 + x) dz/dx = (B + q (1 + x)^2 M) z - q r (1 + x)^3 e with z(0) = start, by its Taylor series;
+/// M = -e (1, 0) and e = (0, 1), so that the load and inertia enter as -q (1 + x)^2 (u_r + r (1 + x)).
+State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, const State& start, double x) {
+  State sum = start;
+  State term = start;
+  // u_r + r (1 + x) as a series: the coefficients of the rigid part are r and r x.
+  std::array<double, 3> recent{start(0) + load_radius, 0.0, 0.0};
+  for (int j = 0; j < kMaxTerms; ++j) {
+    State next = elastic * term - j * term;
+    next(1) -= q * (recent[0] + 2.0 * x * recent[1] + x * x * recent[2]);
+    next *= x / (j + 1);
+    sum += next;
+    recent = {next(0) + (j == 0 ? load_radius * x : 0.0), recent[0], recent[1]};
+    term = next;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
+  const std::array harmonic{0};
+  const detail::HarmonicCoating coating(sphere, angular_speed, harmonic);
+  const auto media = coating.media(0);
+  const double stress_unit = media.back().mu.real();
+
+  // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
+  double compliance = 0.0;
+  double offset = 0.0;
+  for (const auto& medium : media) {
+    const double mu = medium.mu.real() / stress_unit;
+    const double a = medium.a.real();
+    const double b = medium.b.real();
+    const Eigen::Matrix2d elastic{{-2.0 * a, b / mu}, {4.0 * mu * (3.0 * a + 2.0 * b), 1.0 - 4.0 * b}};
+    const double extent = std::log(medium.outer_radius / medium.inner_radius);
+    const int steps = static_cast<int>(std::ceil(extent / 0.2));
+    const double x = std::expm1(extent / steps);
+    for (int step = 0; step < steps; ++step) {
+      const double radius = medium.inner_radius * std::exp(extent * step / steps);
+      const double q = medium.inertia * radius * radius / stress_unit;
+      const State unit_stress = advance(elastic, q, 0.0, {compliance, 1.0}, x);
+      const State loaded = advance(elastic, q, radius, {offset, 0.0}, x);
+      compliance = unit_stress(0) / unit_stress(1);
+      offset = loaded(0) - compliance * loaded(1);
+    }
+  }
+  return offset;
+}
+
+}  // namespace viscoroll

@@ -1,0 +1,95 @@
+/// @file
+/// @brief Smooth functions of one variable as Chebyshev series on panels that are split until each is resolved.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace viscoroll::detail {
+
+constexpr int kPanelNodes = 16;  ///< Chebyshev nodes, and so terms, of a panel
+
+/// @brief Several functions of x on [low, high], low > 0: row f holds the series of function f in T_0 ... T_15 of the
+/// coordinate that runs from -1 to 1 with ln x. Compliances fall like powers of the order, so they are smoothest in its
+/// logarithm. A panel from `low` = 0 holds constants.
+template <class Scalar>
+struct Panel {
+  double low;
+  double high;
+  Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes, Eigen::RowMajor> series;
+
+  /// @return where x lies on the panel, -1 at `low` and 1 at `high`
+  [[nodiscard]] double coordinate(double x) const {
+    return low > 0.0 ? 2.0 * std::log(x / low) / std::log(high / low) - 1.0 : 0.0;
+  }
+};
+
+/// @return Chebyshev nodes of the first kind of a panel
+[[nodiscard]] inline std::array<double, kPanelNodes> panel_nodes(double low, double high) {
+  std::array<double, kPanelNodes> nodes{};
+  for (int j = 0; j < kPanelNodes; ++j) {
+    const double coordinate = std::cos(std::numbers::pi * (j + 0.5) / kPanelNodes);
+    nodes[static_cast<std::size_t>(j)] = std::sqrt(low * high) * std::pow(high / low, 0.5 * coordinate);
+  }
+  return nodes;
+}
+
+/// @return matrix that takes values at `panel_nodes` (columns of the factor before it) to series
+[[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes>& chebyshev_transform() {
+  static const auto transform = [] {
+    Eigen::Matrix<double, kPanelNodes, kPanelNodes> matrix;
+    for (int node = 0; node < kPanelNodes; ++node) {
+      for (int term = 0; term < kPanelNodes; ++term) {
+        matrix(node, term) =
+            (term == 0 ? 1.0 : 2.0) / kPanelNodes * std::cos(std::numbers::pi * (node + 0.5) * term / kPanelNodes);
+      }
+    }
+    return matrix;
+  }();
+  return transform;
+}
+
+/// @brief Append the panel that holds constants on [0, high].
+template <class Scalar>
+void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values,
+                      std::vector<Panel<Scalar>>& panels) {
+  Panel<Scalar> panel{0.0, high, {}};
+  panel.series.setZero(values.size(), kPanelNodes);
+  panel.series.col(0) = values;
+  panels.push_back(std::move(panel));
+}
+
+/// @brief Append panels that resolve functions on [low, high]: first of a ratio of 8, then halved where needed.
+/// @param[in] low,high interval, low > 0
+/// @param[in] sample returns the values of all functions at a point
+/// @param[in] resolved judges a panel by its series
+/// @param[out] panels receives the panels in order
+template <class Scalar, class Sample, class Resolved>
+void append_panels(double low, double high, const Sample& sample, const Resolved& resolved,
+                   std::vector<Panel<Scalar>>& panels) {
+  constexpr double kLargestRatio = 8.0;
+  constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
+  if (high / low <= kLargestRatio) {
+    const auto nodes = panel_nodes(low, high);
+    Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values;
+    for (int j = 0; j < kPanelNodes; ++j) {
+      const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> column = sample(nodes[static_cast<std::size_t>(j)]);
+      if (j == 0) values.resize(column.size(), kPanelNodes);
+      values.col(j) = column;
+    }
+    Panel<Scalar> panel{low, high, values * chebyshev_transform().cast<Scalar>()};
+    if (high / low < kSmallestRatio || resolved(panel)) {
+      panels.push_back(std::move(panel));
+      return;
+    }
+  }
+  const double middle = std::sqrt(low * high);
+  append_panels(low, middle, sample, resolved, panels);
+  append_panels(middle, high, sample, resolved, panels);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,33 @@
+/// @file
+/// @brief The compliance of the surface, carried outwards through the layers.
+#pragma once
+
+#include <span>
+
+#include "modal/layer_system.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Surface compliance of order (m, n): displacement per surface stress, in the real form of layer_system.hpp.
+///
+/// With d = Y (r sigma), Y = 0 at the rigid core, each step takes Y to (T11 Y + T12)(T21 Y + T22)^-1, the transition
+/// matrix T of a step being short enough to keep all digits. T itself is never formed: its product with (Y; I) is the
+/// Taylor series of the solution about the step's inner radius. Material deeper than 30 / sqrt(m^2 + n^2) in ln r
+/// changes the surface by exp(-60), and is left out.
+/// @param[in] media layers, core outwards
+/// @param[in] m,n orders, of any sign, not necessarily whole
+/// @return compliance [m/Pa]
+template <class Scalar>
+[[nodiscard]] Matrix3<Scalar> surface_compliance(std::span<const Medium<Scalar>> media, double m, double n);
+
+/// @brief Whether every order's static stiffness stays positive through all layers, i.e. no resonance of an order
+/// lies below this speed.
+/// @param[in] media layers with real moduli, core outwards
+/// @param[in] m,n orders
+[[nodiscard]] bool is_subcritical(std::span<const Medium<double>> media, double m, double n);
+
+extern template Matrix3<double> surface_compliance(std::span<const Medium<double>>, double, double);
+extern template Matrix3<std::complex<double>> surface_compliance(std::span<const Medium<std::complex<double>>>, double,
+                                                                 double);
+
+}  // namespace viscoroll::detail

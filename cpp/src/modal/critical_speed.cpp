@@ -1,0 +1,117 @@
+#include "modal/critical_speed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "modal/compliance_recursion.hpp"
+#include "modal/medium.hpp"
+#include "validate.hpp"
+#include "viscoroll/modal.hpp"
+
+namespace viscoroll {
+namespace detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The layers at infinite frequency and unit rolling speed. A layer without a finite short-time modulus is rigid there:
+/// it and all below it become the core.
+std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double highest_frequency) {
+  std::vector<Medium<double>> media;
+  double radius = sphere.core_radius;
+  for (const Layer& layer : sphere.layers) {
+    const double inner = radius;
+    radius += layer.thickness;
+    const double mu = short_time_modulus(layer.shear_modulus, highest_frequency);
+    if (std::isinf(mu)) {
+      media.clear();
+      continue;
+    }
+    const Ratios ratios(layer, mu);
+    media.push_back({.inner_radius = inner,
+                     .outer_radius = radius,
+                     .mu = mu,
+                     .a = ratios.a,
+                     .b = ratios.b,
+                     .inertia = layer.density});
+  }
+  return media;
+}
+
+/// Speed of the surface's Rayleigh wave, the limit of large orders; infinite without inertia.
+double rayleigh_limit(const std::vector<Medium<double>>& media) {
+  const Medium<double>& outer = media.back();
+  if (outer.inertia == 0.0) return kInfinity;
+  const double poisson_ratio = outer.a / (1.0 + outer.a);
+  return rayleigh_ratio(poisson_ratio) * std::sqrt(outer.mu / outer.inertia) / outer.outer_radius;
+}
+
+/// Whether no order resonates up to this speed. The slowest waves run straight along phi, so n = 0; the orders are
+/// spaced geometrically, since the resonances depend smoothly on the order.
+bool all_subcritical(std::vector<Medium<double>> media, double angular_speed) {
+  constexpr int kHighestOrder = 2000;
+  for (Medium<double>& medium : media) medium.inertia *= angular_speed * angular_speed;
+  for (int m = 1; m <= kHighestOrder; m = std::max(m + 1, m * 11 / 10)) {
+    if (!is_subcritical(media, m, 0.0)) return false;
+  }
+  return true;
+}
+
+/// Rolling speed at which the surface keeps up with the slowest shear wave of any layer; infinite without inertia.
+double slowest_shear_wave(const std::vector<Medium<double>>& media) {
+  double speed = kInfinity;
+  for (const Medium<double>& medium : media) {
+    if (medium.inertia > 0.0)
+      speed = std::min(speed, std::sqrt(medium.mu / medium.inertia) / media.back().outer_radius);
+  }
+  return speed;
+}
+
+}  // namespace
+
+double rayleigh_ratio(double poisson_ratio) {
+  // x^3 - 8 x^2 + (24 - 16 kappa) x - 16 (1 - kappa) = 0 with x = (c / c_s)^2 and kappa = (c_s / c_p)^2; its smallest
+  // positive root lies in (0, 1). K. F. Graff, Wave Motion in Elastic Solids (1975), equation (6.1.85).
+  const double kappa = (1.0 - 2.0 * poisson_ratio) / (2.0 * (1.0 - poisson_ratio));
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * (low + high);
+    const double value = ((x - 8.0) * x + 24.0 - 16.0 * kappa) * x - 16.0 * (1.0 - kappa);
+    (value < 0.0 ? low : high) = x;
+  }
+  return std::sqrt(0.5 * (low + high));
+}
+
+void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency) {
+  const std::vector<Medium<double>> media = short_time_media(sphere, highest_frequency);
+  if (media.empty() || angular_speed < 0.1 * slowest_shear_wave(media)) return;
+  if (angular_speed < rayleigh_limit(media) && all_subcritical(media, angular_speed)) return;
+  reject("angular_speed",
+         "below the critical speed " + text(viscoroll::critical_speed(sphere, highest_frequency)) +
+             " rad/s, above which the coating radiates waves",
+         text(angular_speed) + " rad/s");
+}
+
+}  // namespace detail
+
+double critical_speed(const CoatedSphere& sphere, double highest_frequency) {
+  validate(sphere);
+  const auto media = detail::short_time_media(sphere, highest_frequency);
+  if (media.empty()) return detail::kInfinity;
+  const double rayleigh = detail::rayleigh_limit(media);
+  // An outer layer without mass sets no limit of its own; far above every shear wave nothing new can resonate.
+  double high = std::min(rayleigh, 100.0 * detail::slowest_shear_wave(media));
+  if (std::isinf(high)) return high;
+  if (detail::all_subcritical(media, high)) return rayleigh;
+  double low = 0.0;
+  while (high - low > 1e-9 * high) {
+    const double middle = 0.5 * (low + high);
+    (detail::all_subcritical(media, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace viscoroll

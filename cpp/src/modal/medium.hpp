@@ -1,0 +1,74 @@
+/// @file
+/// @brief One layer as the material of one order sees it, and the layers of a coating at all harmonics.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "viscoroll/sphere.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief A layer at one frequency. `Scalar` is double where every modulus is real, else std::complex<double>.
+template <class Scalar>
+struct Medium {
+  double inner_radius;  ///< [m]
+  double outer_radius;  ///< [m]
+  Scalar mu;            ///< shear modulus [Pa]
+  Scalar a;             ///< lambda / (lambda + 2 mu) = nu / (1 - nu)
+  Scalar b;             ///< mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)); 0 when incompressible
+  double inertia;       ///< rho Omega^2 [Pa/m^2]
+};
+
+/// @brief The ratios a and b of a layer from its Poisson's ratio or its bulk modulus.
+/// @param[in] layer gives whichever of the two it has
+/// @param[in] mu shear modulus [Pa]
+template <class Scalar>
+struct Ratios {
+  Scalar a, b;
+
+  Ratios(const Layer& layer, Scalar mu) {
+    if (layer.poisson_ratio) {
+      const double nu = *layer.poisson_ratio;
+      a = nu / (1.0 - nu);
+      b = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
+    } else {
+      const double bulk = *layer.bulk_modulus;
+      b = mu / (bulk + 4.0 / 3.0 * mu);
+      a = 1.0 - 2.0 * b;
+    }
+  }
+};
+
+/// @brief The layers of a coating at a list of harmonics of the rolling speed.
+class HarmonicCoating {
+ public:
+  /// @param[in] sphere rigid core and layers
+  /// @param[in] angular_speed Omega [rad/s], > 0
+  /// @param[in] harmonics orders m >= 0, whose material sees the frequencies m Omega
+  /// @throws std::invalid_argument for bad input, at a critical speed, and where a modulus is not passive at a harmonic
+  HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics);
+
+  /// @brief Layers at the i-th harmonic, core outwards.
+  [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
+
+  /// @return complex shear modulus of a layer at the i-th harmonic [Pa]
+  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
+
+  [[nodiscard]] const CoatedSphere& sphere() const { return sphere_; }
+  [[nodiscard]] double outer_radius() const { return radii_.back(); }
+  [[nodiscard]] double angular_speed() const { return angular_speed_; }
+  [[nodiscard]] std::size_t harmonics() const { return moduli_.front().size(); }
+
+ private:
+  CoatedSphere sphere_;
+  double angular_speed_;
+  std::vector<double> radii_;                              // interfaces, core to surface [m]
+  std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][harmonic]
+};
+
+/// @return the orders 0, 1, ..., max_order
+[[nodiscard]] std::vector<int> orders_up_to(int max_order);
+
+}  // namespace viscoroll::detail

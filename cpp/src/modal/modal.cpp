@@ -1,0 +1,68 @@
+// Public face of this folder: single orders, for callers outside the library.
+#include "viscoroll/modal.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "modal/compliance_recursion.hpp"
+#include "modal/layer_system.hpp"
+#include "modal/medium.hpp"
+#include "validate.hpp"
+
+namespace viscoroll {
+
+using cplx = std::complex<double>;
+using RowMajor3 = Eigen::Matrix<cplx, 3, 3, Eigen::RowMajor>;
+using RowMajor6 = Eigen::Matrix<cplx, 6, 6, Eigen::RowMajor>;
+
+std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
+                                               std::span<const int> n) {
+  if (m.size() != n.size()) {
+    detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
+  }
+  std::vector<int> harmonics;
+  for (const int order : m) harmonics.push_back(std::abs(order));
+  const detail::HarmonicCoating coating(sphere, angular_speed, harmonics);
+
+  std::vector<ComplexMatrix3> compliances(m.size());
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
+    const bool conjugate = m[i] < 0;
+    const auto media = coating.media(i);
+    const Eigen::Matrix3cd compliance =
+        detail::to_physical(detail::surface_compliance<cplx>(media, harmonics[i], conjugate ? -n[i] : n[i]));
+    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
+  }
+  return compliances;
+}
+
+ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n) {
+  validate(layer);
+  detail::require_positive("angular_speed", angular_speed, "rad/s");
+  detail::require_positive("radius", radius, "m");
+  const std::array frequency{std::abs(m) * angular_speed};
+  const cplx at_frequency = complex_modulus(layer.shear_modulus, frequency).front();
+  const cplx mu = m < 0 ? std::conj(at_frequency) : at_frequency;  // mu*(-w) = conj mu*(w)
+  const detail::Ratios ratios(layer, mu);
+  const detail::Medium<cplx> medium{.inner_radius = radius,
+                                    .outer_radius = radius,
+                                    .mu = mu,
+                                    .a = ratios.a,
+                                    .b = ratios.b,
+                                    .inertia = layer.density * angular_speed * angular_speed};
+
+  detail::Matrix6<cplx> matrix = detail::elastic_matrix(medium, m, n, 1.0);
+  matrix.bottomLeftCorner<3, 3>() += (medium.inertia * radius * radius * detail::inertia_matrix(m)).cast<cplx>();
+  // From the unknowns v = -i u of the tangential components to u.
+  const cplx i(0.0, 1.0);
+  for (const Eigen::Index k : {1, 2, 4, 5}) {
+    matrix.row(k) *= i;
+    matrix.col(k) *= -i;
+  }
+  ComplexMatrix6 result;
+  Eigen::Map<RowMajor6>(result.data()) = matrix;
+  return result;
+}
+
+}  // namespace viscoroll

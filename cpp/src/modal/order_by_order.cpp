@@ -1,0 +1,51 @@
+#include "modal/order_by_order.hpp"
+
+#include <cmath>
+
+#include "modal/compliance_recursion.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+/// Whether the last two terms of each entry are negligible.
+bool is_resolved(const Panel<cplx>& panel, double m) {
+  const auto largest = [&](Entry entry) { return panel.series.row(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
+  const double highest_n = std::sqrt(panel.high - m * m);
+  const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n);
+  for (int entry = 0; entry < kEntries; ++entry) {
+    const double last = panel.series.row(entry).tail<2>().cwiseAbs().maxCoeff();
+    if (last > kSeriesTolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void OrderByOrderSpectrum::series(int m, OrderSeries& series) const {
+  const auto media = coating_.media(static_cast<std::size_t>(m));
+  const double order = m;
+  const auto sample = [&](double k2) -> Eigen::VectorXcd {
+    const double n = std::sqrt(k2 - order * order);
+    const Matrix3<cplx> y = surface_compliance<cplx>(media, order, n);
+    Eigen::VectorXcd entries(kEntries);
+    entries << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
+    return entries;
+  };
+  series.clear();
+  double lowest = order * order;
+  if (m == 0) {
+    const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, 0.0);
+    Eigen::VectorXcd entries(kEntries);
+    entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
+    append_constants(kZeroOrder, entries, series);
+    lowest = kZeroOrder;
+  }
+  const auto highest_n = static_cast<double>(coating_.harmonics() - 1);
+  append_panels(
+      lowest, order * order + highest_n * highest_n, sample,
+      [order](const Panel<cplx>& panel) { return is_resolved(panel, order); }, series);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,276 @@
+#include "modal/self_similar.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "modal/compliance_recursion.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+constexpr double kInertiaTolerance = 1e-12;  // of the terms of the inertia series that are left out
+constexpr double kInertiaGrowth = 8.0;       // |f_{j+1}| / |f_j| stays below this short of the critical speed
+constexpr int kMaxInertiaOrder = 3;
+
+/// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
+std::optional<double> common_ratio(const HarmonicCoating& coating, std::size_t layer, std::size_t reference) {
+  const cplx ratio = coating.modulus(layer, 0) / coating.modulus(reference, 0);
+  for (std::size_t i = 0; i < coating.harmonics(); ++i) {
+    const cplx expected = ratio * coating.modulus(reference, i);
+    if (std::abs(coating.modulus(layer, i) - expected) > 1e-14 * std::abs(expected)) return std::nullopt;
+  }
+  return ratio.real();
+}
+
+/// Whether the layer's Poisson's ratio is real and the same at every harmonic.
+bool has_constant_ratios(const HarmonicCoating& coating, std::size_t layer) {
+  const Layer& properties = coating.sphere().layers[layer];
+  return properties.poisson_ratio || std::holds_alternative<Elastic>(properties.shear_modulus);
+}
+
+/// Layers in units of g, with rho Omega^2 r_o^2 = eta for the densest; nothing where they are not self-similar.
+std::optional<std::vector<Medium<double>>> scaled_media(const HarmonicCoating& coating, std::size_t reference,
+                                                        double highest_density) {
+  std::vector<Medium<double>> media;
+  const auto at_rest = coating.media(0);
+  for (std::size_t l = 0; l < at_rest.size(); ++l) {
+    const std::optional<double> ratio = common_ratio(coating, l, reference);
+    if (!ratio || !has_constant_ratios(coating, l)) return std::nullopt;
+    const double share = highest_density > 0.0 ? coating.sphere().layers[l].density / highest_density : 0.0;
+    media.push_back({.inner_radius = at_rest[l].inner_radius,
+                     .outer_radius = at_rest[l].outer_radius,
+                     .mu = *ratio,
+                     .a = at_rest[l].a.real(),
+                     .b = at_rest[l].b.real(),
+                     .inertia = share / (coating.outer_radius() * coating.outer_radius())});
+  }
+  return media;
+}
+
+std::size_t softest_layer(const HarmonicCoating& coating) {
+  std::size_t softest = 0;
+  for (std::size_t l = 1; l < coating.sphere().layers.size(); ++l) {
+    if (std::abs(coating.modulus(l, 0)) < std::abs(coating.modulus(softest, 0))) softest = l;
+  }
+  return softest;
+}
+
+/// Smallest order of the inertia series that leaves out less than the tolerance, if it is small enough.
+std::optional<int> inertia_order(double eta) {
+  double remainder = kInertiaGrowth * eta;
+  for (int order = 0; order <= kMaxInertiaOrder; ++order, remainder *= kInertiaGrowth * eta) {
+    if (remainder <= kInertiaTolerance) return order;
+  }
+  return std::nullopt;
+}
+
+/// Entries in the order of `Entry`, free of their leading powers of m and n: rr, rphi/m, rtheta/n, phiphi,
+/// phitheta/(m n), thetatheta.
+using Entries = std::array<double, kEntries>;
+
+/// Highest power of m^2 in the coefficient of eta^j of an entry.
+int highest_power(Eigen::Index entry, int j) {
+  const bool mixes_directions =
+      entry == static_cast<int>(Entry::phiphi) || entry == static_cast<int>(Entry::thetatheta);
+  return j + (mixes_directions ? 1 : 0);
+}
+
+/// Samples F at a given k^2 on a grid in eta and t = m^2 / k^2, and takes it to coefficients of eta^j m^(2i).
+class InertiaSeries {
+ public:
+  /// @param media layers in units of g, with inertia for eta = 1
+  /// @param highest_eta where the series is to hold; eta is counted in its units
+  /// @param order largest power of eta
+  InertiaSeries(std::vector<Medium<double>> media, double highest_eta, int order)
+      : media_(std::move(media)), highest_eta_(highest_eta), order_(order) {
+    constexpr std::array<double, kMaxInertiaOrder + 1> kEtas{0.0, 1.0, -1.0, 0.5};
+    etas_ = Eigen::Map<const Eigen::VectorXd>(kEtas.data(), order + 1);
+    angles_.resize(order + 2);
+    for (Eigen::Index i = 0; i < angles_.size(); ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(angles_.size());
+      angles_[i] = 0.5 - 0.5 * std::cos(std::numbers::pi * share);
+    }
+    from_etas_ = vandermonde(etas_).inverse();
+    from_angles_ = vandermonde(angles_).inverse();
+  }
+
+  /// Row of the coefficient of entry, eta^j and m^(2i) in a panel.
+  [[nodiscard]] static Eigen::Index row_of(Eigen::Index entry, int j, int i, int order) {
+    return (entry * (order + 1) + j) * (order + 2) + i;
+  }
+
+  /// Coefficients at k^2 > 0.
+  [[nodiscard]] Eigen::VectorXd sample(double k2) const {
+    const Matrix3<double> at_rest = surface_compliance<double>(media_at(0.0), std::sqrt(k2), 0.0);
+    return fit(
+        k2, [&](double eta, double t) { return eta == 0.0 ? rotated(at_rest, k2, t) : solved(media_at(eta), k2, t); });
+  }
+
+  /// Coefficients of order (0, 0).
+  [[nodiscard]] Eigen::VectorXd sample_zero_order() const {
+    return fit(0.0, [&](double eta, double) -> Entries {
+      const Matrix3<double> y = surface_compliance<double>(media_at(eta), 0.0, 0.0);
+      return {y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2)};
+    });
+  }
+
+  /// Whether the last terms of all coefficients are negligible in the entry that they make up.
+  [[nodiscard]] bool is_resolved(const Panel<double>& panel) const {
+    const auto largest = [&](Entry entry) {
+      return panel.series.row(row_of(static_cast<int>(entry), 0, 0, order_)).cwiseAbs().maxCoeff();
+    };
+    const auto sizes =
+        entry_sizes(largest(Entry::rr), largest(Entry::phiphi), std::sqrt(panel.high), std::sqrt(panel.high));
+    for (Eigen::Index e = 0; e < kEntries; ++e) {
+      for (int j = 0; j <= order_; ++j) {
+        for (int i = 0; i <= highest_power(e, j); ++i) {
+          // Solving for the coefficients multiplies the round-off of the samples.
+          const double noise = from_etas_.row(j).lpNorm<1>() * from_angles_.row(i).lpNorm<1>();
+          const double limit = kSeriesTolerance * noise * sizes[static_cast<std::size_t>(e)];
+          const double last = panel.series.row(row_of(e, j, i, order_)).tail<2>().cwiseAbs().maxCoeff();
+          if (last * std::pow(panel.high, i) > limit) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  static Eigen::MatrixXd vandermonde(const Eigen::VectorXd& points) {
+    Eigen::MatrixXd matrix(points.size(), points.size());
+    for (Eigen::Index power = 0; power < points.size(); ++power) {
+      matrix.col(power) = points.array().pow(static_cast<double>(power));
+    }
+    return matrix;
+  }
+
+  /// Coefficients from entries(eta, t) on the grid; at k = 0, where m = 0, those of m^0 alone.
+  template <class EntriesAt>
+  [[nodiscard]] Eigen::VectorXd fit(double k2, const EntriesAt& entries_at) const {
+    std::array<Eigen::MatrixXd, kEntries> grid;
+    grid.fill(Eigen::MatrixXd(etas_.size(), angles_.size()));
+    for (Eigen::Index j = 0; j < etas_.size(); ++j) {
+      for (Eigen::Index i = 0; i < angles_.size(); ++i) {
+        const Entries entries = entries_at(etas_[j], angles_[i]);
+        for (std::size_t e = 0; e < kEntries; ++e) grid[e](j, i) = entries[e];
+      }
+    }
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(row_of(kEntries, 0, 0, order_));
+    for (Eigen::Index e = 0; e < kEntries; ++e) {
+      const Eigen::MatrixXd powers = from_etas_ * grid[static_cast<std::size_t>(e)] * from_angles_.transpose();
+      for (int j = 0; j <= order_; ++j) {
+        for (int i = 0; i <= (k2 > 0.0 ? highest_power(e, j) : 0); ++i) {
+          coefficients[row_of(e, j, i, order_)] = powers(j, i) / std::pow(k2, i);
+        }
+      }
+    }
+    return coefficients;
+  }
+
+  [[nodiscard]] std::vector<Medium<double>> media_at(double relative_eta) const {
+    std::vector<Medium<double>> media = media_;
+    for (Medium<double>& medium : media) medium.inertia *= relative_eta * highest_eta_;
+    return media;
+  }
+
+  /// Entries without inertia, from the compliance along and across the direction of k.
+  static Entries rotated(const Matrix3<double>& y, double k2, double t) {
+    const double along = y(1, 1);
+    const double across = y(2, 2);
+    const double mixed = y(0, 1) / std::sqrt(k2);
+    return {
+        y(0, 0), mixed, mixed, t * along + (1.0 - t) * across, (along - across) / k2, (1.0 - t) * along + t * across};
+  }
+
+  static Entries solved(const std::vector<Medium<double>>& media, double k2, double t) {
+    const double m = std::sqrt(t * k2);
+    const double n = std::sqrt((1.0 - t) * k2);
+    const Matrix3<double> y = surface_compliance<double>(media, m, n);
+    return {y(0, 0), y(0, 1) / m, y(0, 2) / n, y(1, 1), y(1, 2) / (m * n), y(2, 2)};
+  }
+
+  std::vector<Medium<double>> media_;
+  double highest_eta_;
+  int order_;
+  Eigen::VectorXd etas_;  // the first is 0
+  Eigen::VectorXd angles_;
+  Eigen::MatrixXd from_etas_;
+  Eigen::MatrixXd from_angles_;
+};
+
+}  // namespace
+
+std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicCoating& coating, int threads,
+                                                                   Watch& watch) {
+  const auto& layers = coating.sphere().layers;
+  const double density = std::max_element(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) {
+                           return a.density < b.density;
+                         })->density;
+  const std::size_t reference = softest_layer(coating);
+  auto media = scaled_media(coating, reference, density);
+  if (!media) return nullptr;
+
+  std::unique_ptr<SelfSimilarSpectrum> spectrum(new SelfSimilarSpectrum);
+  const double speed = coating.angular_speed() * coating.outer_radius();
+  double highest_eta = 0.0;
+  for (std::size_t m = 0; m < coating.harmonics(); ++m) {
+    spectrum->modulus_.push_back(coating.modulus(reference, m));
+    spectrum->inertia_.push_back(density * speed * speed / spectrum->modulus_.back());
+    highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
+  }
+  const std::optional<int> order = inertia_order(highest_eta);
+  if (!order) return nullptr;
+  spectrum->inertia_order_ = *order;
+  for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
+
+  const InertiaSeries inertia_series(std::move(*media), highest_eta, *order);
+  const auto max_order = static_cast<double>(coating.harmonics() - 1);
+  append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
+  const double most = 2.0 * max_order * max_order;
+  std::vector<double> bounds{kZeroOrder};
+  while (bounds.back() < most) bounds.push_back(std::min(8.0 * bounds.back(), most));
+  std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, std::size_t) {
+    append_panels(
+        bounds[p], bounds[p + 1], [&](double k2) { return inertia_series.sample(k2); },
+        [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
+  });
+  for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(spectrum->panels_));
+  return spectrum;
+}
+
+void SelfSimilarSpectrum::series(int m, OrderSeries& series) const {
+  const auto index = static_cast<std::size_t>(m);
+  const double m2 = static_cast<double>(m) * m;
+  const auto highest_n = static_cast<double>(modulus_.size() - 1);
+  const cplx unit = 1.0 / modulus_[index];
+  std::size_t used = 0;
+  for (const Panel<double>& panel : panels_) {
+    if (panel.high < m2 || panel.low > m2 + highest_n * highest_n) continue;
+    if (used == series.size()) series.emplace_back();
+    auto& target = series[used++];
+    target.low = panel.low;
+    target.high = panel.high;
+    target.series.setZero(kEntries, kPanelNodes);
+    for (Eigen::Index e = 0; e < kEntries; ++e) {
+      const bool has_factor_m = e == static_cast<int>(Entry::rphi) || e == static_cast<int>(Entry::phitheta);
+      cplx eta_power = unit * (has_factor_m ? static_cast<double>(m) : 1.0);
+      for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[index]) {
+        double m_power = 1.0;
+        for (int i = 0; i <= highest_power(e, j); ++i, m_power *= m2) {
+          target.series.row(e) +=
+              eta_power * m_power * panel.series.row(InertiaSeries::row_of(e, j, i, inertia_order_)).cast<cplx>();
+        }
+      }
+    }
+  }
+  series.resize(used);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,37 @@
+/// @file
+/// @brief Spectrum of coatings whose layers share one relaxation function: one response for all orders m.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "modal/spectrum.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Compliance of a coating with moduli mu_l*(w) = c_l g(w) and real, constant Poisson's ratios.
+///
+/// Without inertia it is F(k) / g(m Omega), F real and (but for the rotation from the direction of k to phi and theta)
+/// a function of k^2 = m^2 + n^2 alone. Inertia enters by eta = rho Omega^2 r_o^2 / g(m Omega), the complex square of a
+/// Mach number, tiny in most rolling. F is analytic in eta, and its j-th coefficient is a polynomial of degree j + 1 in
+/// m^2 at a given k^2, so a few terms serve every order:
+///
+///     C_mn = 1/g(m Omega) sum_j eta^j sum_i m^(2i) f_ji(k^2).
+class SelfSimilarSpectrum final : public Spectrum {
+ public:
+  /// @return nothing for a coating that is not self-similar, or too fast for a few terms of the series
+  [[nodiscard]] static std::unique_ptr<SelfSimilarSpectrum> try_make(const HarmonicCoating& coating, int threads,
+                                                                     Watch& watch);
+
+  void series(int m, OrderSeries& series) const override;
+
+ private:
+  SelfSimilarSpectrum() = default;
+
+  int inertia_order_ = 0;                      // largest j
+  std::vector<std::complex<double>> modulus_;  // g(m Omega) [Pa], for each m
+  std::vector<std::complex<double>> inertia_;  // eta / largest |eta|, for each m
+  std::vector<Panel<double>> panels_;          // row (entry, j, i), see row_of
+};
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,89 @@
+/// @file
+/// @brief The surface compliance of all orders |m|, |n| <= N_t, cheaply.
+///
+/// At a given m every entry of the compliance is a smooth function of n^2, known once it is known at a few points. A
+/// `Spectrum` gives it as Chebyshev series on panels of k^2 = m^2 + n^2; `evaluate` sums them at whole n.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "modal/chebyshev_panels.hpp"
+#include "modal/medium.hpp"
+#include "parallel.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief The six independent entries of the compliance; the others are C_phir = -C_rphi, C_thetar = -C_rtheta and
+/// C_thetaphi = C_phitheta. Those with one theta are odd in n, the others even.
+enum class Entry { rr, rphi, rtheta, phiphi, phitheta, thetatheta };
+constexpr int kEntries = 6;
+
+/// @return whether the entry is odd in n
+[[nodiscard]] constexpr bool is_odd(Entry entry) { return entry == Entry::rtheta || entry == Entry::phitheta; }
+
+/// @brief An entry of the 3 x 3 matrix as one of the independent ones.
+struct SignedEntry {
+  Entry entry;
+  double sign;
+};
+
+/// @return how C_PQ is stored, with P and Q in the order (r, phi, theta)
+[[nodiscard]] constexpr SignedEntry entry_of(std::size_t p, std::size_t q) {
+  constexpr std::array<std::array<Entry, 3>, 3> kEntryOf{{{Entry::rr, Entry::rphi, Entry::rtheta},
+                                                          {Entry::rphi, Entry::phiphi, Entry::phitheta},
+                                                          {Entry::rtheta, Entry::phitheta, Entry::thetatheta}}};
+  return {kEntryOf[p][q], q == 0 && p > 0 ? -1.0 : 1.0};
+}
+
+/// @brief Sizes by which errors of the entries are judged. The compliance is positive definite, so C_rphi and C_rtheta
+/// are at most the geometric mean of their diagonal neighbors, and may be far smaller by cancellation.
+/// @param[in] rr,phiphi sizes of these two entries
+/// @param[in] m_divisor,n_divisor what C_rphi, C_rtheta and C_phitheta are divided by for each theta and phi
+[[nodiscard]] inline std::array<double, kEntries> entry_sizes(double rr, double phiphi, double m_divisor,
+                                                              double n_divisor) {
+  const double mixed = std::sqrt(rr * phiphi);
+  return {rr, mixed / m_divisor, mixed / n_divisor, phiphi, phiphi / (m_divisor * n_divisor), phiphi};
+}
+
+/// @brief The last terms of a resolved Chebyshev series, relative to the entry's size: above the noise of the layer
+/// recursion.
+constexpr double kSeriesTolerance = 1e-13;
+
+/// @brief Below this k^2 lies order (0, 0) alone. It has a panel of its own, for a small core makes it a spike: the
+/// coating then turns about the core almost freely.
+constexpr double kZeroOrder = 0.5;
+
+/// @brief Compliance of one m: row e of a panel is entry e in the real form of layer_system.hpp [m/Pa], divided by n
+/// where the entry is odd.
+using OrderSeries = std::vector<Panel<std::complex<double>>>;
+
+/// @brief All orders of a coating. Immutable after construction: threads may share it.
+class Spectrum {
+ public:
+  virtual ~Spectrum() = default;
+
+  /// @brief Series of one order.
+  /// @param[in] m order, in [0, max_order]
+  /// @param[out] series panels that cover n in [0, max_order]; storage is reused
+  virtual void series(int m, OrderSeries& series) const = 0;
+};
+
+/// @brief Choose how to obtain the spectrum of a coating, and prepare it.
+/// @param[in] coating layers at the harmonics 0 ... max_order
+/// @param[in] threads number of threads, 0 for all cores
+/// @param[in] watch progress and cancellation
+[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, int threads, Watch& watch);
+
+/// @brief Physical compliance C_PQ(m, n) [m/Pa] of one entry at n = 0 ... max_order from the series of order m.
+/// @param[in] m the order of `series`
+/// @param[in] entry which entry
+/// @param[in] series from `Spectrum::series`
+/// @param[out] values one for each n
+void evaluate(int m, Entry entry, const OrderSeries& series, Eigen::Ref<Eigen::ArrayXcd> values);
+
+}  // namespace viscoroll::detail
