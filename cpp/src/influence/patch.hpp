@@ -1,0 +1,27 @@
+/// @file
+/// @brief Traction on the patch of a node, in the Fourier domain.
+///
+/// In theta a patch carries (1/Delta) times a Legendre polynomial P_p(2 (theta - theta_N) / Delta), whose order n is
+/// (-i)^p j_p(n Delta / 2), j_p the spherical Bessel function: j_0 = sinc is the flat patch (53). The 1/sin(theta) of
+/// the patch (38) is a sum of the first three, with weights that depend on the node's theta alone; what is left out is
+/// of the order (Delta/2)^3.
+#pragma once
+
+#include <array>
+
+namespace viscoroll::detail {
+
+constexpr int kPatchShapes = 3;  ///< Legendre degrees 0, 1, 2
+
+/// @return sin(x) / x
+[[nodiscard]] double sinc(double x);
+
+/// @return spherical Bessel function j_p(x) of degree p in {0, 1, 2}
+[[nodiscard]] double spherical_bessel(int degree, double x);
+
+/// @brief Legendre coefficients of 1/sin(theta) on [theta - spacing/2, theta + spacing/2].
+/// @param[in] theta center of the patch [rad], more than spacing/2 away from 0 and pi
+/// @param[in] spacing width of the patch [rad]
+[[nodiscard]] std::array<double, kPatchShapes> spherical_patch_weights(double theta, double spacing);
+
+}  // namespace viscoroll::detail
