@@ -1,0 +1,78 @@
+#include "contact/normal_contact.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "contact/dense_lu.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// An overclosure below this share of the penetration is round-off.
+constexpr double kOverclosureTolerance = 1e-11;
+
+/// Forces on the nodes in contact that flatten them all, and the penetration that balances the load.
+void press_flat(const NormalContactProblem& problem, const NormalContactOptions& options, Watch& watch,
+                NormalContactSolution& state) {
+  const auto count = static_cast<Eigen::Index>(state.contact.size());
+  Eigen::MatrixXd right_sides(count, 2);
+  right_sides.col(0) = -problem.drop(state.contact).matrix();
+  right_sides.col(1).setOnes();
+  const Eigen::MatrixXd forces = solve_dense(problem.compliance.block(state.contact, options.threads, watch),
+                                             std::move(right_sides), options.threads, watch);
+  state.penetration = (problem.load - forces.col(0).sum()) / forces.col(1).sum();
+  state.force.setZero();
+  state.force(state.contact) = (forces.col(0) + state.penetration * forces.col(1)).array();
+}
+
+bool drop_tensile(NormalContactSolution& state) {
+  return std::erase_if(state.contact, [&](Eigen::Index node) { return !(state.force[node] > 0.0); }) > 0;
+}
+
+bool add_overclosed(NormalContactSolution& state) {
+  std::vector<Eigen::Index> added;
+  for (Eigen::Index node = 0; node < state.gap.size(); ++node) {
+    const bool overclosed = state.gap[node] < -kOverclosureTolerance * state.penetration;
+    if (overclosed && state.force[node] == 0.0) added.push_back(node);
+  }
+  const auto middle = static_cast<std::ptrdiff_t>(state.contact.size());
+  state.contact.insert(state.contact.end(), added.begin(), added.end());
+  std::inplace_merge(state.contact.begin(), state.contact.begin() + middle, state.contact.end());
+  return !added.empty();
+}
+
+double largest_violation(const NormalContactSolution& state) {
+  const double overclosure = -state.gap.minCoeff();
+  const double opening = state.gap(state.contact).abs().maxCoeff();
+  return std::max(overclosure, opening) / state.penetration;
+}
+
+}  // namespace
+
+NormalContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
+                                           const NormalContactOptions& options, Watch& watch) {
+  NormalContactSolution state{.force = Eigen::ArrayXd::Zero(problem.drop.size()), .contact = std::move(start)};
+  while (state.iterations < options.max_iterations && !state.converged) {
+    if (static_cast<Eigen::Index>(state.contact.size()) > options.max_nodes) {
+      throw std::length_error(std::to_string(state.contact.size()) + " nodes in contact");
+    }
+    ++state.iterations;
+    press_flat(problem, options, watch, state);
+    if (drop_tensile(state)) {
+      if (state.contact.empty()) throw ConvergenceError("no node carries load", state.iterations, 1.0);
+      continue;
+    }
+    state.gap = problem.drop + problem.compliance.apply(state.force) - state.penetration;
+    state.converged = !add_overclosed(state);
+  }
+  if (!state.converged) {
+    state.force = state.force.max(0.0);
+    state.gap = problem.drop + problem.compliance.apply(state.force) - state.penetration;
+  }
+  state.residual = largest_violation(state);
+  return state;
+}
+
+}  // namespace viscoroll::detail

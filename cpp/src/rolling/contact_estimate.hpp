@@ -1,0 +1,19 @@
+/// @file
+/// @brief Size of the contact before anything is solved.
+#pragma once
+
+#include "modal/medium.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Contact radius of a static sphere on a plane from above, for the size of the candidate window.
+///
+/// The load is the sum of Hertz's, P = 8 G a^3 / (3 (1 - nu) R), and of the thin bonded layer's, the softer of
+/// P = pi G a^6 / (32 R h^3) (incompressible) and P = pi M a^4 / (4 R h) (confined modulus M); the true load at a given
+/// a exceeds it, and the softest modulus of all layers is taken.
+/// @param[in] coating layers at the harmonics of rolling
+/// @param[in] load P [N]
+/// @return a [m]
+[[nodiscard]] double estimate_contact_radius(const HarmonicCoating& coating, double load);
+
+}  // namespace viscoroll::detail

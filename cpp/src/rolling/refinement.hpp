@@ -1,0 +1,15 @@
+/// @file
+/// @brief Choosing the mesh: refine until the error estimate is small enough.
+#pragma once
+
+#include "parallel.hpp"
+#include "viscoroll/solve.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Solve on finer and finer meshes until the larger of the power-balance error and the change from the mesh
+/// before is below `options.accuracy`, or the finest mesh allowed is reached.
+[[nodiscard]] Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options,
+                                       Watch& watch);
+
+}  // namespace viscoroll::detail
