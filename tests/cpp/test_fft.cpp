@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <utility>
+
+#include "influence/fft.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+ComplexBuffer ramp(std::size_t length) {
+  ComplexBuffer data(length);
+  for (std::size_t i = 0; i < length; ++i) data[i] = cplx(static_cast<double>(i), 1.0 / (1.0 + static_cast<double>(i)));
+  return data;
+}
+
+/// sum_q a_q exp(2 pi i q j / n), term by term.
+cplx direct_sum(const ComplexBuffer& a, std::size_t j) {
+  cplx sum = 0.0;
+  for (std::size_t q = 0; q < a.size(); ++q) {
+    const double turn = static_cast<double>(q * j % a.size()) / static_cast<double>(a.size());
+    sum += a[q] * std::polar(1.0, 2.0 * std::numbers::pi * turn);
+  }
+  return sum;
+}
+
+TEST(ComplexBackwardFft, SumsWithPositiveExponentAndNoScale) {
+  for (const int length : {16, 25, 37}) {
+    const ComplexBuffer input = ramp(static_cast<std::size_t>(length));
+    ComplexBuffer output = input;
+    ComplexBackwardFft(length).execute(output);
+    // 37 terms of size 37: round-off of about 1e-16 * 37^2.
+    for (std::size_t j = 0; j < input.size(); ++j) EXPECT_LT(std::abs(output[j] - direct_sum(input, j)), 1e-12);
+  }
+}
+
+TEST(RealFft, BackwardUndoesForwardTimesThePointCount) {
+  const RealFft fft(6, 15);
+  RealBuffer real(fft.real_size());
+  for (std::size_t i = 0; i < real.size(); ++i) real[i] = std::sin(static_cast<double>(i * i));
+  const RealBuffer original = real;
+  ComplexBuffer spectrum(fft.spectrum_size());
+  fft.forward(real, spectrum);
+  fft.backward(spectrum, real);
+  for (std::size_t i = 0; i < real.size(); ++i) EXPECT_NEAR(real[i], 90.0 * original[i], 1e-12);
+}
+
+TEST(Fft, PlansMoveAndOutliveTheirFirstOwner) {
+  ComplexBackwardFft first(25);
+  ComplexBackwardFft second(std::move(first));
+  first = ComplexBackwardFft(16);
+  second = std::move(first);
+  ComplexBuffer data = ramp(16);
+  const ComplexBuffer input = data;
+  second.execute(data);
+  EXPECT_LT(std::abs(data[5] - direct_sum(input, 5)), 1e-12);
+}
+
+TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
+  const ComplexBackwardFft shared(64);
+  const ComplexBuffer input = ramp(64);
+  ComplexBuffer expected = input;
+  shared.execute(expected);
+  std::vector<std::jthread> threads;
+  for (int t = 0; t < 8; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 50; ++i) {
+        const ComplexBackwardFft own(64);
+        ComplexBuffer a = input;
+        ComplexBuffer b = input;
+        own.execute(a);
+        shared.execute(b);
+        EXPECT_EQ(a, expected);
+        EXPECT_EQ(b, expected);
+      }
+    });
+  }
+}
+
+TEST(FastLength, HasSmallFactorsOnly) {
+  EXPECT_EQ(fast_length(1), 1);
+  EXPECT_EQ(fast_length(11), 12);
+  EXPECT_EQ(fast_length(121), 125);
+  EXPECT_EQ(fast_length(2 * 3 * 5 * 7), 210);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "cases.hpp"
+#include "contact/coating_operators.hpp"
+#include "contact/surface_window.hpp"
+#include "influence/convolution.hpp"
+#include "influence/patch.hpp"
+#include "influence/synthesis.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Integral of f over [-1, 1] by 64 midpoint panels with Richardson extrapolation.
+template <class Function>
+double integral(const Function& f) {
+  const auto midpoints = [&](int panels) {
+    double sum = 0.0;
+    for (int i = 0; i < panels; ++i) sum += f(-1.0 + (2.0 * i + 1.0) / panels) * 2.0 / panels;
+    return sum;
+  };
+  const double coarse = (4.0 * midpoints(128) - midpoints(64)) / 3.0;
+  const double fine = (4.0 * midpoints(256) - midpoints(128)) / 3.0;
+  return (16.0 * fine - coarse) / 15.0;
+}
+
+TEST(Patch, SphericalBesselIsTheTransformOfLegendre) {
+  for (const double x : {1e-5, 0.05, 0.099, 0.101, 0.199, 0.201, 1.0, 3.0}) {
+    EXPECT_NEAR(spherical_bessel(0, x), 0.5 * integral([x](double t) { return std::cos(x * t); }), 1e-12);
+    EXPECT_NEAR(spherical_bessel(1, x), 0.5 * integral([x](double t) { return t * std::sin(x * t); }), 1e-12);
+    const auto second = [x](double t) { return (0.5 - 1.5 * t * t) * std::cos(x * t); };
+    EXPECT_NEAR(spherical_bessel(2, x), 0.5 * integral(second), 1e-12);
+  }
+}
+
+TEST(Patch, SphericalWeightsGiveTheInverseSine) {
+  const double spacing = 0.02;
+  const double theta = 1.3;
+  const auto w = spherical_patch_weights(theta, spacing);
+  for (const double x : {-1.0, -0.3, 0.0, 0.8}) {
+    const double series = w[0] + w[1] * x + w[2] * (1.5 * x * x - 0.5);
+    // Left out: third Legendre coefficient, about (spacing / 2)^3.
+    EXPECT_NEAR(series, 1.0 / std::sin(theta + 0.5 * spacing * x), 1e-6);
+  }
+}
+
+class OperatorTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad>> {
+ protected:
+  OperatorTest() {
+    const HarmonicCoating coating(cases::unlike_layers(), 2.5, orders_up_to(mesh_.max_order));
+    const auto spectrum = make_spectrum(coating, 2, watch_);
+    tables_ = std::make_shared<const std::vector<Table>>(
+        synthesize(*spectrum, coating.outer_radius(), mesh_, required_tables(formulation_), 8, 10, 2, watch_));
+  }
+
+  Formulation formulation_{std::get<0>(GetParam()), std::get<1>(GetParam())};
+  Mesh mesh_{.nodes_per_revolution = 101, .max_order = 130};
+  SurfaceWindow window_{23e-3, 2.0 * 3.141592653589793 / 101, 4, 5};
+  std::shared_ptr<const std::vector<Table>> tables_;
+  Observer observer_;
+  Watch watch_{observer_};
+};
+
+TEST_P(OperatorTest, FftProductEqualsTheDenseBlock) {
+  const CoatingOperators operators = make_operators(formulation_, window_, tables_);
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(window_.shape().size()));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Eigen::Index>(i);
+  const Eigen::ArrayXd force = Eigen::ArrayXd::LinSpaced(window_.shape().size(), 0.0, 1.0).sin();
+  for (const ScaledConvolution* matrix : {&operators.vertical, &operators.backward, &operators.power}) {
+    const Eigen::ArrayXd dense = (matrix->block(all, 2, watch_) * force.matrix()).array();
+    const Eigen::ArrayXd fast = matrix->apply(force);
+    EXPECT_LT((dense - fast).abs().maxCoeff(), 1e-13 * (1e-30 + dense.abs().maxCoeff()));
+  }
+}
+
+TEST_P(OperatorTest, ForcesLoseNoEnergyToThePlane) {
+  // Passivity: the compliance has a positive symmetric part, and the power lost is never negative.
+  const CoatingOperators operators = make_operators(formulation_, window_, tables_);
+  for (int k = 1; k < 40; ++k) {
+    Eigen::ArrayXd force = Eigen::ArrayXd::LinSpaced(window_.shape().size(), 0.0, 3.7 * k);
+    force = force.sin();
+    EXPECT_GT((force * operators.vertical.apply(force)).sum(), 0.0);
+    EXPECT_GT((force * operators.power.apply(force)).sum(), 0.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulations, OperatorTest,
+                         testing::Combine(testing::Values(Compliance::vertical, Compliance::radial),
+                                          testing::Values(PatchLoad::flat, PatchLoad::spherical)));
+
+TEST(Synthesis, DoesNotDependOnTheNumberOfThreads) {
+  const Mesh mesh{.nodes_per_revolution = 64, .max_order = 100};
+  const auto sum = [&](int threads) {
+    return influence_tables(cases::paper_sphere(), 2.5, mesh, 10, 12, threads).values;
+  };
+  EXPECT_EQ(sum(1), sum(2));
+  EXPECT_EQ(sum(1), sum(5));
+}
+
+}  // namespace
+}  // namespace viscoroll::detail

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "cases.hpp"
+#include "viscoroll/materials.hpp"
+
+namespace viscoroll {
+namespace {
+
+using cplx = std::complex<double>;
+
+TEST(ComplexModulus, RefusesWhatACustomFunctionLeavesOut) {
+  const CustomModulus lazy{[](std::span<const double>, std::span<cplx> mu) { mu[0] = 1e6; }};
+  const std::array omega{0.0, 1.0};
+  EXPECT_THROW(std::ignore = complex_modulus(lazy, omega), std::invalid_argument);
+}
+
+TEST(ComplexModulus, TakesNoLossAtRest) {
+  const CustomModulus hysteretic{[](std::span<const double>, std::span<cplx> mu) {
+    for (cplx& value : mu) value = cplx(1e6, 1e5);
+  }};
+  const std::array omega{0.0, 1.0};
+  const auto mu = complex_modulus(hysteretic, omega);
+  EXPECT_EQ(mu[0], cplx(1e6));
+  EXPECT_EQ(mu[1], cplx(1e6, 1e5));
+}
+
+TEST(ComplexModulus, StaysFiniteAtAnyFrequency) {
+  const std::array omega{1e300};
+  EXPECT_DOUBLE_EQ(complex_modulus(cases::rubber(), omega)[0].real(), 6e6);
+  EXPECT_DOUBLE_EQ(complex_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, omega)[0].real(), 6e6);
+}
+
+TEST(ShortTimeModulus, IsTheLimitOfTheStorageModulus) {
+  EXPECT_EQ(short_time_modulus(cases::rubber(), 1.0), 6e6);
+  EXPECT_EQ(short_time_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, 1.0), 6e6);
+  EXPECT_EQ(short_time_modulus(Elastic{2e6}, 1.0), 2e6);
+  EXPECT_EQ(short_time_modulus(KelvinVoigt{2e6, 1.0}, 1.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(short_time_modulus(KelvinVoigt{2e6, 0.0}, 1.0), 2e6);
+  EXPECT_EQ(short_time_modulus(MasterCurve{{1.0, 2.0}, {1e6, 2e6}, {0.0, 0.0}}, 1.0), 2e6);
+}
+
+}  // namespace
+}  // namespace viscoroll

@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "cases.hpp"
+#include "modal/compliance_recursion.hpp"
+#include "modal/layer_system.hpp"
+#include "modal/order_by_order.hpp"
+#include "modal/self_similar.hpp"
+#include "viscoroll/modal.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+/// Compliance of one order as the spectrum and as the recursion give it, and their largest difference relative to the
+/// largest entry of its row and column (C_ij^2 <= C_ii C_jj).
+double spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating, int m, int n) {
+  OrderSeries series;
+  spectrum.series(m, series);
+  Eigen::Matrix3cd sum;
+  Eigen::ArrayXcd values(static_cast<Eigen::Index>(coating.harmonics()));
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const SignedEntry entry = entry_of(p, q);
+      evaluate(m, entry.entry, series, values);
+      sum(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)) = entry.sign * values[n];
+    }
+  }
+  const auto media = coating.media(static_cast<std::size_t>(m));
+  const Eigen::Matrix3cd exact = to_physical(surface_compliance<cplx>(media, m, n));
+  double error = 0.0;
+  for (int p = 0; p < 3; ++p) {
+    for (int q = 0; q < 3; ++q) {
+      const double size = std::sqrt(std::abs(exact(p, p)) * std::abs(exact(q, q)));
+      if (size > 0.0) error = std::max(error, std::abs(sum(p, q) - exact(p, q)) / size);
+    }
+  }
+  return error;
+}
+
+double worst_spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating) {
+  double worst = 0.0;
+  for (const int m : {0, 1, 2, 3, 7, 20, 61, 150, 400}) {
+    for (const int n : {0, 1, 2, 5, 19, 80, 399}) worst = std::max(worst, spectrum_error(spectrum, coating, m, n));
+  }
+  return worst;
+}
+
+struct SpectrumCase {
+  const char* name;
+  double core_radius;
+  double thickness;
+  double poisson_ratio;
+  double density;
+  double angular_speed;
+};
+
+void PrintTo(const SpectrumCase& c, std::ostream* out) { *out << c.name; }
+
+class SpectrumTest : public testing::TestWithParam<SpectrumCase> {
+ protected:
+  [[nodiscard]] HarmonicCoating coating() const {
+    const SpectrumCase& c = GetParam();
+    const CoatedSphere sphere{.core_radius = c.core_radius,
+                              .layers = {{.thickness = c.thickness,
+                                          .shear_modulus = cases::rubber(),
+                                          .poisson_ratio = c.poisson_ratio,
+                                          .density = c.density}}};
+    return {sphere, c.angular_speed, orders_up_to(400)};
+  }
+
+  Observer observer_;
+  Watch watch_{observer_};
+};
+
+TEST_P(SpectrumTest, SharedResponseAgreesWithTheRecursion) {
+  const HarmonicCoating coating = this->coating();
+  const auto spectrum = SelfSimilarSpectrum::try_make(coating, 2, watch_);
+  ASSERT_TRUE(spectrum);
+  // Series are cut at 1e-13 and the inertia series at 1e-12; sums of a few such errors.
+  EXPECT_LT(worst_spectrum_error(*spectrum, coating), 1e-11);
+}
+
+TEST_P(SpectrumTest, OrderByOrderAgreesWithTheRecursion) {
+  const HarmonicCoating coating = this->coating();
+  EXPECT_LT(worst_spectrum_error(OrderByOrderSpectrum(coating), coating), 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Coatings, SpectrumTest,
+                         testing::Values(SpectrumCase{"Paper", 20e-3, 1e-3, 0.5, 0.0, 2.5},
+                                         SpectrumCase{"PaperWithInertia", 20e-3, 1e-3, 0.5, 1000.0, 2.5},
+                                         SpectrumCase{"Faster", 20e-3, 1e-3, 0.5, 1000.0, 20.0},
+                                         SpectrumCase{"Thin", 20e-3, 20e-6, 0.5, 1000.0, 2.5},
+                                         SpectrumCase{"ThinCompressible", 20e-3, 20e-6, 0.3, 1000.0, 2.5},
+                                         SpectrumCase{"Thick", 20e-3, 20e-3, 0.5, 0.0, 2.5},
+                                         SpectrumCase{"NearlySolid", 20e-6, 20e-3, 0.45, 1000.0, 2.5},
+                                         SpectrumCase{"Auxetic", 20e-3, 5e-3, -0.5, 1000.0, 2.5}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(Spectrum, OrderByOrderTakesUnlikeLayersAndHighSpeeds) {
+  for (const double speed : {2.5, 300.0}) {
+    const HarmonicCoating coating(cases::unlike_layers(1000.0), speed, orders_up_to(400));
+    EXPECT_LT(worst_spectrum_error(OrderByOrderSpectrum(coating), coating), 1e-11) << speed;
+  }
+}
+
+TEST(Spectrum, SelfSimilarityIsRecognized) {
+  const Observer observer;
+  Watch watch(observer);
+  const auto is_shared = [&](const CoatedSphere& sphere, double speed) {
+    const HarmonicCoating coating(sphere, speed, orders_up_to(50));
+    return SelfSimilarSpectrum::try_make(coating, 1, watch) != nullptr;
+  };
+  CoatedSphere two = cases::paper_sphere();
+  two.layers.push_back({.thickness = 2e-3,
+                        .shear_modulus = standard_linear_solid(1.2e6, 0.6e6, 0.125),
+                        .poisson_ratio = 0.3,
+                        .density = 500.0});
+  EXPECT_TRUE(is_shared(two, 2.5));
+  EXPECT_FALSE(is_shared(cases::unlike_layers(), 2.5));
+  EXPECT_FALSE(is_shared(cases::paper_sphere(), 1000.0)) << "inertia beyond its series";
+}
+
+TEST(CriticalSpeed, OfOneLayerIsItsRayleighWave) {
+  // 0.9553 sqrt(mu0 / rho), the root of the Rayleigh equation at Poisson's ratio 1/2 (theory.md section 7).
+  EXPECT_NEAR(critical_speed(cases::paper_sphere()), 0.95531 * std::sqrt(6e6 / 1000.0) / 21e-3, 0.01);
+  EXPECT_TRUE(std::isinf(critical_speed(cases::paper_sphere(0.0))));
+}
+
+TEST(CriticalSpeed, ASoftLayerBelowAStiffOneLowersIt) {
+  CoatedSphere sphere = cases::paper_sphere();
+  sphere.layers[0].thickness = 5e-3;
+  const double alone = critical_speed(sphere);
+  sphere.layers.push_back(sphere.layers[0]);
+  sphere.layers[1].shear_modulus = Elastic{60e6};
+  const double covered = critical_speed(sphere);
+  EXPECT_LT(covered, std::sqrt(60e6 / 1000.0) / 30e-3);
+  EXPECT_GT(covered, 0.5 * alone * 25.0 / 30.0);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail
