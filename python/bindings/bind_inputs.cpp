@@ -1,0 +1,108 @@
+#include <pybind11/complex.h>
+#include <pybind11/native_enum.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "bindings.hpp"
+#include "viscoroll/influence.hpp"
+#include "viscoroll/materials.hpp"
+#include "viscoroll/sphere.hpp"
+
+namespace {
+
+using namespace viscoroll;
+using cplx = std::complex<double>;
+
+/// A Python callable as a modulus. The library copies it on threads that do not hold the GIL, so that it is held by a
+/// pointer whose last owner takes the GIL.
+CustomModulus custom_modulus(const py::function& function) {
+  const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* held) {
+    const py::gil_scoped_acquire gil;
+    delete held;
+  });
+  return {[callable](std::span<const double> omega, std::span<cplx> modulus) {
+    const py::gil_scoped_acquire gil;
+    const py::array_t<double> argument(static_cast<py::ssize_t>(omega.size()), omega.data());
+    const auto values = py::array_t<cplx, py::array::c_style | py::array::forcecast>::ensure((*callable)(argument));
+    if (!values) throw py::type_error("shear_modulus must be a function that returns complex numbers");
+    if (values.ndim() != 1 || static_cast<std::size_t>(values.size()) != omega.size()) {
+      throw std::invalid_argument(
+          "shear_modulus must be a function that returns one value for each frequency, got shape " +
+          std::string(py::str(values.attr("shape"))) + " for " + std::to_string(omega.size()));
+    }
+    std::copy_n(values.data(), omega.size(), modulus.begin());
+  }};
+}
+
+}  // namespace
+
+void bind_inputs(py::module_& m) {
+  py::native_enum<Extrapolation>(m, "Extrapolation", "enum.Enum", "What a master curve does outside its table.")
+      .value("ERROR", Extrapolation::error, "refuse")
+      .value("HOLD", Extrapolation::hold, "keep the value at the nearer end")
+      .finalize();
+
+  py::classh<Elastic>(m, "Elastic")
+      .def(py::init([](double modulus) { return Elastic{modulus}; }), py::kw_only(), py::arg("modulus"));
+  py::classh<Prony>(m, "Prony")
+      .def(
+          py::init([](double instantaneous_modulus, std::vector<double> weights, std::vector<double> relaxation_times) {
+            return Prony{instantaneous_modulus, std::move(weights), std::move(relaxation_times)};
+          }),
+          py::kw_only(), py::arg("instantaneous_modulus"), py::arg("weights"), py::arg("relaxation_times"));
+  m.def("standard_linear_solid", &standard_linear_solid, py::kw_only(), py::arg("instantaneous_modulus"),
+        py::arg("relaxed_modulus"), py::arg("relaxation_time"));
+  py::classh<KelvinVoigt>(m, "KelvinVoigt")
+      .def(py::init([](double modulus, double viscosity) { return KelvinVoigt{modulus, viscosity}; }), py::kw_only(),
+           py::arg("modulus"), py::arg("viscosity"));
+  py::classh<FractionalZener>(m, "FractionalZener")
+      .def(py::init([](double instantaneous, double relaxed, double time, double order) {
+             return FractionalZener{instantaneous, relaxed, time, order};
+           }),
+           py::kw_only(), py::arg("instantaneous_modulus"), py::arg("relaxed_modulus"), py::arg("relaxation_time"),
+           py::arg("order"));
+  py::classh<MasterCurve>(m, "MasterCurve")
+      .def(py::init([](std::vector<double> frequency, std::vector<double> storage, std::vector<double> loss,
+                       Extrapolation extrapolation) {
+             return MasterCurve{std::move(frequency), std::move(storage), std::move(loss), extrapolation};
+           }),
+           py::kw_only(), py::arg("frequency"), py::arg("storage"), py::arg("loss"), py::arg("extrapolation"));
+  py::classh<CustomModulus>(m, "CustomModulus").def(py::init(&custom_modulus), py::arg("function"));
+
+  m.def("validate_modulus", [](const ShearModulus& modulus) { validate(modulus, ""); }, py::arg("modulus"));
+  m.def(
+      "complex_modulus",
+      [](const ShearModulus& modulus, const InputArray<double>& omega) {
+        const std::vector<cplx> values = complex_modulus(modulus, view(omega));
+        return py::array_t<cplx>(static_cast<py::ssize_t>(values.size()), values.data());
+      },
+      py::arg("modulus"), py::arg("omega").noconvert());
+
+  py::classh<Layer>(m, "Layer")
+      .def(py::init([](double thickness, const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
+                       std::optional<double> bulk_modulus, double density) {
+             Layer layer{thickness, shear_modulus, poisson_ratio, bulk_modulus, density};
+             validate(layer, "");
+             return layer;
+           }),
+           py::kw_only(), py::arg("thickness"), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
+           py::arg("bulk_modulus").none(true), py::arg("density"));
+  py::classh<CoatedSphere>(m, "CoatedSphere")
+      .def(py::init([](double core_radius, std::vector<Layer> layers) {
+             CoatedSphere sphere{core_radius, std::move(layers)};
+             validate(sphere);
+             return sphere;
+           }),
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
+  py::classh<Mesh>(m, "Mesh")
+      .def(py::init([](int nodes_per_revolution, int max_order) {
+             const Mesh mesh{nodes_per_revolution, max_order};
+             validate(mesh);
+             return mesh;
+           }),
+           py::kw_only(), py::arg("nodes_per_revolution"), py::arg("max_order"))
+      .def_readonly("nodes_per_revolution", &Mesh::nodes_per_revolution)
+      .def_readonly("max_order", &Mesh::max_order);
+}

@@ -1,0 +1,13 @@
+#include <pybind11/pybind11.h>
+
+#include "bindings.hpp"
+#include "viscoroll/errors.hpp"
+
+PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
+  m.doc() = "C++ core of viscoroll; use the package viscoroll instead.";
+  m.attr("__version__") = VISCOROLL_VERSION;
+  py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
+  bind_inputs(m);
+  bind_modal(m);
+  bind_solve(m);
+}

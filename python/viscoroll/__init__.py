@@ -1,0 +1,61 @@
+"""Rolling resistance of rigid spheres with viscoelastic coatings.
+
+    >>> import viscoroll as vr
+    >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=0.5, density=1000.0)
+    >>> ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> r = vr.solve(ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=250, max_order=250))
+    >>> print(f"{r.resisting_torque * 1e3:.2f} mN m")
+    11.17 mN m
+
+All quantities are in SI units; angles are in radians and all moduli are shear moduli.
+"""
+
+from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, Status, __version__
+from .geometry import CoatedSphere, Layer
+from .materials import (
+    Elastic,
+    FractionalZener,
+    KelvinVoigt,
+    MasterCurve,
+    Prony,
+    ShearModulus,
+    StandardLinearSolid,
+)
+from .mesh import Mesh
+from .orders import (
+    centrifugal_displacement,
+    critical_speed,
+    influence_tables,
+    state_matrix,
+    surface_compliance,
+)
+from .result import Refinement, Result
+from .rolling import solve
+
+__all__ = [
+    "CoatedSphere",
+    "Compliance",
+    "ConvergenceError",
+    "Elastic",
+    "Extrapolation",
+    "FractionalZener",
+    "KelvinVoigt",
+    "Layer",
+    "MasterCurve",
+    "Mesh",
+    "PatchLoad",
+    "Prony",
+    "Refinement",
+    "Result",
+    "ShearModulus",
+    "StandardLinearSolid",
+    "Status",
+    "__version__",
+    "centrifugal_displacement",
+    "critical_speed",
+    "influence_tables",
+    "solve",
+    "state_matrix",
+    "surface_compliance",
+]

@@ -1,0 +1,198 @@
+"""Cases in TOML files, checked with pydantic (the extra `viscoroll[cli]`)."""
+
+from __future__ import annotations
+
+import csv
+import tomllib
+from dataclasses import dataclass, fields
+from importlib import resources
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from . import materials
+from ._core import Compliance, Extrapolation, PatchLoad
+from .geometry import CoatedSphere, Layer
+from .mesh import Mesh
+from .result import Result
+from .rolling import solve
+
+__all__ = ["Case", "example_text", "load_case"]
+
+_MATERIALS: dict[str, type[materials.ShearModulus]] = {
+    "elastic": materials.Elastic,
+    "standard_linear_solid": materials.StandardLinearSolid,
+    "prony": materials.Prony,
+    "kelvin_voigt": materials.KelvinVoigt,
+    "fractional_zener": materials.FractionalZener,
+    "master_curve": materials.MasterCurve,
+}
+
+
+class _Table(BaseModel):
+    """A table of the file: unknown keys and wrong types are errors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class _Layer(_Table):
+    thickness: float
+    shear_modulus: dict[str, Any]
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+
+class _Ball(_Table):
+    core_radius: float
+    layers: list[_Layer]
+
+
+class _Rolling(_Table):
+    load: float
+    angular_speed: float
+
+
+class _Numerics(_Table):
+    accuracy: float | None = None
+    nodes_per_revolution: int | None = None
+    max_order: int | None = None
+    compliance: Literal["vertical", "radial"] = "vertical"
+    patch_load: Literal["flat", "spherical"] = "flat"
+
+
+class _File(_Table):
+    ball: _Ball
+    rolling: _Rolling
+    numerics: _Numerics = _Numerics()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """One load case, as a file describes it. Parameters as of `viscoroll.solve`."""
+
+    ball: CoatedSphere
+    load: float
+    angular_speed: float
+    mesh: Mesh | None
+    accuracy: float | None
+    compliance: Compliance
+    patch_load: PatchLoad
+
+    def solve(self, **options: Any) -> Result:
+        """Solve the case; `options` go to `viscoroll.solve`."""
+        return solve(**{field.name: getattr(self, field.name) for field in fields(self)}, **options)
+
+
+def load_case(path: str | Path) -> Case:
+    """Read a case from a TOML file.
+
+    Parameters
+    ----------
+    path : path-like
+        The file; ``example_text()`` is a commented example.
+
+    Returns
+    -------
+    Case
+        Ready to solve.
+
+    Raises
+    ------
+    ValueError
+        Where the file is not valid: in one line, with the place in the file.
+    OSError
+        Where it cannot be read.
+    """
+    path = Path(path)
+    try:
+        file = _File.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: not a TOML file: {error}") from None
+    except ValidationError as error:
+        raise ValueError(f"{path}: {_first_line(error)}") from None
+    try:
+        return _build(file, path.parent)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def example_text() -> str:
+    """Return the commented example of a case file."""
+    return resources.files(__package__).joinpath("examples/case.toml").read_text(encoding="utf-8")
+
+
+def _build(file: _File, folder: Path) -> Case:
+    numerics = file.numerics
+    mesh = None
+    if numerics.nodes_per_revolution is not None or numerics.max_order is not None:
+        if numerics.nodes_per_revolution is None or numerics.max_order is None:
+            raise ValueError("numerics.nodes_per_revolution and numerics.max_order must be given together")
+        if numerics.accuracy is not None:
+            raise ValueError("numerics.accuracy must be left out where a mesh is given")
+        mesh = Mesh(nodes_per_revolution=numerics.nodes_per_revolution, max_order=numerics.max_order)
+    return Case(
+        ball=CoatedSphere(
+            core_radius=file.ball.core_radius,
+            layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(file.ball.layers)],
+        ),
+        load=file.rolling.load,
+        angular_speed=file.rolling.angular_speed,
+        mesh=mesh,
+        accuracy=numerics.accuracy,
+        compliance=Compliance[numerics.compliance.upper()],
+        patch_load=PatchLoad[numerics.patch_load.upper()],
+    )
+
+
+def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
+    try:
+        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(dict(layer.shear_modulus), folder)})
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name}: {error}") from None
+
+
+def _shear_modulus(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+    kind = table.pop("type", None)
+    if kind not in _MATERIALS:
+        raise ValueError(f"shear_modulus.type must be one of {', '.join(_MATERIALS)}, got {kind!r}")
+    material = _MATERIALS[kind]
+    if material is materials.MasterCurve:
+        table = _master_curve(table, folder)
+    known = {field.name for field in fields(material)}  # type: ignore[arg-type]
+    if unknown := sorted(table.keys() - known):
+        raise ValueError(f"shear_modulus of type {kind} has no parameter {', '.join(unknown)}")
+    if missing := sorted(known - table.keys() - {"extrapolation"}):
+        raise ValueError(f"shear_modulus of type {kind} needs {', '.join(missing)}")
+    return material(**table)
+
+
+def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """Replace the name of a file by its columns, and the name of an extrapolation by its member."""
+    table = dict(table)
+    if "file" in table:
+        path = folder / str(table.pop("file"))
+        try:
+            with path.open(newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file, skipinitialspace=True))
+            columns = {name: [float(row[name]) for row in rows] for name in ("frequency", "storage", "loss")}
+        except OSError as error:
+            raise ValueError(f"master curve {path}: {error.strerror}") from None
+        except (KeyError, TypeError, ValueError) as error:
+            message = f"master curve {path}: needs numbers in columns frequency, storage, loss ({error})"
+            raise ValueError(message) from None
+        table |= columns
+    if "extrapolation" in table:
+        names = {member.name.lower(): member for member in Extrapolation}
+        if table["extrapolation"] not in names:
+            raise ValueError(f"extrapolation must be one of {', '.join(names)}, got {table['extrapolation']!r}")
+        table["extrapolation"] = names[table["extrapolation"]]
+    return table
+
+
+def _first_line(error: ValidationError) -> str:
+    first = error.errors()[0]
+    place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
+    more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
+    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {first['input']!r}{more}"

@@ -1,0 +1,169 @@
+"""The command line, with typer and rich (the extra `viscoroll[cli]`)."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from . import ConvergenceError, Result, Status, __version__, paper
+from ._core import Compliance
+from .case import example_text, load_case
+from .result import SCALARS
+from .rolling import solve as solve_rolling
+
+__all__ = ["run"]
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="rich",
+    help="Rolling resistance of rigid spheres with viscoelastic coatings. SI units throughout.",
+)
+
+_INVALID, _FAILED = 2, 1
+_messages = Console(stderr=True)
+_output = Console()
+
+
+def run() -> None:
+    """Run the command line: exit code 2 for bad input, 1 where no answer was found, 130 on Ctrl-C."""
+    try:
+        app()
+    except OSError as error:
+        _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), _INVALID)
+    except (ValueError, TypeError) as error:
+        _fail(str(error), _INVALID)
+    except ConvergenceError as error:
+        _fail(str(error), _FAILED)
+    except ImportError as error:
+        _fail(f"this needs {error.name}: pip install 'viscoroll[cli,plot,files]'", _INVALID)
+
+
+def _fail(message: str, code: int) -> None:
+    _messages.print(f"viscoroll: {message}", markup=False, highlight=False, soft_wrap=True)
+    sys.exit(code)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        _output.print(f"viscoroll {__version__}", highlight=False)
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command()
+def solve(
+    case: Annotated[Path, typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one.")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
+) -> None:
+    """Solve the load case of a file and report torque, penetration, pressure and power balance."""
+    loaded = load_case(case)
+    with _progress_bar() as bar:
+        task = bar.add_task("starting", total=1.0)
+        result = loaded.solve(progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction))
+    if as_json:
+        typer.echo(json.dumps(result.scalars(), indent=2))
+    else:
+        _output.print(_result_table(result))
+    if result.status is not Status.CONVERGED:
+        _messages.print(f"warning: {_STATUS_TEXT[result.status]}", highlight=False, soft_wrap=True)
+    if plot is not None:
+        result.plot().savefig(plot, dpi=150)
+    if save is not None:
+        result.save(save)
+
+
+@app.command()
+def example() -> None:
+    """Print a commented case file to start from: viscoroll example > case.toml."""
+    typer.echo(example_text(), nl=False)
+
+
+@app.command()
+def demo(
+    plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
+) -> None:
+    """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2, beside the printed torques."""
+    ball = paper.ball()
+    torques: dict[tuple[int, int], float] = {}
+    with _progress_bar() as bar:
+        task = bar.add_task("table 2 of the paper", total=len(paper.TABLE_2))
+        for key, mesh in paper.table_2_meshes().items():
+            result = solve_rolling(
+                ball,
+                load=paper.LOAD,
+                angular_speed=paper.ANGULAR_SPEED,
+                mesh=mesh,
+                compliance=Compliance.RADIAL,
+            )
+            torques[key] = result.resisting_torque
+            if key == (500, 500):
+                chosen = result
+            bar.advance(task)
+    _output.print(_table_2(torques))
+    worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
+    _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
+    _output.print(_result_table(chosen))
+    chosen.plot().savefig(plot, dpi=150)
+    _output.print(f"contact pressure drawn to {plot}", highlight=False, soft_wrap=True)
+
+
+_STATUS_TEXT = {
+    Status.MAX_ITERATIONS: "the contact still changed when the passes ran out",
+    Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
+}
+
+
+def _progress_bar() -> Progress:
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    return Progress(*columns, console=_messages, transient=True, disable=not _messages.is_terminal)
+
+
+def _result_table(result: Result) -> Table:
+    table = Table(
+        title=f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s, {result.compliance.name.lower()} compliance",
+        title_justify="left",
+        show_header=False,
+    )
+    table.add_column("quantity")
+    table.add_column("value", justify="right")
+    table.add_column("unit")
+    for name, (unit, description) in SCALARS.items():
+        table.add_row(description, f"{getattr(result, name):.6g}", "" if unit == "1" else unit)
+    mesh = result.mesh
+    table.add_row("mesh", f"{mesh.nodes_per_revolution} x {mesh.max_order}", "nodes per revolution x orders")
+    table.add_row("status", result.status.name, f"after {result.iterations} passes")
+    return table
+
+
+def _table_2(torques: dict[tuple[int, int], float]) -> Table:
+    orders = sorted({order for _, order in torques})
+    table = Table(title="Resisting torque T_r in mN m, computed and as printed in table 2", title_justify="left")
+    table.add_column("spacing")
+    table.add_column("N_t")
+    for order in orders:
+        table.add_column(str(order), justify="right")
+    for nodes in sorted({nodes for nodes, _ in torques}):
+        for label, source in (("computed", torques), ("printed", paper.TABLE_2)):
+            cells = [f"{source[nodes, o] * 1e3:.2f}" if (nodes, o) in source else "N/A" for o in orders]
+            head = f"π/{nodes // 2}" if source is torques else ""
+            table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
+    return table

@@ -1,0 +1,106 @@
+"""The rolling body: a rigid core covered by bonded viscoelastic layers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from . import _core
+from ._arrays import as_float
+from .materials import ShearModulusLike, to_core
+
+__all__ = ["CoatedSphere", "Layer"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layer:
+    """One homogeneous, isotropic, linear viscoelastic layer.
+
+    Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+
+    Parameters
+    ----------
+    thickness : float
+        [m], > 0.
+    shear_modulus : ShearModulus or callable
+        μ*(ω) [Pa]: a modulus of this package, or a function of an array of angular frequencies [rad/s], which are ≥ 0
+        and include 0, that returns complex values [Pa] with loss ≥ 0.
+    poisson_ratio : float, optional
+        Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
+    bulk_modulus : float, optional
+        Real, constant bulk modulus [Pa], > 0; Poisson's ratio is then complex and depends on frequency.
+    density : float, default 0
+        [kg/m³], ≥ 0; 0 leaves inertia out.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, density=0.0)
+    """
+
+    thickness: float
+    shear_modulus: ShearModulusLike
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the parameters."""
+        self._to_core()
+
+    def _to_core(self) -> _core.Layer:
+        return _core.Layer(
+            thickness=as_float("thickness", self.thickness),
+            shear_modulus=to_core(self.shear_modulus),
+            poisson_ratio=None if self.poisson_ratio is None else as_float("poisson_ratio", self.poisson_ratio),
+            bulk_modulus=None if self.bulk_modulus is None else as_float("bulk_modulus", self.bulk_modulus),
+            density=as_float("density", self.density),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedSphere:
+    """A rigid sphere with layers bonded to it and to one another.
+
+    Parameters
+    ----------
+    core_radius : float
+        [m], > 0.
+    layers : sequence of Layer
+        From the core outwards, at least one.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    >>> CoatedSphere(core_radius=20e-3, layers=[layer, layer]).outer_radius
+    0.022
+    """
+
+    core_radius: float
+    layers: Sequence[Layer]
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers and check the parameters."""
+        layers = (self.layers,) if isinstance(self.layers, Layer) else tuple(self.layers)
+        for j, layer in enumerate(layers):
+            if not isinstance(layer, Layer):
+                raise TypeError(f"layers[{j}] must be a viscoroll.Layer, got {layer!r}")
+        object.__setattr__(self, "layers", layers)
+        self._to_core()
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def outer_radius(self) -> float:
+        """Outer radius r_o [m]."""
+        return self.core_radius + self.thickness
+
+    def _to_core(self) -> _core.CoatedSphere:
+        return _core.CoatedSphere(
+            core_radius=as_float("core_radius", self.core_radius), layers=[layer._to_core() for layer in self.layers]
+        )

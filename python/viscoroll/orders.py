@@ -1,0 +1,206 @@
+"""Response of the coating to single orders (m, n) of the two-variable Fourier series, and their sums over the surface.
+
+A field Σ f_mn(r) exp(i(mφ + nθ)) is steady in space while the material turns, so a material point sees order m at the
+angular frequency mΩ. Components are ordered (r, φ, θ).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import _core
+from ._arrays import as_float, as_int, as_orders
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from .geometry import CoatedSphere, Layer
+    from .mesh import Mesh
+
+__all__ = ["centrifugal_displacement", "critical_speed", "influence_tables", "state_matrix", "surface_compliance"]
+
+
+def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n: ArrayLike) -> NDArray[np.complex128]:
+    """Surface compliance of single orders: displacement per surface stress.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    m, n : array_like of int
+        Orders in φ and θ, of any sign and of shapes that broadcast.
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 3, 3)
+        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ).
+
+    Raises
+    ------
+    TypeError
+        For orders that are not integers.
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+
+    References
+    ----------
+    Equation (31) of the paper, by a recursion that carries the compliance from the core outwards and so neither
+    overflows nor loses digits.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic, Layer, CoatedSphere
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=1.0), poisson_ratio=0.5)
+    >>> ball = CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> surface_compliance(ball, 1.0, [10, 20], 0).shape
+    (2, 3, 3)
+    """
+    orders_m, orders_n = np.broadcast_arrays(as_orders("m", m), as_orders("n", n))
+    compliance = _core.surface_compliance(
+        ball._to_core(),
+        np.ascontiguousarray(orders_m.ravel()),
+        np.ascontiguousarray(orders_n.ravel()),
+        angular_speed=as_float("angular_speed", angular_speed),
+    )
+    return compliance.reshape(*orders_m.shape, 3, 3)
+
+
+def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: int) -> NDArray[np.complex128]:
+    """Matrix B of the layer's equations dz/d(ln r) = B z with z = (u_r, u_φ, u_θ, rσ_rr, rσ_rφ, rσ_rθ).
+
+    Parameters
+    ----------
+    layer : Layer
+        Gives the material.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    radius : float
+        r [m], > 0.
+    m, n : int
+        Orders in φ and θ.
+
+    Returns
+    -------
+    ndarray of complex, shape (6, 6)
+        B, its blocks in the units [-, 1/Pa; Pa, -].
+
+    Raises
+    ------
+    ValueError
+        For bad input.
+
+    References
+    ----------
+    Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
+    """
+    return _core.state_matrix(
+        layer._to_core(),
+        angular_speed=as_float("angular_speed", angular_speed),
+        radius=as_float("radius", radius),
+        m=as_int("m", m),
+        n=as_int("n", n),
+    )
+
+
+def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
+    """Uniform radial displacement of the surface by centrifugal load, equation (36) of the paper.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+
+    Returns
+    -------
+    float
+        d_R^(c) [m], outwards; 0 for incompressible layers.
+
+    Raises
+    ------
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+    """
+    return _core.centrifugal_displacement(ball._to_core(), angular_speed=as_float("angular_speed", angular_speed))
+
+
+def critical_speed(ball: CoatedSphere, *, highest_frequency: float = 1e9) -> float:
+    """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
+
+    For one layer it is the speed at which the surface keeps up with the Rayleigh wave of the short-time modulus; a soft
+    layer below a stiff one lowers it. A Kelvin-Voigt layer counts as rigid, since it is at infinite frequency.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    highest_frequency : float, default 1e9
+        Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
+
+    Returns
+    -------
+    float
+        Critical Ω [rad/s]; infinite without density.
+
+    Raises
+    ------
+    ValueError
+        For bad input.
+    """
+    return _core.critical_speed(ball._to_core(), highest_frequency=as_float("highest_frequency", highest_frequency))
+
+
+def influence_tables(
+    ball: CoatedSphere,
+    angular_speed: float,
+    mesh: Mesh,
+    *,
+    reach: int | tuple[int, int],
+    threads: int = 0,
+    progress: Callable[[str, float], object] | None = None,
+) -> NDArray[np.float64]:
+    """Influence tables: displacement of one surface node by a unit force on the flat patch (53) of another.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    mesh : Mesh
+        Spacing and truncation.
+    reach : int or (int, int)
+        Largest offsets in φ and θ, in spacings, at most half of the nodes per revolution.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : callable, optional
+        Called as progress(stage, fraction) about every 20 ms.
+
+    Returns
+    -------
+    ndarray, shape (3, 3, 2 * reach[0] + 1, 2 * reach[1] + 1)
+        c[P, Q, J + j, L + l] [m/N]: displacement along P of the node that lies j spacings in φ and l in θ from the node
+        loaded along Q, with P and Q in the order (r, φ, θ), J = reach[0] and L = reach[1].
+
+    Raises
+    ------
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+    """
+    phi_reach, theta_reach = (reach, reach) if not isinstance(reach, tuple) else reach
+    return _core.influence_tables(
+        ball._to_core(),
+        mesh._to_core(),
+        angular_speed=as_float("angular_speed", angular_speed),
+        phi_reach=as_int("reach", phi_reach),
+        theta_reach=as_int("reach", theta_reach),
+        threads=as_int("threads", threads),
+        progress=progress,
+    )

@@ -1,0 +1,321 @@
+"""What a solve returns."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._core import Compliance, PatchLoad, Status
+from .geometry import CoatedSphere
+from .mesh import Mesh
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from . import _core
+
+__all__ = ["Refinement", "Result"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Refinement:
+    """One mesh of a solve that chose its own.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The mesh.
+    contact_nodes : int
+        Nodes in contact.
+    resisting_torque : float
+        T_r [N m].
+    penetration : float
+        r_o - H [m].
+    power_balance_error : float
+        Relative [-].
+    error_estimate : float
+        The larger of the power-balance error and the changes from the mesh before [-]; 1 on the first mesh.
+    """
+
+    mesh: Mesh
+    contact_nodes: int
+    resisting_torque: float
+    penetration: float
+    power_balance_error: float
+    error_estimate: float
+
+    @classmethod
+    def _from_core(cls, step: _core.Refinement) -> Refinement:
+        values = {field.name: getattr(step, field.name) for field in fields(cls)}
+        return cls(**values | {"mesh": _mesh_from_core(step.mesh)})
+
+
+#: Scalar results: name, unit, what it is.
+SCALARS = {
+    "resisting_torque": ("N m", "resisting torque T_r"),
+    "rolling_resistance_coefficient": ("1", "coefficient T_r / (P r_o)"),
+    "penetration": ("m", "penetration r_o - H"),
+    "center_height": ("m", "height of the center H"),
+    "max_pressure": ("Pa", "largest contact pressure"),
+    "contact_area": ("m^2", "contact area"),
+    "semi_axis_x": ("m", "contact semi-axis along x"),
+    "semi_axis_z": ("m", "contact semi-axis along z"),
+    "dissipated_power": ("W", "power lost in the coating"),
+    "work_torque": ("N m", "moment at displaced points"),
+    "power_balance_error": ("1", "relative power-balance error"),
+    "error_estimate": ("1", "relative error estimate"),
+    "centrifugal_displacement": ("m", "centrifugal displacement"),
+}
+
+#: Fields on the mesh: name, unit, what it is.
+FIELDS = {
+    "x": ("m", "forward coordinate of the undeformed node"),
+    "z": ("m", "lateral coordinate of the undeformed node"),
+    "pressure": ("Pa", "contact pressure"),
+    "displacement": ("m", "vertical displacement of the surface, upwards"),
+    "gap": ("m", "height of the surface above the plane"),
+    "contact": ("1", "whether the node is in contact"),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class Result:
+    """Solution of one load case on the candidate window.
+
+    Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
+    the leading edge (x > 0) to the trailing edge.
+
+    Attributes
+    ----------
+    ball, load, angular_speed, compliance, patch_load
+        The input; load in [N], angular_speed in [rad/s].
+    status : Status
+        How the solve ended.
+    iterations : int
+        Passes of the active set on the last mesh.
+    residual : float
+        Largest violation of the contact conditions relative to the penetration [-].
+    resisting_torque : float
+        T_r = Σ x p, the offset of the normal resultant times the load [N m].
+    rolling_resistance_coefficient : float
+        T_r / (P r_o) [-].
+    penetration : float
+        r_o - H [m].
+    center_height : float
+        H, center of the ball above the plane [m].
+    max_pressure : float
+        [Pa].
+    contact_area : float
+        [m²].
+    semi_axis_x, semi_axis_z : float
+        Semi-axes of the ellipse with the contact's second moments [m].
+    dissipated_power : float
+        Power lost in the coating [W], from the spectrum alone: not from the torque.
+    work_torque : float
+        Σ (x + u_x) p, the moment of the tractions at displaced positions [N m]. It is the torque that does the work of
+        the linear model: `work_torque` times Ω equals `dissipated_power` but for the error of the mesh. With the radial
+        compliance, which has no u_x, it is `resisting_torque`; with the vertical one the two differ by a share of the
+        order of the strain.
+    power_balance_error : float
+        |work_torque Ω - dissipated_power| relative to the larger [-].
+    centrifugal_displacement : float
+        d_R^(c) [m].
+    mesh : Mesh
+        The mesh of this solution.
+    error_estimate : float
+        Relative error estimate [-]: the power-balance error on a given mesh, else the larger of it and the changes from
+        the mesh before.
+    refinements : tuple of Refinement
+        The meshes tried, coarse to fine.
+    x, z : ndarray
+        Coordinates of the undeformed nodes [m]: x forward, z sideways.
+    pressure : ndarray
+        Contact pressure, positive [Pa].
+    displacement : ndarray
+        Vertical displacement of the surface, positive upwards [m].
+    gap : ndarray
+        Height of the surface above the plane [m].
+    contact : ndarray of bool
+        Where the surface touches the plane.
+    """
+
+    ball: CoatedSphere
+    load: float
+    angular_speed: float
+    compliance: Compliance
+    patch_load: PatchLoad
+    status: Status
+    iterations: int
+    residual: float
+    resisting_torque: float
+    rolling_resistance_coefficient: float
+    penetration: float
+    center_height: float
+    max_pressure: float
+    contact_area: float
+    semi_axis_x: float
+    semi_axis_z: float
+    dissipated_power: float
+    work_torque: float
+    power_balance_error: float
+    centrifugal_displacement: float
+    mesh: Mesh
+    error_estimate: float
+    refinements: tuple[Refinement, ...]
+    x: NDArray[np.float64]
+    z: NDArray[np.float64]
+    pressure: NDArray[np.float64]
+    displacement: NDArray[np.float64]
+    gap: NDArray[np.float64]
+    contact: NDArray[np.bool_]
+
+    def __post_init__(self) -> None:
+        """Freeze the arrays."""
+        for name in FIELDS:
+            getattr(self, name).flags.writeable = False
+
+    @classmethod
+    def _from_core(cls, solution: _core.Result, **inputs: Any) -> Result:
+        names = {field.name for field in fields(cls)} - inputs.keys()
+        values = {name: getattr(solution, name) for name in names}
+        values["mesh"] = _mesh_from_core(solution.mesh)
+        values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
+        values["contact"] = solution.contact.view(np.bool_)
+        return cls(**inputs, **values)
+
+    def __repr__(self) -> str:
+        """Return a summary of one screen."""
+        rows = [
+            ("resisting torque T_r", f"{self.resisting_torque:.6g} N m"),
+            ("rolling resistance coefficient", f"{self.rolling_resistance_coefficient:.6g}"),
+            ("penetration", f"{self.penetration:.6g} m"),
+            ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m"),
+            ("largest pressure", f"{self.max_pressure:.5g} Pa"),
+            ("power lost in the coating", f"{self.dissipated_power:.6g} W"),
+            ("error estimate", f"{self.error_estimate:.2g} (power balance {self.power_balance_error:.2g})"),
+            ("mesh", f"{self.mesh.nodes_per_revolution} nodes per revolution, orders to {self.mesh.max_order}"),
+            ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
+            ("status", f"{self.status.name}, {self.iterations} passes, residual {self.residual:.1e}"),
+        ]
+        width = max(len(label) for label, _ in rows)
+        head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({self.compliance.name} compliance)"
+        return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def scalars(self) -> dict[str, float | int | str]:
+        """Return all scalar results by name, in SI units, with the status as its name."""
+        values: dict[str, float | int | str] = {name: getattr(self, name) for name in SCALARS}
+        values |= {
+            "load": self.load,
+            "angular_speed": self.angular_speed,
+            "status": self.status.name,
+            "iterations": self.iterations,
+            "residual": self.residual,
+            "contact_nodes": int(self.contact.sum()),
+            "nodes_per_revolution": self.mesh.nodes_per_revolution,
+            "max_order": self.mesh.max_order,
+            "compliance": self.compliance.name,
+            "patch_load": self.patch_load.name,
+        }
+        return values
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return fields and scalars as a dataset over the angles φ and θ of the nodes.
+
+        Returns
+        -------
+        xarray.Dataset
+            Fields with units over `phi` and `theta` [rad], scalars as attributes.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[files]`.
+        """
+        import xarray
+
+        angles = {
+            name: 0.5 * np.pi + self.mesh.spacing * (np.arange(count) - count // 2)
+            for name, count in zip(("phi", "theta"), self.pressure.shape, strict=True)
+        }
+        coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles.items()}
+        variables = {
+            name: (("phi", "theta"), getattr(self, name), {"units": unit, "long_name": description})
+            for name, (unit, description) in FIELDS.items()
+        }
+        return xarray.Dataset(variables, coordinates, attrs=self.scalars())
+
+    def save(self, path: str | Path) -> None:
+        """Write the fields to a file, in the format of its suffix.
+
+        Parameters
+        ----------
+        path : path-like
+            ``.csv`` (a row for each node), ``.nc`` (netCDF, with scalars as attributes) or ``.vtu``/``.vtk`` (the
+            deformed surface, for ParaView).
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        ImportError
+            For all but ``.csv``, without the extra `viscoroll[files]`.
+        """
+        path = Path(path)
+        match path.suffix:
+            case ".csv":
+                with path.open("w", newline="") as file:
+                    writer = csv.writer(file)
+                    writer.writerow([f"{name} [{unit}]" for name, (unit, _) in FIELDS.items()])
+                    columns = [getattr(self, name).ravel() for name in FIELDS]
+                    writer.writerows(zip(*(column.tolist() for column in columns), strict=True))
+            case ".nc":
+                self.to_xarray().to_netcdf(path)
+            case ".vtu" | ".vtk":
+                self._write_vtk(path)
+            case _:
+                raise ValueError(f"path must end in .csv, .nc, .vtu or .vtk, got {path.name!r}")
+
+    def _write_vtk(self, path: Path) -> None:
+        import meshio
+
+        rows, columns = self.x.shape
+        node = np.arange(rows * columns).reshape(rows, columns)
+        corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
+        # The plane is at height 0; VTK readers expect the third axis to point up.
+        points = np.stack([self.x, self.z, self.gap], axis=-1).reshape(-1, 3)
+        meshio.Mesh(
+            points,
+            [("quad", np.stack(corners, axis=-1).reshape(-1, 4))],
+            point_data={
+                "pressure": self.pressure.ravel(),
+                "displacement": self.displacement.ravel(),
+                "contact": self.contact.ravel().astype(np.int32),
+            },
+        ).write(path)
+
+    def plot(self) -> Figure:
+        """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Not shown; save it with ``savefig`` or show it with ``matplotlib.pyplot.show``.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[plot]`.
+        """
+        from .plot import plot_contact
+
+        return plot_contact(self)
+
+
+def _mesh_from_core(mesh: _core.Mesh) -> Mesh:
+    return Mesh(nodes_per_revolution=mesh.nodes_per_revolution, max_order=mesh.max_order)
