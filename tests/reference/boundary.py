@@ -1,0 +1,68 @@
+"""Sections 9 to 11: the boundary-element compliance matrix of the surface, and its rotation to rectangular axes.
+
+Nodes are numbered one after the other; matrices hold blocks for the components (r, phi, theta) or (W, U, V).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def nodes(spacing, half_phi, half_theta):
+    """Angles of a rectangular set of nodes around the lowest point phi = theta = pi/2, row by row in phi."""
+    phi = np.pi / 2 + spacing * np.arange(-half_phi, half_phi + 1)
+    theta = np.pi / 2 + spacing * np.arange(-half_theta, half_theta + 1)
+    return tuple(angle.ravel() for angle in np.meshgrid(phi, theta, indexing="ij"))
+
+
+def flat_patch(orders, center, spacing):
+    """Factor of equation (53) along one angle: sinc(m Delta/2) exp(-i m phi_N), sinc(x) = sin(x) / x."""
+    return np.sinc(orders * spacing / (2 * np.pi)) * np.exp(-1j * orders * center)
+
+
+def spherical_patch(orders, center, spacing):
+    """Integral of equation (38) along theta: (1/Delta) int exp(-i n theta) / sin(theta) d theta, by 20 Gauss points."""
+    points, weights = np.polynomial.legendre.leggauss(20)
+    theta = center + spacing / 2 * points
+    return (weights / 2 / np.sin(theta) * np.exp(-1j * np.outer(orders, theta))).sum(axis=1)
+
+
+def compliance_matrix(order_compliance, max_order, radius, spacing, phi, theta, theta_patch=flat_patch):
+    """Matrix C_s of equation (35), shape (3, 3, nodes, nodes), by direct summation of all orders.
+
+    `order_compliance(m, n)` returns the 3 x 3 surface compliance of arrays of orders.
+    """
+    orders = np.arange(-max_order, max_order + 1)
+    compliance = order_compliance(*np.meshgrid(orders, orders, indexing="ij"))
+    rows, row = np.unique(phi, return_inverse=True)
+    columns, column = np.unique(theta, return_inverse=True)
+    to_rows, to_columns = np.exp(1j * np.outer(rows, orders)), np.exp(1j * np.outer(columns, orders))
+    matrix = np.empty((3, 3, phi.size, phi.size))
+    for node in range(phi.size):
+        patch = np.outer(flat_patch(orders, phi[node], spacing), theta_patch(orders, theta[node], spacing))
+        stress = patch / (2 * np.pi * radius) ** 2
+        displacement = np.einsum(
+            "im,mnpq,kn->pqik", to_rows, compliance * stress[..., None, None], to_columns, optimize=True
+        )
+        matrix[..., node] = displacement[:, :, row, column].real
+    return matrix
+
+
+def rotation(phi, theta):
+    """Nodal matrices Q of equation (40), shape (nodes, 3, 3): rows (r, phi, theta), columns (W, U, V)."""
+    s, c = np.sin, np.cos
+    zero = np.zeros_like(phi)
+    return np.stack(
+        [
+            np.stack([s(theta) * s(phi), -s(theta) * c(phi), -c(theta)], axis=-1),
+            np.stack([c(phi), s(phi), zero], axis=-1),
+            np.stack([c(theta) * s(phi), -c(theta) * c(phi), s(theta)], axis=-1),
+        ],
+        axis=-2,
+    )
+
+
+def to_rectangular(matrix, phi, theta):
+    """C_r = Q^T C_s Q, equation (44), shape (3, 3, nodes, nodes) in the components (W, U, V)."""
+    q = rotation(phi, theta)
+    return np.einsum("apw,pqab,bqv->wvab", q, matrix, q, optimize=True)
