@@ -1,0 +1,53 @@
+"""Solves that choose their own mesh."""
+
+from __future__ import annotations
+
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+
+
+@pytest.mark.parametrize("accuracy", [0.1, 0.03, 0.01])
+@pytest.mark.parametrize("compliance", [vr.Compliance.RADIAL, vr.Compliance.VERTICAL])
+def test_error_is_within_what_was_asked_for(paper_ball, accuracy, compliance):
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=accuracy, compliance=compliance)
+    assert r.status is vr.Status.CONVERGED
+    assert r.error_estimate <= accuracy
+    # Converged values on fine meshes: 11.38 mN m (theory.md section 8) and 11.19 mN m with the vertical compliance.
+    converged = {vr.Compliance.RADIAL: 11.38e-3, vr.Compliance.VERTICAL: 11.19e-3}[compliance]
+    assert r.resisting_torque == pytest.approx(converged, rel=accuracy)
+
+
+def test_default_accuracy_is_one_percent(paper_ball):
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5)
+    assert r.error_estimate <= 0.01
+    assert r.error_estimate == r.refinements[-1].error_estimate
+    nodes = [step.mesh.nodes_per_revolution for step in r.refinements]
+    assert nodes == sorted(set(nodes))
+    assert r.mesh == r.refinements[-1].mesh
+    assert all(step.error_estimate > 0.01 for step in r.refinements[:-1])
+
+
+def test_says_when_the_accuracy_was_not_reached():
+    # The wake of a slow relaxation is far narrower than any mesh allowed.
+    r = vr.solve(paper.ball(density=0.0), load=100.0, angular_speed=1e-3, accuracy=0.02)
+    assert r.status is vr.Status.ACCURACY_NOT_REACHED
+    assert r.error_estimate > 0.02
+
+
+@pytest.mark.parametrize("load", [1.0, 30.0, 1000.0])
+@pytest.mark.parametrize("thickness", [0.5e-3, 5e-3])
+def test_any_size_of_contact(load, thickness):
+    stiff = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=0.125)
+    layer = vr.Layer(thickness=thickness, shear_modulus=stiff, poisson_ratio=0.45)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    r = vr.solve(ball, load=load, angular_speed=5.0, accuracy=0.1)
+    assert r.status is vr.Status.CONVERGED
+    assert r.contact.sum() > 20
+
+
+def test_lossless_coating_converges_in_penetration():
+    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
+    r = vr.solve(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), load=100.0, angular_speed=2.5)
+    assert r.status is vr.Status.CONVERGED
+    assert len(r.refinements) >= 2

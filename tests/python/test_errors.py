@@ -1,0 +1,197 @@
+"""Bad input: an exception that names parameter, value, unit and allowed range, from every entry."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+
+SLS = {"instantaneous_modulus": 6e6, "relaxed_modulus": 3e6, "relaxation_time": 0.125}
+PRONY = {"instantaneous_modulus": 6e6, "weights": [0.3, 0.2], "relaxation_times": [0.1, 1.0]}
+ZENER = SLS | {"order": 0.5}
+CURVE = {"frequency": [1.0, 10.0, 100.0], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
+LAYER = {"thickness": 1e-3, "shear_modulus": vr.Elastic(modulus=3e6), "poisson_ratio": 0.5, "density": 1000.0}
+BALL = {"core_radius": 20e-3, "layers": [vr.Layer(**LAYER)]}
+CASE = {"load": 100.0, "angular_speed": 2.5}
+MESH = {"nodes_per_revolution": 100, "max_order": 100}
+
+NOT_POSITIVE = [-1.0, 0.0, math.nan, math.inf, -math.inf]
+
+
+def solve(**changes):
+    return vr.solve(paper.ball(), **CASE | changes)
+
+
+POSITIVE = [
+    (vr.Elastic, {"modulus": 1.0}, "modulus", "Pa"),
+    (vr.StandardLinearSolid, SLS, "instantaneous_modulus", "Pa"),
+    (vr.StandardLinearSolid, SLS, "relaxed_modulus", "Pa"),
+    (vr.StandardLinearSolid, SLS, "relaxation_time", "s"),
+    (vr.Prony, PRONY, "instantaneous_modulus", "Pa"),
+    (vr.KelvinVoigt, {"modulus": 1.0, "viscosity": 1.0}, "modulus", "Pa"),
+    (vr.FractionalZener, ZENER, "relaxed_modulus", "Pa"),
+    (vr.FractionalZener, ZENER, "relaxation_time", "s"),
+    (vr.Layer, LAYER, "thickness", "m"),
+    (vr.CoatedSphere, BALL, "core_radius", "m"),
+    (solve, CASE, "load", "N"),
+    (solve, CASE, "angular_speed", "rad/s"),
+]
+
+
+@pytest.mark.parametrize("value", NOT_POSITIVE)
+@pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
+def test_positive_numbers(make, valid, name, unit, value):
+    with pytest.raises(ValueError, match=rf"^{name} must be > 0 {unit}, got {f'{value:g}'}$"):
+        make(**valid | {name: value})
+
+
+@pytest.mark.parametrize("value", ["1.0", None, 1j, [1.0], np.ones(2), True])
+@pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
+def test_numbers_that_are_none(make, valid, name, unit, value):
+    with pytest.raises(TypeError, match=rf"^{name} must be a real number, got "):
+        make(**valid | {name: value})
+
+
+def test_numpy_scalars_are_numbers():
+    assert solve(load=np.float32(100.0), angular_speed=np.array(2.5), mesh=vr.Mesh(**MESH)).load == 100.0
+
+
+@pytest.mark.parametrize(
+    ("make", "valid", "changes", "message"),
+    [
+        (vr.StandardLinearSolid, SLS, {"relaxed_modulus": 7e6}, "relaxed_modulus must be <= instantaneous_modulus = 6e.06 Pa"),
+        (vr.Prony, PRONY, {"weights": [0.3]}, r"relaxation_times must be as many as weights \(1\), got 2"),
+        (vr.Prony, PRONY, {"weights": [0.3, -0.1]}, r"weights\[1\] must be in \(0, 1\), got -0.1"),
+        (vr.Prony, PRONY, {"weights": [0.5, 0.5]}, "weights must be of a sum < 1 .*, got 1"),
+        (vr.Prony, PRONY, {"weights": [0.3, math.nan]}, r"weights\[1\] must be in \(0, 1\), got nan"),
+        (vr.Prony, PRONY, {"weights": [[0.3, 0.2]]}, r"weights must be one-dimensional, got shape \(1, 2\)"),
+        (vr.Prony, PRONY, {"weights": [[0.3], [0.2, 0.1]]}, "weights must be one-dimensional, got rows of different"),
+        (vr.Prony, PRONY, {"relaxation_times": [0.1, 0.0]}, r"relaxation_times\[1\] must be > 0 s, got 0"),
+        (vr.KelvinVoigt, {"modulus": 1.0}, {"viscosity": -2.0}, "viscosity must be >= 0 Pa s, got -2"),
+        (vr.FractionalZener, ZENER, {"instantaneous_modulus": 1e6}, "instantaneous_modulus must be >= relaxed_modulus = 3e.06 Pa"),
+        (vr.FractionalZener, ZENER, {"order": 0.0}, r"order must be in \(0, 1\], got 0"),
+        (vr.FractionalZener, ZENER, {"order": 1.5}, r"order must be in \(0, 1\], got 1.5"),
+        (vr.MasterCurve, CURVE, {"frequency": [1.0, 100.0, 10.0]}, r"frequency\[2\] must be > frequency\[1\] = 100 rad/s \(a sorted table\), got 10"),
+        (vr.MasterCurve, CURVE, {"frequency": [-1.0, 1.0, 10.0]}, r"frequency\[0\] must be >= 0 rad/s, got -1"),
+        (vr.MasterCurve, CURVE, {"storage": [1e6, 0.0, 1e6]}, r"storage\[1\] must be > 0 Pa, got 0"),
+        (vr.MasterCurve, CURVE, {"loss": [1e6, -1.0, 1e6]}, r"loss\[1\] must be >= 0 Pa, got -1"),
+        (vr.MasterCurve, CURVE, {"loss": [1e6, math.inf, 1e6]}, r"loss\[1\] must be >= 0 Pa, got inf"),
+        (vr.MasterCurve, CURVE, {"loss": [1e6, 1.0]}, r"loss must be as long as frequency \(3\), got 2"),
+        (vr.MasterCurve, {}, {"frequency": [], "storage": [], "loss": []}, "frequency must be a table of at least two entries"),
+        (vr.MasterCurve, {}, {"frequency": [0.0, 1.0], "storage": [1.0, 1.0], "loss": [0.0, 0.0]}, "at least two entries above 0 rad/s"),
+        (vr.Layer, LAYER, {"poisson_ratio": 0.51}, r"poisson_ratio must be in \(-1, 0.5\], got 0.51"),
+        (vr.Layer, LAYER, {"poisson_ratio": -1.0}, r"poisson_ratio must be in \(-1, 0.5\], got -1"),
+        (vr.Layer, LAYER, {"poisson_ratio": math.nan}, r"poisson_ratio must be in \(-1, 0.5\], got nan"),
+        (vr.Layer, LAYER, {"poisson_ratio": None}, "poisson_ratio or bulk_modulus must be given, and not both, got none"),
+        (vr.Layer, LAYER, {"bulk_modulus": 1e9}, "poisson_ratio or bulk_modulus must be given, and not both, got both"),
+        (vr.Layer, LAYER, {"poisson_ratio": None, "bulk_modulus": 0.0}, "bulk_modulus must be > 0 Pa, got 0"),
+        (vr.Layer, LAYER, {"density": -1.0}, r"density must be >= 0 kg/m\^3, got -1"),
+        (vr.CoatedSphere, BALL, {"layers": []}, "layers must be a list of at least one layer, got none"),
+        (vr.Mesh, MESH, {"nodes_per_revolution": 15}, r"mesh.nodes_per_revolution must be in \[16, 100000\], got 15"),
+        (vr.Mesh, MESH, {"nodes_per_revolution": -100}, r"mesh.nodes_per_revolution must be in \[16, 100000\], got -100"),
+        (vr.Mesh, MESH, {"nodes_per_revolution": 2**40}, "nodes_per_revolution must fit into 32 bits"),
+        (vr.Mesh, MESH, {"max_order": 49}, r"mesh.max_order must be in \[50, 200000\] \(fewer orders .* cannot resolve the mesh\), got 49"),
+        (solve, CASE, {"accuracy": 0.0}, r"accuracy must be in \[1e-4, 0.5\], got 0"),
+        (solve, CASE, {"accuracy": math.nan}, r"accuracy must be in \[1e-4, 0.5\], got nan"),
+        (solve, CASE, {"accuracy": 0.1, "mesh": vr.Mesh(**MESH)}, "accuracy must be left out where a mesh is given"),
+        (solve, CASE, {"max_iterations": 0}, "max_iterations must be >= 1, got 0"),
+        (solve, CASE, {"threads": -1}, "threads must be >= 0, got -1"),
+    ],
+)  # fmt: skip
+def test_values_out_of_range(make, valid, changes, message):
+    with pytest.raises(ValueError, match=message):
+        make(**valid | changes)
+
+
+@pytest.mark.parametrize(
+    ("make", "valid", "changes", "message"),
+    [
+        (vr.Prony, PRONY, {"weights": "half"}, "weights must be one-dimensional|weights must hold real numbers"),
+        (vr.Prony, PRONY, {"weights": [0.1j, 0.2]}, "weights must hold real numbers, got complex128 entries"),
+        (vr.MasterCurve, CURVE, {"loss": ["a", "b", "c"]}, "loss must hold real numbers"),
+        (vr.MasterCurve, CURVE, {"extrapolation": "hold"}, "extrapolation must be a viscoroll.Extrapolation, got 'hold'"),
+        (vr.Layer, LAYER, {"shear_modulus": 3e6}, "shear_modulus must be a modulus of viscoroll or a function"),
+        (vr.CoatedSphere, BALL, {"layers": [3]}, r"layers\[0\] must be a viscoroll.Layer, got 3"),
+        (vr.Mesh, MESH, {"max_order": 100.0}, "max_order must be a whole number, got float 100.0"),
+        (vr.Mesh, MESH, {"nodes_per_revolution": "many"}, "nodes_per_revolution must be a whole number, got str"),
+        (solve, CASE, {"mesh": 500}, "mesh must be a viscoroll.Mesh or None, got 500"),
+        (solve, CASE, {"compliance": "radial"}, "compliance must be a viscoroll.Compliance, got 'radial'"),
+        (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.PatchLoad, got None"),
+        (solve, CASE, {"progress": 3, "mesh": vr.Mesh(**MESH)}, "progress must be callable or None, got 3"),
+    ],
+)  # fmt: skip
+def test_values_of_another_type(make, valid, changes, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        make(**valid | changes)
+
+
+def test_something_else_than_a_ball():
+    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere, got 'ball'"):
+        vr.solve("ball", **CASE)
+
+
+def test_load_too_large_for_the_coating(paper_ball):
+    message = r"load must be small enough for the coating, got 20000 N \(the sphere is pressed .* m into a coating of 0.001 m\)"
+    with pytest.raises(ValueError, match=message):
+        vr.solve(paper_ball, load=20000.0, angular_speed=2.5, mesh=vr.Mesh(**MESH))
+    with pytest.raises(ValueError, match="load must be small enough for the coating, got 20000 N"):
+        vr.solve(paper_ball, load=20000.0, angular_speed=2.5)
+
+
+@pytest.mark.parametrize("load", [1e7, 1e30, 1e300])
+def test_absurd_loads(paper_ball, load):
+    with pytest.raises(ValueError, match="load must be small enough for the coating"):
+        vr.solve(paper_ball, load=load, angular_speed=2.5)
+
+
+def test_load_that_the_mesh_cannot_see(paper_ball):
+    # One node carries a tiny load: solved, with an error estimate that says so.
+    r = vr.solve(paper_ball, load=1e-9, angular_speed=2.5, mesh=vr.Mesh(**MESH))
+    assert r.contact.sum() == 1
+    assert np.isfinite(r.pressure).all()
+
+
+def test_too_many_nodes_in_contact(paper_ball):
+    mesh = vr.Mesh(nodes_per_revolution=6000, max_order=3000)
+    with pytest.raises(ValueError, match=r"mesh.nodes_per_revolution must be coarse enough for .*, got 6000 \("):
+        vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh)
+
+
+def test_master_curve_must_reach_all_harmonics():
+    curve = vr.MasterCurve([0.0, 1.0, 100.0], [1e6, 1e6, 3e6], [0.0, 1e5, 2e5])
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(**LAYER | {"shear_modulus": curve})])
+    with pytest.raises(ValueError, match=r"within the master curve's table, 1 to 100 rad/s .* got 102.5 rad/s"):
+        vr.solve(ball, load=10.0, angular_speed=2.5, mesh=vr.Mesh(**MESH))
+
+
+@pytest.mark.parametrize("orders", [1.5, [1.0], "a", [1 + 2j]])
+def test_orders_must_be_whole(paper_ball, orders):
+    with pytest.raises(TypeError, match="m must hold whole numbers"):
+        vr.surface_compliance(paper_ball, 2.5, orders, 1)
+
+
+def test_orders_must_broadcast(paper_ball):
+    with pytest.raises(ValueError, match="broadcast"):
+        vr.surface_compliance(paper_ball, 2.5, [1, 2], [1, 2, 3])
+    with pytest.raises(ValueError, match=r"n must be in \[-1e6, 1e6\]"):
+        vr.surface_compliance(paper_ball, 2.5, 1, 10**7)
+
+
+def test_max_iterations_is_a_status(paper_ball):
+    r = vr.solve(paper_ball, **CASE, mesh=vr.Mesh(**MESH), max_iterations=1)
+    assert r.status is vr.Status.MAX_ITERATIONS
+    assert r.iterations == 1
+
+
+@pytest.mark.parametrize("radius", [1e-12, 1e12])
+@pytest.mark.parametrize("modulus", [1e-12, 1e12])
+def test_extreme_scales_give_finite_results(radius, modulus):
+    layer = vr.Layer(thickness=0.1 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=radius, layers=[layer])
+    r = vr.solve(ball, load=1e-4 * modulus * radius**2, angular_speed=1.0, mesh=vr.Mesh(**MESH))
+    assert r.penetration == pytest.approx(r.penetration / radius * radius)
+    assert np.isfinite(r.pressure).all()
+    assert 0.0 < r.penetration < 0.1 * radius

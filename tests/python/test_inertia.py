@@ -1,0 +1,182 @@
+"""Inertia: figure 13, the centrifugal displacement, and the critical speed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+
+
+def ball_at(group):
+    """Ball of figure 13 (h = 5 mm) with the density that gives the group (67) rho Omega^2 r_i^2 / G_o."""
+    return paper.ball(thickness=5e-3, density=group * 6e6 / (paper.ANGULAR_SPEED**2 * 20e-3**2))
+
+
+def roll(ball):
+    mesh = vr.Mesh(nodes_per_revolution=160, max_order=160)
+    return vr.solve(ball, load=100.0, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, compliance=vr.Compliance.RADIAL)
+
+
+def test_figure_13_rises_towards_the_critical_speed():
+    # Ratios of theory.md section 7 at Delta = pi/80, printed to two decimals.
+    printed = {0.1: 1.07, 0.2: 1.12, 0.3: 1.14, 0.4: 1.18, 0.5: 1.28, 0.55: 1.34}
+    still = roll(ball_at(0.0))
+    moving = {group: roll(ball_at(group)) for group in printed}
+    torques = [r.resisting_torque / still.resisting_torque for r in moving.values()]
+    assert torques == pytest.approx(list(printed.values()), abs=0.006)
+    penetrations = [r.penetration / still.penetration for r in moving.values()]
+    assert np.all(np.diff([1.0, *penetrations]) > 0.0)
+
+
+def test_inertia_is_negligible_in_the_papers_example():
+    # Of the order of the group (67), 1e-7 to 1e-6.
+    with_density, without = roll(paper.ball()), roll(paper.ball(density=0.0))
+    change = with_density.resisting_torque / without.resisting_torque - 1.0
+    assert 0.0 < abs(change) < 1e-5
+
+
+def test_small_inertia_is_as_exact_as_large(rubber):
+    # The series in the Mach number serves slow rolling, the full equations of every order fast rolling: at their seam,
+    # unlike layers (never a series) made alike must give the same.
+    def ball(epsilon):
+        inner = vr.Layer(thickness=2e-3, shear_modulus=rubber, poisson_ratio=0.45, density=1000.0)
+        other = vr.StandardLinearSolid(
+            instantaneous_modulus=6e6, relaxed_modulus=3e6 * (1 + epsilon), relaxation_time=0.125
+        )
+        outer = vr.Layer(thickness=3e-3, shear_modulus=other, poisson_ratio=0.45, density=1000.0)
+        return vr.CoatedSphere(core_radius=20e-3, layers=[inner, outer])
+
+    mesh = vr.Mesh(nodes_per_revolution=64, max_order=64)
+    for speed in (2.5, 20.0):
+        series, full = (vr.influence_tables(ball(e), speed, mesh, reach=8) for e in (0.0, 1e-12))
+        # The moduli differ by 1e-12, the inertia series is cut at 1e-12.
+        np.testing.assert_allclose(series, full, rtol=0.0, atol=1e-11 * full.max())
+
+
+def test_centrifugal_displacement_of_one_layer():
+    # Spherically symmetric: u = -r + A j1(kr) + B y1(kr) with k^2 = rho Omega^2 / (lambda + 2 mu), u(r_i) = 0 and
+    # sigma_rr(r_o) = (lambda + 2 mu) u' + 2 lambda u / r = 0.
+    inner, outer, shear, nu, density = 20e-3, 26e-3, 2e6, 0.3, 1200.0
+    stiffness = shear * 2 * (1 - nu) / (1 - 2 * nu)
+    lame = stiffness - 2 * shear
+
+    def j1(x):
+        return np.sin(x) / x**2 - np.cos(x) / x
+
+    def y1(x):
+        return -np.cos(x) / x**2 - np.sin(x) / x
+
+    def slope(f, x):
+        # f' = f0 - 2 f / x with f0 the function of order 0.
+        zero = np.sin(x) / x if f is j1 else -np.cos(x) / x
+        return zero - 2 * f(x) / x
+
+    layer = vr.Layer(
+        thickness=outer - inner, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=nu, density=density
+    )
+    ball = vr.CoatedSphere(core_radius=inner, layers=[layer])
+    for speed in (300.0, 1000.0):
+        k = speed * math.sqrt(density / stiffness)
+
+        def traction(value, derivative, r):
+            return stiffness * derivative + 2 * lame * value / r
+
+        rows = [
+            [j1(k * inner), y1(k * inner)],
+            [traction(f(k * outer), k * slope(f, k * outer), outer) for f in (j1, y1)],
+        ]
+        a, b = np.linalg.solve(rows, [inner, traction(outer, 1.0, outer)])
+        expected = -outer + a * j1(k * outer) + b * y1(k * outer)
+        assert vr.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-10)
+
+
+def test_centrifugal_displacement_in_the_limit_of_low_speed():
+    # (lambda + 2 mu)(u'' + 2u'/r - 2u/r^2) = -rho Omega^2 r gives u = A r + B / r^2 - q r^3 with
+    # q = rho Omega^2 / (10 (lambda + 2 mu)).
+    inner, outer, shear, nu, density, speed = 20e-3, 26e-3, 2e6, 0.3, 1200.0, 1e-2
+    stiffness = shear * 2 * (1 - nu) / (1 - 2 * nu)
+    lame = stiffness - 2 * shear
+    q = density * speed**2 / (10 * stiffness)
+    rows = [[inner, inner**-2], [stiffness + 2 * lame, (-2 * stiffness + 2 * lame) / outer**3]]
+    a, b = np.linalg.solve(rows, [q * inner**3, q * outer**2 * (3 * stiffness + 2 * lame)])
+    layer = vr.Layer(
+        thickness=outer - inner, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=nu, density=density
+    )
+    displacement = vr.centrifugal_displacement(vr.CoatedSphere(core_radius=inner, layers=[layer]), speed)
+    assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9)
+
+
+def test_centrifugal_displacement_of_equal_layers_is_that_of_one(rubber):
+    def ball(count):
+        layer = vr.Layer(thickness=6e-3 / count, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)
+        return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
+
+    one, three = (vr.centrifugal_displacement(ball(count), 500.0) for count in (1, 3))
+    assert three == pytest.approx(one, rel=1e-12)
+
+
+def test_centrifugal_displacement_enters_the_contact():
+    layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=2e6), poisson_ratio=0.3, density=1000.0)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    still = roll(ball)
+    fast = vr.solve(ball, load=100.0, angular_speed=200.0, mesh=still.mesh, compliance=vr.Compliance.RADIAL)
+    assert fast.centrifugal_displacement == vr.centrifugal_displacement(ball, 200.0) > 1e-6
+    # The ball swells and so stands higher, but for the softening by inertia (some per cent of the penetration).
+    rise = fast.center_height - still.center_height
+    assert rise == pytest.approx(fast.centrifugal_displacement, abs=0.03 * still.penetration)
+    # Far from the contact the surface is displaced by just that, outwards: downwards at the bottom.
+    depth = np.sqrt(ball.outer_radius**2 - fast.x**2 - fast.z**2) / ball.outer_radius
+    assert fast.displacement[0, 0] == pytest.approx(-fast.centrifugal_displacement * depth[0, 0], abs=2e-5)
+
+
+def test_incompressible_layers_do_not_swell(paper_ball):
+    assert vr.centrifugal_displacement(paper_ball, 1000.0) == 0.0
+
+
+def test_critical_speed_is_that_of_the_rayleigh_wave():
+    # 0.955 sqrt(mu_0 / rho) at Poisson's ratio 1/2; for h = 5 mm that is the group (67) of 0.58 (theory.md section 7).
+    ball = paper.ball(thickness=5e-3)
+    critical = vr.critical_speed(ball)
+    assert critical * 25e-3 == pytest.approx(0.955 * math.sqrt(6e6 / 1000.0), rel=1e-3)
+    assert 1000.0 * critical**2 * 20e-3**2 / 6e6 == pytest.approx(0.58, abs=0.005)
+
+
+@pytest.mark.parametrize(
+    ("poisson_ratio", "ratio"),
+    # Rayleigh wave over shear wave, e.g. K. F. Graff, Wave Motion in Elastic Solids, section 6.1.3.
+    [(0.0, 0.8740), (0.25, 0.9194), (0.5, 0.9553)],
+)
+def test_critical_speed_depends_on_poissons_ratio(poisson_ratio, ratio):
+    layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=4e6), poisson_ratio=poisson_ratio, density=1000.0)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    assert vr.critical_speed(ball) * 25e-3 == pytest.approx(ratio * math.sqrt(4e3), rel=1e-4)
+
+
+def test_above_the_critical_speed_is_refused():
+    ball = ball_at(0.6)
+    critical = vr.critical_speed(ball)
+    message = rf"angular_speed must be below the critical speed {critical!r} rad/s, .*, got 2.5 rad/s"
+    with pytest.raises(ValueError, match=message):
+        roll(ball)
+    for function in (lambda: vr.surface_compliance(ball, 2.5, 1, 2), lambda: vr.centrifugal_displacement(ball, 2.5)):
+        with pytest.raises(ValueError, match=message):
+            function()
+    assert vr.solve(ball, load=100.0, angular_speed=0.95 * critical, accuracy=0.2).resisting_torque > 0.0
+
+
+def test_critical_speed_without_a_limit():
+    assert math.isinf(vr.critical_speed(paper.ball(density=0.0)))
+    viscous = vr.KelvinVoigt(modulus=3e6, viscosity=1.0)
+    layer = vr.Layer(thickness=1e-3, shear_modulus=viscous, poisson_ratio=0.5, density=1000.0)
+    assert math.isinf(vr.critical_speed(vr.CoatedSphere(core_radius=20e-3, layers=[layer])))
+
+
+def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
+    def ball(modulus):
+        layer = vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.5, density=1000.0)
+        return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+
+    assert vr.critical_speed(ball(rubber.complex_modulus)) == pytest.approx(vr.critical_speed(ball(rubber)))

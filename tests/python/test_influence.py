@@ -1,0 +1,96 @@
+"""Influence tables and the rotated compliance against direct sums of the paper's equations."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from reference import boundary
+from reference import layers as reference
+
+SPEED, MESH, HALF = 2.5, vr.Mesh(nodes_per_revolution=48, max_order=40), (2, 3)
+
+
+@pytest.fixture(scope="module")
+def nodes():
+    return boundary.nodes(MESH.spacing, *HALF)
+
+
+def order_compliance(ball):
+    return lambda m, n: vr.surface_compliance(ball, SPEED, m.astype(int), n.astype(int))
+
+
+def table_matrix(ball, **options):
+    """Tables spread out over all pairs of nodes, shape (3, 3, nodes, nodes)."""
+    tables = vr.influence_tables(ball, SPEED, MESH, reach=(2 * HALF[0], 2 * HALF[1]), **options)
+    j, k = (a.ravel() for a in np.meshgrid(*(np.arange(-h, h + 1) for h in HALF), indexing="ij"))
+    return tables[:, :, j[:, None] - j + 2 * HALF[0], k[:, None] - k + 2 * HALF[1]]
+
+
+def test_tables_are_the_direct_sum_of_all_orders(unlike_ball, nodes):
+    # Single orders are checked elsewhere; here it is folding, symmetries and transforms against equation (53) by hand.
+    expected = boundary.compliance_matrix(
+        order_compliance(unlike_ball), MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes
+    )
+    matrix = table_matrix(unlike_ball)
+    # Round-off of sums of 6561 terms; the series in n are resolved to 1e-13.
+    np.testing.assert_allclose(matrix, expected, rtol=0.0, atol=1e-12 * expected[0, 0].max())
+
+
+def test_tables_agree_with_the_reference_from_the_moduli_on(unlike_ball, nodes):
+    layers = [
+        reference.Layer(20e-3, 22e-3, lambda w: reference.prony(6e6, [0.5], [0.125], w), 0.45, 1000.0),
+        reference.Layer(22e-3, 23e-3, lambda w: np.full(np.shape(w), 2e6 + 0j), 0.3, 1500.0),
+    ]
+
+    def compliance(m, n):
+        # Half of the orders are the conjugates of the others: the fields are real.
+        half = reference.extrapolated_compliance(layers, SPEED, m[MESH.max_order :], n[MESH.max_order :], (5, 10, 20))
+        return np.concatenate([half[:0:-1, ::-1].conj(), half])
+
+    expected = boundary.compliance_matrix(compliance, MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes)
+    # What the extrapolation of 20 radial sub-intervals leaves at order 40.
+    np.testing.assert_allclose(table_matrix(unlike_ball), expected, rtol=0.0, atol=1e-8 * expected[0, 0].max())
+
+
+@pytest.mark.parametrize(("nodes_per_revolution", "max_order"), [(48, 24), (48, 96), (48, 130), (49, 25), (49, 120)])
+def test_folding_for_any_ratio_of_orders_to_nodes(paper_ball, nodes_per_revolution, max_order):
+    mesh = vr.Mesh(nodes_per_revolution=nodes_per_revolution, max_order=max_order)
+    tables = vr.influence_tables(paper_ball, SPEED, mesh, reach=1)
+    nodes = boundary.nodes(mesh.spacing, 1, 1)
+    expected = boundary.compliance_matrix(
+        order_compliance(paper_ball), max_order, paper_ball.outer_radius, mesh.spacing, *nodes
+    )
+    center = expected[:, :, :, 4].reshape(3, 3, 3, 3)
+    np.testing.assert_allclose(tables, center, rtol=0.0, atol=1e-12 * center[0, 0].max())
+
+
+def test_tables_do_not_depend_on_threads_or_reach(paper_ball):
+    small = vr.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=1)
+    large = vr.influence_tables(paper_ball, SPEED, MESH, reach=(5, 6), threads=3)
+    np.testing.assert_array_equal(small, large[:, :, 3:8, 5:8])
+
+
+def test_tables_are_mirror_symmetric_in_theta(unlike_ball):
+    tables = vr.influence_tables(unlike_ball, SPEED, MESH, reach=5)
+    odd = np.array([[1, 1, -1], [1, 1, -1], [-1, -1, 1]])[:, :, None, None]
+    np.testing.assert_allclose(tables[..., ::-1], odd * tables, rtol=0.0, atol=1e-14 * tables.max())
+
+
+def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
+    radial = vr.influence_tables(paper_ball, SPEED, MESH, reach=6)[0, 0]
+    # Material leaves the load towards growing phi: there it has not yet recovered.
+    behind, ahead = radial[7:, 6], radial[5::-1, 6]
+    assert (np.abs(behind - ahead) > 1e-3 * radial.max()).any()
+    elastic = vr.CoatedSphere(
+        core_radius=20e-3,
+        layers=[vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)],
+    )
+    radial = vr.influence_tables(elastic, SPEED, MESH, reach=6)[0, 0]
+    np.testing.assert_allclose(radial[::-1], radial, rtol=0.0, atol=1e-14 * radial.max())
+
+
+@pytest.mark.parametrize("reach", [25, (0, 25), -1])
+def test_reach_is_limited_to_half_a_revolution(paper_ball, reach):
+    with pytest.raises(ValueError, match=r"reach must be in \[0, nodes_per_revolution / 2\]"):
+        vr.influence_tables(paper_ball, SPEED, MESH, reach=reach)

@@ -1,0 +1,134 @@
+"""Complex moduli: closed forms, limits, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from hypothesis import given
+from hypothesis import strategies as st
+from reference import layers
+
+OMEGA = np.array([0.0, 1e-3, 0.3, 8.0, 8.1, 500.0, 1e7])
+
+
+def test_prony_is_equation_65():
+    series = vr.Prony(instantaneous_modulus=5e6, weights=[0.3, 0.25, 0.05], relaxation_times=[1e-3, 0.2, 30.0])
+    expected = layers.prony(5e6, [0.3, 0.25, 0.05], [1e-3, 0.2, 30.0], OMEGA)
+    np.testing.assert_allclose(series.complex_modulus(OMEGA), expected, rtol=1e-14)
+
+
+def test_standard_linear_solid_is_a_prony_series(rubber):
+    series = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
+    np.testing.assert_array_equal(rubber.complex_modulus(OMEGA), series.complex_modulus(OMEGA))
+
+
+def test_standard_linear_solid_without_relaxation_is_elastic():
+    solid = vr.StandardLinearSolid(instantaneous_modulus=3e6, relaxed_modulus=3e6, relaxation_time=1.0)
+    np.testing.assert_array_equal(solid.complex_modulus(OMEGA), np.full(OMEGA.shape, 3e6 + 0j))
+
+
+def test_kelvin_voigt():
+    expected = 2e6 + 1j * OMEGA * 1e4
+    np.testing.assert_array_equal(vr.KelvinVoigt(modulus=2e6, viscosity=1e4).complex_modulus(OMEGA), expected)
+
+
+def test_fractional_zener():
+    solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.4)
+    power = (1j * OMEGA * 0.125) ** 0.4
+    expected = (3e6 + 6e6 * power) / (1 + power)
+    np.testing.assert_allclose(solid.complex_modulus(OMEGA), expected, rtol=1e-14)
+
+
+def test_fractional_zener_of_order_one_is_the_standard_linear_solid(rubber):
+    solid = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0)
+    np.testing.assert_allclose(solid.complex_modulus(OMEGA), rubber.complex_modulus(OMEGA), rtol=1e-14)
+
+
+def test_master_curve_is_linear_in_log_frequency():
+    frequency, storage, loss = [0.1, 1.0, 30.0], [1e6, 2e6, 2.5e6], [1e5, 4e5, 2e5]
+    curve = vr.MasterCurve(frequency, storage, loss)
+    omega = np.geomspace(0.1, 30.0, 41)
+    expected = np.interp(np.log(omega), np.log(frequency), storage) + 1j * np.interp(
+        np.log(omega), np.log(frequency), loss
+    )
+    np.testing.assert_allclose(curve.complex_modulus(omega), expected, rtol=1e-13)
+
+
+def test_master_curve_refuses_or_holds_what_is_outside():
+    table = ([1.0, 10.0], [1e6, 2e6], [1e5, 2e5])
+    message = r"frequency must be within the master curve's table, 1 to 10 rad/s .*, got 10.5 rad/s"
+    with pytest.raises(ValueError, match=message):
+        vr.MasterCurve(*table).complex_modulus(10.5)
+    with pytest.raises(ValueError, match="got 0 rad/s"):
+        vr.MasterCurve(*table).complex_modulus(0.0)
+    held = vr.MasterCurve(*table, extrapolation=vr.Extrapolation.HOLD)
+    np.testing.assert_array_equal(held.complex_modulus([0.0, 0.5, 99.0]), [1e6, 1e6 + 1e5j, 2e6 + 2e5j])
+
+
+def test_master_curve_takes_a_static_modulus_at_zero():
+    curve = vr.MasterCurve([0.0, 1.0, 10.0], [0.8e6, 1e6, 2e6], [0.0, 1e5, 2e5])
+    np.testing.assert_array_equal(curve.complex_modulus([0.0, 1.0]), [0.8e6, 1e6 + 1e5j])
+    with pytest.raises(ValueError, match=r"got 0.5 rad/s"):
+        curve.complex_modulus(0.5)
+
+
+def test_complex_modulus_keeps_the_shape(rubber):
+    assert rubber.complex_modulus(3.0).shape == ()
+    assert rubber.complex_modulus(np.ones((2, 3))).shape == (2, 3)
+
+
+@given(
+    weights=st.lists(st.floats(1e-3, 0.2), min_size=1, max_size=4),
+    decades=st.lists(st.floats(-6, 6), min_size=4, max_size=4),
+)
+def test_prony_is_passive_and_grows_with_frequency(weights, decades):
+    times = [10.0**d for d in decades[: len(weights)]]
+    modulus = vr.Prony(instantaneous_modulus=1e6, weights=weights, relaxation_times=times).complex_modulus(
+        np.geomspace(1e-8, 1e8, 60)
+    )
+    assert (modulus.imag >= 0.0).all()
+    # Round-off of sums of a few terms.
+    assert (np.diff(modulus.real) >= -1e-15 * 1e6 * len(weights)).all()
+
+
+def test_a_callable_serves_as_modulus(paper_ball, rubber):
+    mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
+    layer = vr.Layer(thickness=1e-3, shear_modulus=rubber.complex_modulus, poisson_ratio=0.5, density=1000.0)
+    custom = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    expected = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh)
+    result = vr.solve(custom, load=100.0, angular_speed=2.5, mesh=mesh)
+    assert result.resisting_torque == pytest.approx(expected.resisting_torque, rel=1e-12)
+
+
+def test_errors_of_a_callable_reach_the_caller():
+    def fails(omega):
+        raise LookupError("no such material")
+
+    ball = vr.CoatedSphere(core_radius=1.0, layers=[vr.Layer(thickness=0.1, shear_modulus=fails, poisson_ratio=0.5)])
+    with pytest.raises(LookupError, match="no such material"):
+        vr.solve(ball, load=1.0, angular_speed=1.0)
+
+
+@pytest.mark.parametrize(
+    ("function", "message"),
+    [
+        (lambda w: 1e6 - 1j * w, "passive, with loss modulus >= 0 Pa, got -1"),
+        (lambda w: np.full(w.shape, np.nan), "at 0 rad/s must be finite"),
+        (lambda w: np.full(w.shape, np.inf), "at 0 rad/s must be finite"),
+        (lambda w: w, "at 0 rad/s must be of storage modulus > 0 Pa, got 0"),
+        (lambda w: np.ones(3), r"one value for each frequency, got shape \(3,\)"),
+        (lambda w: 1e6, r"one value for each frequency, got shape \(\)"),
+    ],
+)
+def test_a_callable_is_checked_at_the_harmonics(function, message):
+    ball = vr.CoatedSphere(core_radius=1.0, layers=[vr.Layer(thickness=0.1, shear_modulus=function, poisson_ratio=0.5)])
+    with pytest.raises(ValueError, match=message):
+        vr.solve(ball, load=1.0, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=64, max_order=64))
+
+
+def test_a_callable_that_returns_no_numbers_is_a_type_error():
+    layer = vr.Layer(thickness=0.1, shear_modulus=lambda w: "stiff", poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=1.0, layers=[layer])
+    with pytest.raises((TypeError, ValueError)):
+        vr.solve(ball, load=1.0, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=64, max_order=64))
