@@ -46,9 +46,8 @@ double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed
   double offset = 0.0;
   for (const auto& medium : media) {
     const double mu = medium.mu.real() / stress_unit;
-    const double a = medium.a.real();
     const double b = medium.b.real();
-    const Eigen::Matrix2d elastic{{-2.0 * a, b / mu}, {4.0 * mu * (3.0 * a + 2.0 * b), 1.0 - 4.0 * b}};
+    const Eigen::Matrix2d elastic{{-2.0 + 4.0 * b, b / mu}, {4.0 * mu * (3.0 - 4.0 * b), 1.0 - 4.0 * b}};
     const double extent = std::log(medium.outer_radius / medium.inner_radius);
     const int steps = static_cast<int>(std::ceil(extent / 0.2));
     const double x = std::expm1(extent / steps);

@@ -8,43 +8,54 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kDepth = 30.0;        // exponent beyond which material is out of reach of the surface
+constexpr double kDepth = 24.0;        // exponent beyond which material is out of reach of the surface
 constexpr double kStepExponent = 1.5;  // largest exponent of a step: Taylor terms cancel little
 constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
 constexpr int kMaxTerms = 60;          // 0.25^30 and 1.5^25/25! are both below round-off
 
+/// Three solutions, one in each row.
 template <class Scalar>
-using Columns = Eigen::Matrix<Scalar, 6, 3>;
+using States = Eigen::Array<Scalar, 3, 6>;
 
-/// Solution at r (1 + x) of the layer's equations that starts as `start` at r.
+/// Largest part of a number: a size that costs no square root.
+double size(double value) { return std::abs(value); }
+double size(const std::complex<double>& value) { return std::max(std::abs(value.real()), std::abs(value.imag())); }
+
+/// Entry by entry, since the normal compliance of a thin incompressible layer is far smaller than its neighbors.
+template <class Scalar>
+bool is_negligible(const States<Scalar>& term, const States<Scalar>& sum) {
+  for (Eigen::Index i = 0; i < term.size(); ++i) {
+    if (size(term.data()[i]) > 1e-17 * size(sum.data()[i])) return false;
+  }
+  return true;
+}
+
+/// Solutions at r (1 + x) of the layer's equations that start as `start` at r.
 ///
 /// (1 + x) dz/dx = (B + q (1 + x)^2 M) z with q = rho Omega^2 r^2 gives the terms t_j = z_j x^j by
 /// t_{j+1} = x / (j+1) ((B - j) t_j + q M (t_j + 2 x t_{j-1} + x^2 t_{j-2})).
 template <class Scalar>
-Columns<Scalar> advance(const Matrix6<Scalar>& elastic, const Eigen::Matrix3d& inertia, const Columns<Scalar>& start,
-                        double x) {
+States<Scalar> advance(const LayerEquations<Scalar>& elastic, const Eigen::Matrix3d& inertia,
+                       const States<Scalar>& start, double x) {
   const bool has_inertia = !inertia.isZero(0.0);
-  Columns<Scalar> sum = start;
-  Columns<Scalar> term = start;
-  Columns<Scalar> before = Columns<Scalar>::Zero();
-  Columns<Scalar> before_that = Columns<Scalar>::Zero();
+  const Matrix3<Scalar> transposed_inertia = inertia.transpose().template cast<Scalar>();
+  States<Scalar> sum = start;
+  States<Scalar> term = start;
+  Matrix3<Scalar> before = Matrix3<Scalar>::Zero();  // displacements of the two terms before
+  Matrix3<Scalar> before_that = Matrix3<Scalar>::Zero();
   for (int j = 0; j < kMaxTerms; ++j) {
-    Columns<Scalar> next = elastic * term - static_cast<double>(j) * term;
+    States<Scalar> next = elastic(term) - static_cast<double>(j) * term;
     if (has_inertia) {
-      const Matrix3<Scalar> weighted = term.template topRows<3>() + 2.0 * x * before.template topRows<3>() +
-                                       x * x * before_that.template topRows<3>();
-      next.template bottomRows<3>() += inertia.template cast<Scalar>() * weighted;
+      const Matrix3<Scalar> displacement = term.template leftCols<3>().matrix();
+      const Matrix3<Scalar> weighted = displacement + 2.0 * x * before + x * x * before_that;
+      next.template rightCols<3>() += (weighted * transposed_inertia).array();
+      before_that = before;
+      before = displacement;
     }
     next *= x / (j + 1);
     sum += next;
-    // Entry by entry, since the normal compliance of a thin incompressible layer is far smaller than its neighbors; and
-    // two terms in a row, since one alone may vanish by parity.
-    const auto negligible = [&sum](const Columns<Scalar>& t) {
-      return (t.cwiseAbs().array() <= 1e-17 * sum.cwiseAbs().array()).all();
-    };
-    if (negligible(next) && negligible(term)) break;
-    before_that = before;
-    before = term;
+    // Two terms in a row: one alone may vanish by parity.
+    if (is_negligible(next, sum) && is_negligible(term, sum)) break;
     term = next;
   }
   return sum;
@@ -57,21 +68,26 @@ Matrix3<Scalar> carry(std::span<const Medium<Scalar>> media, double m, double n,
   const double surface = media.back().outer_radius;
   const double deepest = surface * std::exp(-kDepth / std::max(order, 1e-300));
   Matrix3<Scalar> compliance = Matrix3<Scalar>::Zero();
-  for (const Medium<Scalar>& medium : media) {
+  for (Medium<Scalar> medium : media) {
     if (medium.outer_radius <= deepest) continue;
     const double inner = std::max(medium.inner_radius, deepest);
     const double extent = std::log1p((medium.outer_radius - inner) / inner);
     const double longest = std::min(std::log1p(kStepRatio), kStepExponent / (order + 1.0));
     const int steps = static_cast<int>(std::ceil(extent / longest));
     const double x = std::expm1(extent / steps);
-    const Matrix6<Scalar> elastic = elastic_matrix(medium, m, n, stress_unit);
+    medium.mu /= stress_unit;
+    const LayerEquations<Scalar> elastic(medium, m, n);
     for (int step = 0; step < steps; ++step) {
       const double radius = inner * std::exp(extent * step / steps);
       const Eigen::Matrix3d inertia = medium.inertia * radius * radius / stress_unit * inertia_matrix(m);
-      Columns<Scalar> state;
-      state << compliance, Matrix3<Scalar>::Identity();
-      state = advance<Scalar>(elastic, inertia, state, x);
-      compliance = state.template topRows<3>() * state.template bottomRows<3>().inverse();
+      States<Scalar> states;
+      states.template leftCols<3>() = compliance.transpose().array();
+      states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
+      states = advance<Scalar>(elastic, inertia, states, x);
+      // Rows are states: Y^T = F^-T D^T.
+      const Matrix3<Scalar> displacement = states.template leftCols<3>().matrix();
+      const Matrix3<Scalar> stress = states.template rightCols<3>().matrix();
+      compliance = (stress.inverse() * displacement).transpose();
       if (!visit(compliance)) return compliance;
     }
   }

@@ -12,8 +12,8 @@ namespace viscoroll::detail {
 ///
 /// With d = Y (r sigma), Y = 0 at the rigid core, each step takes Y to (T11 Y + T12)(T21 Y + T22)^-1, the transition
 /// matrix T of a step being short enough to keep all digits. T itself is never formed: its product with (Y; I) is the
-/// Taylor series of the solution about the step's inner radius. Material deeper than 30 / sqrt(m^2 + n^2) in ln r
-/// changes the surface by exp(-60), and is left out.
+/// Taylor series of the solution about the step's inner radius. Material deeper than 24 / sqrt(m^2 + n^2) in ln r
+/// changes the surface by exp(-48), and is left out.
 /// @param[in] media layers, core outwards
 /// @param[in] m,n orders, of any sign, not necessarily whole
 /// @return compliance [m/Pa]

@@ -29,12 +29,10 @@ std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double 
       media.clear();
       continue;
     }
-    const Ratios ratios(layer, mu);
     media.push_back({.inner_radius = inner,
                      .outer_radius = radius,
                      .mu = mu,
-                     .a = ratios.a,
-                     .b = ratios.b,
+                     .b = shear_ratio(layer, mu),
                      .inertia = layer.density});
   }
   return media;
@@ -44,8 +42,7 @@ std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double 
 double rayleigh_limit(const std::vector<Medium<double>>& media) {
   const Medium<double>& outer = media.back();
   if (outer.inertia == 0.0) return kInfinity;
-  const double poisson_ratio = outer.a / (1.0 + outer.a);
-  return rayleigh_ratio(poisson_ratio) * std::sqrt(outer.mu / outer.inertia) / outer.outer_radius;
+  return rayleigh_ratio(outer.b) * std::sqrt(outer.mu / outer.inertia) / outer.outer_radius;
 }
 
 /// Whether no order resonates up to this speed. The slowest waves run straight along phi, so n = 0; the orders are
@@ -71,15 +68,15 @@ double slowest_shear_wave(const std::vector<Medium<double>>& media) {
 
 }  // namespace
 
-double rayleigh_ratio(double poisson_ratio) {
-  // x^3 - 8 x^2 + (24 - 16 kappa) x - 16 (1 - kappa) = 0 with x = (c / c_s)^2 and kappa = (c_s / c_p)^2; its smallest
-  // positive root lies in (0, 1). K. F. Graff, Wave Motion in Elastic Solids (1975), equation (6.1.85).
-  const double kappa = (1.0 - 2.0 * poisson_ratio) / (2.0 * (1.0 - poisson_ratio));
+double rayleigh_ratio(double shear_ratio) {
+  // x^3 - 8 x^2 + (24 - 16 b) x - 16 (1 - b) = 0 with x = (c / c_s)^2 and b = (c_s / c_p)^2; its smallest positive root
+  // lies in (0, 1). K. F. Graff, Wave Motion in Elastic Solids (1975), equation (6.1.85).
+  const double b = shear_ratio;
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < 60; ++i) {
     const double x = 0.5 * (low + high);
-    const double value = ((x - 8.0) * x + 24.0 - 16.0 * kappa) * x - 16.0 * (1.0 - kappa);
+    const double value = ((x - 8.0) * x + 24.0 - 16.0 * b) * x - 16.0 * (1.0 - b);
     (value < 0.0 ? low : high) = x;
   }
   return std::sqrt(0.5 * (low + high));

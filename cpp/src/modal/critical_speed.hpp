@@ -7,9 +7,9 @@
 namespace viscoroll::detail {
 
 /// @brief Rayleigh wave speed as a share of the shear wave speed.
-/// @param[in] poisson_ratio in (-1, 0.5]
-/// @return c_R / sqrt(mu / rho), 0.955 at 0.5
-[[nodiscard]] double rayleigh_ratio(double poisson_ratio);
+/// @param[in] shear_ratio b = mu / (lambda + 2 mu), in [0, 3/4)
+/// @return c_R / sqrt(mu / rho), 0.955 where incompressible (b = 0)
+[[nodiscard]] double rayleigh_ratio(double shear_ratio);
 
 /// @brief Refuse a rolling speed at or above the critical one, at less than the cost of finding that speed.
 /// @param[in] sphere rigid core and layers

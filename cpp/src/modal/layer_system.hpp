@@ -2,8 +2,19 @@
 /// @brief The ordinary differential equations of one order in one layer, in real form.
 ///
 /// Theory.md section 3 writes z' = B z, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi, r sigma_rtheta), ' = d/d ln
-/// r. With the tangential components written as i times new unknowns, u_phi = i v_phi, sigma_rphi = i tau_phi and so
-/// on, every imaginary unit drops out: the matrix is real where the moduli are, and the compliance is symmetric.
+/// r, with a = lambda / (lambda + 2 mu), b = mu / (lambda + 2 mu), gamma = mu (3a + 2b) and epsilon = mu (a + b). Two
+/// observations make it short:
+///
+/// - With the tangential components written as i times new unknowns, u_phi = i v_phi, sigma_rphi = i tau_phi and so on,
+///   every imaginary unit drops out: the matrix is real where the moduli are, and the compliance is symmetric.
+/// - Since a + 2b = 1, the displacements enter through t = m v_phi + n v_theta - 2 u_r alone, but for a term k^2 mu v:
+///
+///       u_r'    = a t + (b/mu) s            s'       = -2 gamma t + (1 - 4b) s + m tau_phi + n tau_theta
+///       v_phi'  = v_phi - m u_r + tau_phi/mu         tau_phi'  = m (gamma t - a s) + k^2 mu v_phi - 2 tau_phi
+///       v_theta' = v_theta - n u_r + tau_theta/mu    tau_theta' = n (gamma t - a s) + k^2 mu v_theta - 2 tau_theta
+///
+///   with s = r sigma_rr, gamma = mu (3 - 4b) and k^2 = m^2 + n^2.
+///
 /// Everything in this folder uses that form; `to_physical` undoes it. Orders need not be whole numbers here.
 #pragma once
 
@@ -18,24 +29,56 @@ using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 template <class Scalar>
 using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
 
-/// @brief B without inertia. Constant over a layer; stresses in units of `stress_unit`.
+/// @brief The equations of a layer without inertia, as the product B z.
 template <class Scalar>
-[[nodiscard]] Matrix6<Scalar> elastic_matrix(const Medium<Scalar>& medium, double m, double n, double stress_unit) {
-  const Scalar mu = medium.mu / stress_unit;
-  const Scalar a = medium.a;
-  const Scalar b = medium.b;
-  const Scalar gamma = mu * (3.0 * a + 2.0 * b);
-  const Scalar epsilon = mu * (a + b);
-  const Scalar zero(0.0);
-  const Scalar one(1.0);
-  Matrix6<Scalar> matrix;
-  matrix << -2.0 * a, m * a, n * a, b / mu, zero, zero,                                               //
-      Scalar(-m), one, zero, zero, one / mu, zero,                                                    //
-      Scalar(-n), zero, one, zero, zero, one / mu,                                                    //
-      4.0 * gamma, -2.0 * m * gamma, -2.0 * n * gamma, one - 4.0 * b, Scalar(m), Scalar(n),           //
-      -2.0 * m * gamma, 4.0 * m * m * epsilon + n * n * mu, m * n * gamma, -m * a, Scalar(-2), zero,  //
-      -2.0 * n * gamma, m * n * gamma, 4.0 * n * n * epsilon + m * m * mu, -n * a, zero, Scalar(-2);
-  return matrix;
+class LayerEquations {
+ public:
+  /// @param[in] medium the layer, its modulus in the unit of the stresses
+  /// @param[in] m,n order
+  LayerEquations(const Medium<Scalar>& medium, double m, double n)
+      : m_(m),
+        n_(n),
+        a_(1.0 - 2.0 * medium.b),
+        recovery_(1.0 - 4.0 * medium.b),
+        radial_(medium.b / medium.mu),
+        tangential_(1.0 / medium.mu),
+        gamma_(medium.mu * (3.0 - 4.0 * medium.b)),
+        membrane_((m * m + n * n) * medium.mu) {}
+
+  /// @brief B z for several states at once.
+  /// @param[in] z one state in each row: u_r, v_phi, v_theta, s, tau_phi, tau_theta
+  template <int States>
+  [[nodiscard]] Eigen::Array<Scalar, States, 6> operator()(const Eigen::Array<Scalar, States, 6>& z) const {
+    const auto u = z.col(0);
+    const auto v_phi = z.col(1);
+    const auto v_theta = z.col(2);
+    const auto s = z.col(3);
+    const auto tau_phi = z.col(4);
+    const auto tau_theta = z.col(5);
+    using Column = Eigen::Array<Scalar, States, 1>;
+    const Column t = m_ * v_phi + n_ * v_theta - 2.0 * u;
+    const Column gamma_t = gamma_ * t;
+    const Column shear = gamma_t - a_ * s;
+    Eigen::Array<Scalar, States, 6> rate;
+    rate.col(0) = a_ * t + radial_ * s;
+    rate.col(1) = v_phi - m_ * u + tangential_ * tau_phi;
+    rate.col(2) = v_theta - n_ * u + tangential_ * tau_theta;
+    rate.col(3) = recovery_ * s - 2.0 * gamma_t + m_ * tau_phi + n_ * tau_theta;
+    rate.col(4) = m_ * shear + membrane_ * v_phi - 2.0 * tau_phi;
+    rate.col(5) = n_ * shear + membrane_ * v_theta - 2.0 * tau_theta;
+    return rate;
+  }
+
+ private:
+  double m_, n_;
+  Scalar a_, recovery_, radial_, tangential_, gamma_, membrane_;
+};
+
+/// @brief B without inertia as a matrix.
+template <class Scalar>
+[[nodiscard]] Matrix6<Scalar> elastic_matrix(const Medium<Scalar>& medium, double m, double n) {
+  const Eigen::Array<Scalar, 6, 6> unit_states = Matrix6<Scalar>::Identity().array();
+  return LayerEquations<Scalar>(medium, m, n)(unit_states).matrix().transpose();
 }
 
 /// @brief What inertia adds to the stress rows of B, from the displacements, per rho Omega^2 r^2: order m alone counts,

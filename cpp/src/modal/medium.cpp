@@ -32,12 +32,10 @@ std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) 
   for (std::size_t j = 0; j < sphere_.layers.size(); ++j) {
     const Layer& layer = sphere_.layers[j];
     const std::complex<double> mu = modulus(j, i);
-    const Ratios ratios(layer, mu);
     media.push_back({.inner_radius = radii_[j],
                      .outer_radius = radii_[j + 1],
                      .mu = mu,
-                     .a = ratios.a,
-                     .b = ratios.b,
+                     .b = shear_ratio(layer, mu),
                      .inertia = layer.density * angular_speed_ * angular_speed_});
   }
   return media;

@@ -16,30 +16,19 @@ struct Medium {
   double inner_radius;  ///< [m]
   double outer_radius;  ///< [m]
   Scalar mu;            ///< shear modulus [Pa]
-  Scalar a;             ///< lambda / (lambda + 2 mu) = nu / (1 - nu)
-  Scalar b;             ///< mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)); 0 when incompressible
+  Scalar b;             ///< mu / (lambda + 2 mu), see `shear_ratio`
   double inertia;       ///< rho Omega^2 [Pa/m^2]
 };
 
-/// @brief The ratios a and b of a layer from its Poisson's ratio or its bulk modulus.
-/// @param[in] layer gives whichever of the two it has
+/// @brief Ratio b of the shear modulus to the confined modulus, mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) =
+/// mu / (K + 4/3 mu): 0 where the layer is incompressible.
+/// @param[in] layer gives its Poisson's ratio nu or its bulk modulus K, whichever it has
 /// @param[in] mu shear modulus [Pa]
 template <class Scalar>
-struct Ratios {
-  Scalar a, b;
-
-  Ratios(const Layer& layer, Scalar mu) {
-    if (layer.poisson_ratio) {
-      const double nu = *layer.poisson_ratio;
-      a = nu / (1.0 - nu);
-      b = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
-    } else {
-      const double bulk = *layer.bulk_modulus;
-      b = mu / (bulk + 4.0 / 3.0 * mu);
-      a = 1.0 - 2.0 * b;
-    }
-  }
-};
+[[nodiscard]] Scalar shear_ratio(const Layer& layer, Scalar mu) {
+  if (layer.bulk_modulus) return mu / (*layer.bulk_modulus + 4.0 / 3.0 * mu);
+  return Scalar((1.0 - 2.0 * *layer.poisson_ratio) / (2.0 * (1.0 - *layer.poisson_ratio)));
+}
 
 /// @brief The layers of a coating at a list of harmonics of the rolling speed.
 class HarmonicCoating {

@@ -44,15 +44,13 @@ ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double rad
   const std::array frequency{std::abs(m) * angular_speed};
   const cplx at_frequency = complex_modulus(layer.shear_modulus, frequency).front();
   const cplx mu = m < 0 ? std::conj(at_frequency) : at_frequency;  // mu*(-w) = conj mu*(w)
-  const detail::Ratios ratios(layer, mu);
   const detail::Medium<cplx> medium{.inner_radius = radius,
                                     .outer_radius = radius,
                                     .mu = mu,
-                                    .a = ratios.a,
-                                    .b = ratios.b,
+                                    .b = detail::shear_ratio(layer, mu),
                                     .inertia = layer.density * angular_speed * angular_speed};
 
-  detail::Matrix6<cplx> matrix = detail::elastic_matrix(medium, m, n, 1.0);
+  detail::Matrix6<cplx> matrix = detail::elastic_matrix(medium, m, n);
   matrix.bottomLeftCorner<3, 3>() += (medium.inertia * radius * radius * detail::inertia_matrix(m)).cast<cplx>();
   // From the unknowns v = -i u of the tangential components to u.
   const cplx i(0.0, 1.0);

@@ -29,7 +29,7 @@ std::optional<double> common_ratio(const HarmonicCoating& coating, std::size_t l
 }
 
 /// Whether the layer's Poisson's ratio is real and the same at every harmonic.
-bool has_constant_ratios(const HarmonicCoating& coating, std::size_t layer) {
+bool has_constant_poisson_ratio(const HarmonicCoating& coating, std::size_t layer) {
   const Layer& properties = coating.sphere().layers[layer];
   return properties.poisson_ratio || std::holds_alternative<Elastic>(properties.shear_modulus);
 }
@@ -41,12 +41,11 @@ std::optional<std::vector<Medium<double>>> scaled_media(const HarmonicCoating& c
   const auto at_rest = coating.media(0);
   for (std::size_t l = 0; l < at_rest.size(); ++l) {
     const std::optional<double> ratio = common_ratio(coating, l, reference);
-    if (!ratio || !has_constant_ratios(coating, l)) return std::nullopt;
+    if (!ratio || !has_constant_poisson_ratio(coating, l)) return std::nullopt;
     const double share = highest_density > 0.0 ? coating.sphere().layers[l].density / highest_density : 0.0;
     media.push_back({.inner_radius = at_rest[l].inner_radius,
                      .outer_radius = at_rest[l].outer_radius,
                      .mu = *ratio,
-                     .a = at_rest[l].a.real(),
                      .b = at_rest[l].b.real(),
                      .inertia = share / (coating.outer_radius() * coating.outer_radius())});
   }
