@@ -36,27 +36,42 @@ def plot_contact(result: Result) -> Figure:
     _draw_map(pressure_map, result)
     _draw_profile(profile, result)
     figure.suptitle(
-        f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s:  "
-        f"T_r = {result.resisting_torque * 1e3:.4g} mN m,  penetration {result.penetration * _MM:.3g} mm"
+        f"$P$ = {result.load:g} N, $Ω$ = {result.angular_speed:g} rad/s:   "
+        f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m,   penetration {result.penetration * _MM:.3g} mm"
     )
     return figure
 
 
 def _offset(result: Result) -> float:
+    """Distance of the normal resultant from the lowest point [m]."""
     return result.resisting_torque / result.load
 
 
+def _half_width(result: Result) -> float:
+    """Half of what is shown along both axes [mm]: the contact and some margin, within the window."""
+    contact = max(np.abs(result.x[result.contact]).max(), np.abs(result.z[result.contact]).max())
+    return min(1.35 * float(contact) + 2.0 * _spacing(result), float(result.x.max())) * _MM
+
+
+def _spacing(result: Result) -> float:
+    return result.ball.outer_radius * result.mesh.spacing
+
+
 def _draw_map(axes: Axes, result: Result) -> None:
-    x, z = result.x * _MM, result.z * _MM
-    mesh = axes.pcolormesh(x, z, result.pressure * _MPA, shading="gouraud", cmap="magma_r", rasterized=True)
-    axes.contour(x, z, result.contact.astype(float), levels=[0.5], colors="k", linewidths=1.0)
-    offset = _offset(result) * _MM
+    # Pictures run along x from column to column; forward, the fields run from row to row, backward.
+    x, z = result.x.T * _MM, result.z.T * _MM
+    contact = result.contact.T
+    pressure = np.ma.masked_where(~contact, result.pressure.T * _MPA)
+    image = axes.pcolormesh(x, z, pressure, shading="nearest", cmap="magma_r", vmin=0.0, rasterized=True)
+    axes.contour(x, z, contact.astype(float), levels=[0.5], colors="k", linewidths=1.0)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
-    axes.plot(offset, 0.0, "o", color="tab:cyan", markeredgecolor="k", label=f"resultant, x = {offset:.3g} mm")
-    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]", aspect="equal")
-    axes.set_xlim(x.min(), x.max())
+    offset = _offset(result) * _MM
+    axes.plot(offset, 0.0, "o", color="tab:cyan", markeredgecolor="w", label=f"resultant at x = {offset:.3g} mm")
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
     axes.legend(loc="upper left", fontsize="small")
-    axes.figure.colorbar(mesh, ax=axes, label="contact pressure [MPa]")
+    axes.figure.colorbar(image, ax=axes, label="contact pressure [MPa]")
 
 
 def _draw_profile(axes: Axes, result: Result) -> None:
@@ -67,10 +82,15 @@ def _draw_profile(axes: Axes, result: Result) -> None:
     axes.plot(x, pressure, ".-", color="tab:red", label="pressure")
     axes.axvline(_offset(result) * _MM, color="tab:cyan", label="resultant")
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
-    axes.set(xlabel="x [mm], rolling to the right", ylabel="contact pressure in the middle plane [MPa]")
-    axes.set_ylim(bottom=0.0)
-    gap = axes.twinx()
-    gap.plot(x, np.maximum(result.gap[:, middle], 0.0) * _MM, color="tab:blue", linewidth=1.0)
-    gap.set_ylabel("gap below the surface [mm]", color="tab:blue")
-    gap.set_ylim(bottom=0.0)
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), xlabel="x [mm], rolling to the right")
+    axes.set(ylabel="contact pressure in the middle plane [MPa]")
+    axes.set_ylim(0.0, 1.15 * pressure.max())
     axes.legend(loc="upper left", fontsize="small")
+
+    gap = axes.twinx()
+    shown = np.abs(x) <= limit
+    height = np.maximum(result.gap[:, middle], 0.0) * _MM
+    gap.plot(x, height, color="tab:blue", linewidth=1.0)
+    gap.set_ylim(0.0, 1.15 * height[shown].max())
+    gap.set_ylabel("gap to the plane [mm]", color="tab:blue")

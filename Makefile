@@ -1,0 +1,104 @@
+# The commands of the README. On Debian each installs what it needs: compiler and libraries by apt, Python packages by
+# pip into .venv. Elsewhere, install the packages of APT by hand and set DEPS= to skip apt.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
+
+APT := g++ cmake make libeigen3-dev libfftw3-dev libgtest-dev python3-dev python3-venv
+APT_BENCH := libbenchmark-dev
+DEPS ?= deps
+
+SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
+JOBS := $(shell nproc 2>/dev/null || echo 2)
+
+.PHONY: help demo test test-cpp test-python test-package sanitize lint format bench deps deps-bench clean
+
+help:
+	@echo "make demo      solve the paper's example and draw it"
+	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
+	@echo "make lint      check formatting, types and stubs"
+	@echo "make format    format all sources"
+	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers"
+	@echo "make bench     measure times and errors, and append them to bench/results.csv"
+
+demo: $(VENV)/demo.stamp
+	$(BIN)/viscoroll demo
+
+test: test-cpp test-package test-python
+
+test-cpp: $(DEPS)
+	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS)
+	ctest --preset release --parallel $(JOBS)
+
+test-python: $(VENV)/test.stamp
+	$(BIN)/python -m pytest
+
+# A program outside the project: against the installed library, again with other compiler flags, and against the sources.
+test-package: test-cpp
+	rm -rf build/package
+	cmake --install build/release --component library --prefix build/package/prefix
+	cmake -S tests/package -B build/package/installed -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/prefix
+	cmake --build build/package/installed && build/package/installed/consumer
+	cmake -S tests/package -B build/package/native -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/prefix \
+	  -DCMAKE_CXX_FLAGS=-march=native
+	cmake --build build/package/native && build/package/native/consumer
+	cmake -S tests/package -B build/package/source -Dviscoroll_SOURCE=$(CURDIR) -DCMAKE_BUILD_TYPE=Release
+	cmake --build build/package/source --parallel $(JOBS) && build/package/source/consumer
+
+sanitize: $(DEPS)
+	cmake --preset asan-ubsan
+	cmake --build --preset asan-ubsan --parallel $(JOBS)
+	ctest --preset asan-ubsan --parallel $(JOBS)
+
+CXX_FILES := $(shell git ls-files '*.cpp' '*.hpp')
+CMAKE_FILES := $(shell git ls-files '*CMakeLists.txt' '*.cmake')
+
+lint: $(VENV)/lint.stamp
+	$(BIN)/ruff format --check python tests bench
+	$(BIN)/ruff check python tests bench
+	$(BIN)/clang-format --dry-run --Werror $(CXX_FILES)
+	$(BIN)/gersemi --check $(CMAKE_FILES)
+	$(BIN)/mypy
+	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
+
+format: $(VENV)/lint.stamp
+	$(BIN)/ruff check --fix python tests bench
+	$(BIN)/ruff format python tests bench
+	$(BIN)/clang-format -i $(CXX_FILES)
+	$(BIN)/gersemi --in-place $(CMAKE_FILES)
+
+bench: deps-bench $(VENV)/test.stamp
+	cmake --preset bench
+	cmake --build --preset bench --parallel $(JOBS)
+	$(BIN)/python bench/run.py
+
+deps:
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT) >/dev/null 2>&1; then \
+	  $(SUDO) apt-get update -q && \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT); fi
+
+deps-bench: $(DEPS)
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_BENCH) >/dev/null 2>&1; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_BENCH); fi
+
+# One environment; each stamp says that the package is installed as it stands, with the extras of that name.
+$(VENV)/bin/pip: | $(DEPS)
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/demo.stamp: $(SOURCES) | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet '.[cli,plot]'
+	touch $@
+
+$(VENV)/test.stamp: $(SOURCES) | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet '.[test]'
+	touch $@ $(VENV)/demo.stamp
+
+$(VENV)/lint.stamp: $(VENV)/test.stamp
+	$(BIN)/pip install --quiet '.[test,lint]'
+	touch $@
+
+clean:
+	rm -rf build $(VENV)

@@ -1,0 +1,79 @@
+// Whole solves, input to result, influence tables included. Each case reports its error beside its time.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases.hpp"
+
+namespace {
+
+using namespace viscoroll;
+
+double relative_error(double value, double reference) { return std::abs(value / reference - 1.0); }
+
+Options options_for(const Mesh& mesh, Compliance compliance) { return {.mesh = mesh, .compliance = compliance}; }
+
+/// The paper's example against the independent computation of theory.md section 8, known to five digits [N m].
+void paper_example(benchmark::State& state, int nodes, int order, Compliance compliance, double reference) {
+  const CoatedSphere sphere = cases::paper_sphere();
+  const Options options = options_for({nodes, order}, compliance);
+  Result result;
+  for (auto _ : state) result = solve(sphere, cases::kRolling, options);
+  state.counters["error"] = relative_error(result.resisting_torque, reference);
+  state.counters["power_balance_error"] = result.power_balance_error;
+  state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+}
+
+/// All entries of the paper's table 2, one solve each; the error is the largest against the printed numbers, 0.3 % of
+/// which is the paper's lever arm.
+void table_2(benchmark::State& state) {
+  const CoatedSphere sphere = cases::paper_sphere();
+  double error = 0.0;
+  for (auto _ : state) {
+    for (const cases::TableEntry& entry : cases::kTable2) {
+      const Options options = options_for({entry.nodes_per_revolution, entry.max_order}, Compliance::radial);
+      const Result result = solve(sphere, cases::kRolling, options);
+      error = std::max(error, relative_error(result.resisting_torque * 1e3, entry.torque));
+    }
+  }
+  state.counters["error"] = error;
+}
+
+/// Coatings that need every order m solved by itself; the error is the power balance.
+void order_by_order(benchmark::State& state, const CoatedSphere& sphere) {
+  const Options options = options_for({500, 500}, Compliance::vertical);
+  Result result;
+  for (auto _ : state) result = solve(sphere, cases::kRolling, options);
+  state.counters["error"] = result.power_balance_error;
+  state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+}
+
+/// No mesh given: the error is against the converged torque [N m].
+void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance, double reference) {
+  const CoatedSphere sphere = cases::paper_sphere();
+  Result result;
+  for (auto _ : state) {
+    result = solve(sphere, cases::kRolling, {.accuracy = accuracy, .compliance = compliance});
+  }
+  state.counters["error"] = relative_error(result.resisting_torque, reference);
+  state.counters["power_balance_error"] = result.power_balance_error;
+  state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+}
+
+constexpr auto kUnit = benchmark::kMillisecond;
+
+BENCHMARK_CAPTURE(paper_example, pi_250_N_500, 500, 500, Compliance::radial, 11.348e-3)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(paper_example, pi_400_N_1500, 800, 1500, Compliance::radial, 11.412e-3)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(paper_example, pi_250_N_500_vertical, 500, 500, Compliance::vertical, 11.130e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK(table_2)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers())->Unit(kUnit)->UseRealTime();
+// Mach number squared of 0.5 (theory.md section 7): the series in it no longer serves.
+BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3))
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(to_accuracy, one_percent, 0.01, Compliance::radial, 11.38e-3)->Unit(kUnit)->UseRealTime();
+
+}  // namespace

@@ -1,0 +1,53 @@
+/// @file
+/// @brief The fixed cases of the benchmarks, with references for their errors.
+#pragma once
+
+#include <array>
+#include <viscoroll/viscoroll.hpp>
+
+namespace cases {
+
+/// Example of Zehil and Gavin, section 14.
+inline viscoroll::CoatedSphere paper_sphere(double density = 1000.0, double thickness = 1e-3) {
+  return {.core_radius = 20e-3,
+          .layers = {{.thickness = thickness,
+                      .shear_modulus = viscoroll::standard_linear_solid(6e6, 3e6, 0.125),
+                      .poisson_ratio = 0.5,
+                      .density = density}}};
+}
+
+/// Two layers that share no relaxation function: every order m has a response of its own.
+inline viscoroll::CoatedSphere unlike_layers() {
+  return {.core_radius = 20e-3,
+          .layers = {{.thickness = 0.5e-3,
+                      .shear_modulus = viscoroll::standard_linear_solid(6e6, 3e6, 0.125),
+                      .poisson_ratio = 0.5},
+                     {.thickness = 0.5e-3,
+                      .shear_modulus = viscoroll::FractionalZener{6e6, 3e6, 0.05, 0.6},
+                      .poisson_ratio = 0.49}}};
+}
+
+inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};
+
+/// An entry of table 2 of the paper.
+struct TableEntry {
+  int nodes_per_revolution;
+  int max_order;
+  double torque;  ///< printed [mN m]
+};
+
+inline constexpr std::array<TableEntry, 51> kTable2{{
+    {100, 250, 10.50},  {100, 500, 10.36},  {100, 750, 10.43},  {100, 1000, 10.46}, {100, 1250, 10.44},
+    {100, 1500, 10.43}, {150, 250, 11.42},  {150, 500, 11.47},  {150, 750, 11.50},  {150, 1000, 11.44},
+    {150, 1250, 11.43}, {150, 1500, 11.42}, {200, 250, 11.22},  {200, 500, 11.01},  {200, 750, 11.01},
+    {200, 1000, 11.03}, {200, 1250, 11.01}, {200, 1500, 11.01}, {300, 250, 11.09},  {300, 500, 11.10},
+    {300, 750, 11.11},  {300, 1000, 11.10}, {300, 1250, 11.11}, {300, 1500, 11.10}, {400, 250, 11.33},
+    {400, 500, 11.31},  {400, 750, 11.32},  {400, 1000, 11.32}, {400, 1250, 11.31}, {400, 1500, 11.32},
+    {500, 250, 11.41},  {500, 500, 11.38},  {500, 750, 11.39},  {500, 1000, 11.40}, {500, 1250, 11.40},
+    {500, 1500, 11.39}, {600, 500, 11.42},  {600, 750, 11.41},  {600, 1000, 11.42}, {600, 1250, 11.43},
+    {600, 1500, 11.42}, {700, 500, 11.45},  {700, 750, 11.44},  {700, 1000, 11.45}, {700, 1250, 11.44},
+    {700, 1500, 11.45}, {800, 500, 11.45},  {800, 750, 11.44},  {800, 1000, 11.44}, {800, 1250, 11.44},
+    {800, 1500, 11.44},
+}};
+
+}  // namespace cases
