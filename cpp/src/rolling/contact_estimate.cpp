@@ -33,4 +33,16 @@ double estimate_contact_radius(const HarmonicCoating& coating, double load) {
   return high;
 }
 
+double unbearable_load(const HarmonicCoating& coating) {
+  double shear = 0.0;
+  for (const Medium<std::complex<double>>& medium : coating.media(coating.harmonics() - 1)) {
+    shear = std::max(shear, std::abs(medium.mu));
+  }
+  const double radius = coating.outer_radius();
+  const double thickness = coating_thickness(coating.sphere());
+  const double hertz = 16.0 / 3.0 * shear * radius * radius;
+  const double bonded = std::numbers::pi * shear * std::pow(radius, 5) / (32.0 * std::pow(thickness, 3));
+  return 1e3 * (hertz + bonded);
+}
+
 }  // namespace viscoroll::detail

@@ -16,4 +16,10 @@ namespace viscoroll::detail {
 /// @return a [m]
 [[nodiscard]] double estimate_contact_radius(const HarmonicCoating& coating, double load);
 
+/// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
+/// incompressible bonded layer for a contact as wide as the sphere, of the stiffest layer at the highest harmonic.
+/// @param[in] coating layers at the harmonics of rolling
+/// @return load [N]
+[[nodiscard]] double unbearable_load(const HarmonicCoating& coating);
+
 }  // namespace viscoroll::detail

@@ -59,6 +59,7 @@ class MeshSolver {
         spectrum_(make_spectrum(coating, options.threads, watch)) {}
 
   [[nodiscard]] SolvedContact solve() const {
+    if (load_case_.load > unbearable_load(coating_)) reject_load("would be pressed through any such coating");
     const double estimate = estimate_contact_radius(coating_, load_case_.load) / radius_;
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int largest = mesh_.nodes_per_revolution / 6;
