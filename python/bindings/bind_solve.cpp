@@ -9,17 +9,18 @@ namespace {
 using namespace viscoroll;
 
 Result solve_released(const CoatedSphere& sphere, double load, double angular_speed, std::optional<Mesh> mesh,
-                      double accuracy, Compliance compliance, PatchLoad patch_load, int max_iterations, int threads,
-                      const py::object& progress) {
+                      double accuracy, double friction, Drive drive, Compliance compliance, PatchLoad patch_load,
+                      SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
   const Options options{.mesh = mesh,
                         .accuracy = accuracy,
                         .compliance = compliance,
                         .patch_load = patch_load,
+                        .slip_kinematics = slip_kinematics,
                         .max_iterations = max_iterations,
                         .threads = threads,
                         .observer = python_observer(progress)};
   const py::gil_scoped_release release;
-  return solve(sphere, {.load = load, .angular_speed = angular_speed}, options);
+  return solve(sphere, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
 /// A field of the result as a read-only array over its memory, [phi][theta].
@@ -28,6 +29,14 @@ auto field(std::vector<T> Result::* member) {
   return [member](const py::object& self) {
     const auto& result = self.cast<const Result&>();
     return read_only(result.*member, {result.phi_nodes, result.theta_nodes}, self);
+  };
+}
+
+/// Vectors along x and z, [component][phi][theta].
+auto vector_field(std::vector<double> Result::* member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const Result&>();
+    return read_only(result.*member, {2, result.phi_nodes, result.theta_nodes}, self);
   };
 }
 
@@ -44,15 +53,27 @@ void bind_solve(py::module_& m) {
       .finalize();
   py::native_enum<Status>(m, "Status", "enum.Enum", "How a solve ended.")
       .value("CONVERGED", Status::converged, "every condition holds")
-      .value("MAX_ITERATIONS", Status::max_iterations, "the passes of the active set ran out")
+      .value("MAX_ITERATIONS", Status::max_iterations, "the iterations ran out")
       .value("ACCURACY_NOT_REACHED", Status::accuracy_not_reached, "the finest mesh allowed is not accurate enough")
       .finalize();
+
+  py::native_enum<SlipKinematics>(m, "SlipKinematics", "enum.Enum",
+                                  "How far material travels between nodes of an undeformed sphere.")
+      .value("EXACT", SlipKinematics::exact, "the difference of x = r_o sin(theta) cos(phi)")
+      .value("FLAT", SlipKinematics::flat, "r_o times the spacing everywhere, the last form of (55a)")
+      .finalize();
+
+  py::classh<DriveForce>(m, "DriveForce").def(py::init<double>(), py::arg("force"));
+  py::classh<DriveTorque>(m, "DriveTorque").def(py::init<double>(), py::arg("torque"));
+  py::classh<DriveCreepage>(m, "DriveCreepage")
+      .def(py::init<double, double>(), py::kw_only(), py::arg("creepage"), py::arg("lateral_creepage"));
 
   py::classh<Options>(m, "Options")
       .def(py::init<>())
       .def_readonly("accuracy", &Options::accuracy)
       .def_readonly("compliance", &Options::compliance)
       .def_readonly("patch_load", &Options::patch_load)
+      .def_readonly("slip_kinematics", &Options::slip_kinematics)
       .def_readonly("max_iterations", &Options::max_iterations)
       .def_readonly("threads", &Options::threads);
 
@@ -76,7 +97,13 @@ void bind_solve(py::module_& m) {
       .def_readonly("semi_axis_z", &Result::semi_axis_z)
       .def_readonly("contact_area", &Result::contact_area)
       .def_readonly("max_pressure", &Result::max_pressure)
-      .def_readonly("work_torque", &Result::work_torque)
+      .def_readonly("driving_torque", &Result::driving_torque)
+      .def_readonly("driving_force", &Result::driving_force)
+      .def_readonly("lateral_force", &Result::lateral_force)
+      .def_readonly("linear_speed", &Result::linear_speed)
+      .def_readonly("creepage", &Result::creepage)
+      .def_readonly("bulk_power", &Result::bulk_power)
+      .def_readonly("slip_power", &Result::slip_power)
       .def_readonly("dissipated_power", &Result::dissipated_power)
       .def_readonly("power_balance_error", &Result::power_balance_error)
       .def_readonly("centrifugal_displacement", &Result::centrifugal_displacement)
@@ -88,9 +115,14 @@ void bind_solve(py::module_& m) {
       .def_property_readonly("pressure", field(&Result::pressure))
       .def_property_readonly("displacement", field(&Result::displacement))
       .def_property_readonly("gap", field(&Result::gap))
-      .def_property_readonly("contact", field(&Result::contact));
+      .def_property_readonly("contact", field(&Result::contact))
+      .def_property_readonly("stick", field(&Result::stick))
+      .def_property_readonly("slip", field(&Result::slip))
+      .def_property_readonly("shear_traction", vector_field(&Result::shear_traction))
+      .def_property_readonly("slip_velocity", vector_field(&Result::slip_velocity));
 
   m.def("solve", &solve_released, py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("angular_speed"),
-        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("compliance"), py::arg("patch_load"),
-        py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
+        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
+        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"),
+        py::arg("progress").none(true));
 }

@@ -11,7 +11,8 @@
 All quantities are in SI units; angles are in radians and all moduli are shear moduli.
 """
 
-from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, Status, __version__
+from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, SlipKinematics, Status, __version__
+from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .materials import (
     Elastic,
@@ -37,6 +38,7 @@ __all__ = [
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
+    "Drive",
     "Elastic",
     "Extrapolation",
     "FractionalZener",
@@ -49,6 +51,7 @@ __all__ = [
     "Refinement",
     "Result",
     "ShearModulus",
+    "SlipKinematics",
     "StandardLinearSolid",
     "Status",
     "__version__",

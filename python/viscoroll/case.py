@@ -12,7 +12,8 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from . import materials
-from ._core import Compliance, Extrapolation, PatchLoad
+from ._core import Compliance, Extrapolation, PatchLoad, SlipKinematics
+from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .mesh import Mesh
 from .result import Result
@@ -49,9 +50,18 @@ class _Ball(_Table):
     layers: list[_Layer]
 
 
+class _Drive(_Table):
+    force: float | None = None
+    torque: float | None = None
+    creepage: float | None = None
+    lateral_creepage: float = 0.0
+
+
 class _Rolling(_Table):
     load: float
     angular_speed: float
+    friction: float = 0.0
+    drive: _Drive = _Drive(force=0.0)
 
 
 class _Numerics(_Table):
@@ -60,6 +70,7 @@ class _Numerics(_Table):
     max_order: int | None = None
     compliance: Literal["vertical", "radial"] = "vertical"
     patch_load: Literal["flat", "spherical"] = "flat"
+    slip_kinematics: Literal["exact", "flat"] = "exact"
 
 
 class _File(_Table):
@@ -75,10 +86,13 @@ class Case:
     ball: CoatedSphere
     load: float
     angular_speed: float
+    friction: float
+    drive: Drive
     mesh: Mesh | None
     accuracy: float | None
     compliance: Compliance
     patch_load: PatchLoad
+    slip_kinematics: SlipKinematics
 
     def solve(self, **options: Any) -> Result:
         """Solve the case; `options` go to `viscoroll.solve`."""
@@ -139,10 +153,13 @@ def _build(file: _File, folder: Path) -> Case:
         ),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
+        friction=file.rolling.friction,
+        drive=Drive(**dict(file.rolling.drive)),
         mesh=mesh,
         accuracy=numerics.accuracy,
         compliance=Compliance[numerics.compliance.upper()],
         patch_load=PatchLoad[numerics.patch_load.upper()],
+        slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
     )
 
 

@@ -127,7 +127,7 @@ def demo(
 
 
 _STATUS_TEXT = {
-    Status.MAX_ITERATIONS: "the contact still changed when the passes ran out",
+    Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
 }
 
@@ -139,7 +139,8 @@ def _progress_bar() -> Progress:
 
 def _result_table(result: Result) -> Table:
     table = Table(
-        title=f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s, {result.compliance.name.lower()} compliance",
+        title=f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
+        f"{result.compliance.name.lower()} compliance",
         title_justify="left",
         show_header=False,
     )
@@ -147,10 +148,11 @@ def _result_table(result: Result) -> Table:
     table.add_column("value", justify="right")
     table.add_column("unit")
     for name, (unit, description) in SCALARS.items():
-        table.add_row(description, f"{getattr(result, name):.6g}", "" if unit == "1" else unit)
+        value = getattr(result, name)
+        table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
     mesh = result.mesh
     table.add_row("mesh", f"{mesh.nodes_per_revolution} x {mesh.max_order}", "nodes per revolution x orders")
-    table.add_row("status", result.status.name, f"after {result.iterations} passes")
+    table.add_row("status", result.status.name, f"after {result.iterations} iterations")
     return table
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from .result import Result
 
@@ -21,6 +24,8 @@ _MPA = 1e-6
 def plot_contact(result: Result) -> Figure:
     """Draw the contact pressure: its map, and its profile along the rolling direction.
 
+    With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's.
+
     Parameters
     ----------
     result : Result
@@ -29,15 +34,21 @@ def plot_contact(result: Result) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Two axes side by side; the figure belongs to no window.
+        Two axes side by side, or three with friction; the figure belongs to no window.
     """
-    figure = Figure(figsize=(11.0, 4.6), layout="constrained")
-    pressure_map, profile = figure.subplots(1, 2, width_ratios=[1.0, 1.15])
+    frictional = result.friction > 0.0
+    figure = Figure(figsize=(16.0 if frictional else 11.0, 4.6), layout="constrained")
+    pressure_map, *stick_slip_map, profile = figure.subplots(
+        1, 3 if frictional else 2, width_ratios=[1.0, 0.85, 1.15] if frictional else [1.0, 1.15]
+    )
     _draw_map(pressure_map, result)
+    for axes in stick_slip_map:
+        _draw_stick_and_slip(axes, result)
     _draw_profile(profile, result)
     figure.suptitle(
-        f"$P$ = {result.load:g} N, $Ω$ = {result.angular_speed:g} rad/s:   "
-        f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m,   penetration {result.penetration * _MM:.3g} mm"
+        f"$P$ = {result.load:g} N, $Ω$ = {result.angular_speed:g} rad/s"
+        + (f", $μ$ = {result.friction:g}, creepage {result.creepage:.4g}:   " if frictional else ":   ")
+        + f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m,   penetration {result.penetration * _MM:.3g} mm"
     )
     return figure
 
@@ -74,6 +85,33 @@ def _draw_map(axes: Axes, result: Result) -> None:
     axes.figure.colorbar(image, ax=axes, label="contact pressure [MPa]")
 
 
+def _draw_stick_and_slip(axes: Axes, result: Result) -> None:
+    x, z = result.x.T * _MM, result.z.T * _MM
+    state = np.ma.masked_where(~result.contact.T, result.slip.T.astype(float))
+    colors = ListedColormap(["tab:green", "tab:orange"])
+    axes.pcolormesh(x, z, state, shading="nearest", cmap=colors, vmin=0.0, vmax=1.0, alpha=0.45, rasterized=True)
+    rows, columns = _arrow_nodes(result)
+    traction_x, traction_z = (part[rows, columns] * _MPA for part in result.shear_traction)
+    where = (result.x[rows, columns] * _MM, result.z[rows, columns] * _MM)
+    axes.quiver(*where, traction_x, traction_z, angles="xy", pivot="middle", width=0.004)
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    handles = [Patch(color=colors(i), alpha=0.45, label=name) for i, name in enumerate(("stick", "slip"))]
+    axes.legend(
+        handles=handles, loc="upper left", fontsize="small", title="traction on the coating", title_fontsize="small"
+    )
+
+
+def _arrow_nodes(result: Result) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Nodes in contact that carry an arrow: some twenty across."""
+    stride = max(1, round(np.sqrt(result.contact.sum()) / 18.0))
+    half = np.array(result.contact.shape) // 2
+    rows, columns = np.nonzero(result.contact)
+    kept = ((rows - half[0]) % stride == 0) & ((columns - half[1]) % stride == 0)
+    return rows[kept], columns[kept]
+
+
 def _draw_profile(axes: Axes, result: Result) -> None:
     middle = result.x.shape[1] // 2
     x = result.x[:, middle] * _MM
@@ -81,16 +119,21 @@ def _draw_profile(axes: Axes, result: Result) -> None:
     axes.fill_between(x, pressure, color="tab:red", alpha=0.15)
     axes.plot(x, pressure, ".-", color="tab:red", label="pressure")
     axes.axvline(_offset(result) * _MM, color="tab:cyan", label="resultant")
+    if result.friction > 0.0:
+        traction = result.shear_traction[0][:, middle] * _MPA
+        axes.plot(x, traction, ".-", color="tab:green", label="traction along x")
+        axes.fill_between(x, -result.friction * pressure, result.friction * pressure, color="0.5", alpha=0.15)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
     limit = _half_width(result)
     axes.set(xlim=(-limit, limit), xlabel="x [mm], rolling to the right")
-    axes.set(ylabel="contact pressure in the middle plane [MPa]")
-    axes.set_ylim(0.0, 1.15 * pressure.max())
+    axes.set(ylabel="tractions in the middle plane [MPa]")
+    axes.set_ylim(min(0.0, 1.15 * result.shear_traction[0][:, middle].min() * _MPA), 1.15 * pressure.max())
     axes.legend(loc="upper left", fontsize="small")
 
     gap = axes.twinx()
     shown = np.abs(x) <= limit
     height = np.maximum(result.gap[:, middle], 0.0) * _MM
     gap.plot(x, height, color="tab:blue", linewidth=1.0)
-    gap.set_ylim(0.0, 1.15 * height[shown].max())
+    bottom, top = axes.get_ylim()
+    gap.set_ylim(bottom / top * 1.15 * height[shown].max(), 1.15 * height[shown].max())
     gap.set_ylabel("gap to the plane [mm]", color="tab:blue")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._core import Compliance, PatchLoad, Status
+from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
 
@@ -66,8 +67,14 @@ SCALARS = {
     "contact_area": ("m^2", "contact area"),
     "semi_axis_x": ("m", "contact semi-axis along x"),
     "semi_axis_z": ("m", "contact semi-axis along z"),
-    "dissipated_power": ("W", "power lost in the coating"),
-    "work_torque": ("N m", "moment at displaced points"),
+    "driving_torque": ("N m", "driving torque T"),
+    "driving_force": ("N", "driving force Q"),
+    "lateral_force": ("N", "lateral force on the ball"),
+    "linear_speed": ("m/s", "speed of the center V_s"),
+    "creepage": ("1", "creepage V_s / (Ω r_o) - 1"),
+    "bulk_power": ("W", "power lost in the coating"),
+    "slip_power": ("W", "power lost by slip"),
+    "dissipated_power": ("W", "power lost in all"),
     "power_balance_error": ("1", "relative power-balance error"),
     "error_estimate": ("1", "relative error estimate"),
     "centrifugal_displacement": ("m", "centrifugal displacement"),
@@ -81,6 +88,14 @@ FIELDS = {
     "displacement": ("m", "vertical displacement of the surface, upwards"),
     "gap": ("m", "height of the surface above the plane"),
     "contact": ("1", "whether the node is in contact"),
+    "stick": ("1", "whether the node sticks to the plane"),
+    "slip": ("1", "whether the node is in contact and slips"),
+}
+
+#: Fields of vectors along x and z.
+VECTOR_FIELDS = {
+    "shear_traction": ("Pa", "traction of the plane on the coating"),
+    "slip_velocity": ("m/s", "velocity of the coating over the plane, in contact"),
 }
 
 
@@ -93,14 +108,15 @@ class Result:
 
     Attributes
     ----------
-    ball, load, angular_speed, compliance, patch_load
+    ball, load, angular_speed, friction, drive, compliance, patch_load
         The input; load in [N], angular_speed in [rad/s].
     status : Status
         How the solve ended.
     iterations : int
-        Passes of the active set on the last mesh.
+        Linear systems solved on the last mesh.
     residual : float
-        Largest violation of the contact conditions relative to the penetration [-].
+        Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
+        norm of all violations, as forces, relative to the load.
     resisting_torque : float
         T_r = Σ x p, the offset of the normal resultant times the load [N m].
     rolling_resistance_coefficient : float
@@ -115,15 +131,26 @@ class Result:
         [m²].
     semi_axis_x, semi_axis_z : float
         Semi-axes of the ellipse with the contact's second moments [m].
-    dissipated_power : float
+    driving_torque : float
+        T, moment of the contact forces at displaced points, Σ (x + u_x) p + Σ (y + u_y) t_x [N m]: what turns the ball,
+        and does the work of the linear model. With the radial compliance, which has no such displacements,
+        Σ x p + Σ y t_x. It differs from `resisting_torque` by a share of the order of the strain.
+    driving_force : float
+        Q = -Σ t_x, the force on the center [N].
+    lateral_force : float
+        Σ t_z, of the plane on the ball [N].
+    linear_speed : float or None
+        V_s, speed of the center [m/s]; None without friction, where it is undetermined, unless given.
+    creepage : float or None
+        V_s / (Ω r_o) - 1 [-].
+    bulk_power : float
         Power lost in the coating [W], from the spectrum alone: not from the torque.
-    work_torque : float
-        Σ (x + u_x) p, the moment of the tractions at displaced positions [N m]. It is the torque that does the work of
-        the linear model: `work_torque` times Ω equals `dissipated_power` but for the error of the mesh. With the radial
-        compliance, which has no u_x, it is `resisting_torque`; with the vertical one the two differ by a share of the
-        order of the strain.
+    slip_power : float
+        Power lost by slip on the plane [W].
+    dissipated_power : float
+        bulk_power + slip_power [W].
     power_balance_error : float
-        |work_torque Ω - dissipated_power| relative to the larger [-].
+        |T Ω + Q V_s - dissipated_power| relative to the larger [-].
     centrifugal_displacement : float
         d_R^(c) [m].
     mesh : Mesh
@@ -141,13 +168,20 @@ class Result:
         Vertical displacement of the surface, positive upwards [m].
     gap : ndarray
         Height of the surface above the plane [m].
-    contact : ndarray of bool
-        Where the surface touches the plane.
+    contact, stick, slip : ndarray of bool
+        Where the surface touches the plane, and of that, where it sticks and where it slips. Without friction all of it
+        slips.
+    shear_traction : ndarray, shape (2, nodes in φ, nodes in θ)
+        Traction of the plane on the coating along x and z [Pa].
+    slip_velocity : ndarray, shape (2, nodes in φ, nodes in θ)
+        Velocity of the coating over the plane along x and z [m/s]; zero out of contact, and without friction.
     """
 
     ball: CoatedSphere
     load: float
     angular_speed: float
+    friction: float
+    drive: Drive
     compliance: Compliance
     patch_load: PatchLoad
     status: Status
@@ -161,8 +195,14 @@ class Result:
     contact_area: float
     semi_axis_x: float
     semi_axis_z: float
+    driving_torque: float
+    driving_force: float
+    lateral_force: float
+    linear_speed: float | None
+    creepage: float | None
+    bulk_power: float
+    slip_power: float
     dissipated_power: float
-    work_torque: float
     power_balance_error: float
     centrifugal_displacement: float
     mesh: Mesh
@@ -174,10 +214,14 @@ class Result:
     displacement: NDArray[np.float64]
     gap: NDArray[np.float64]
     contact: NDArray[np.bool_]
+    stick: NDArray[np.bool_]
+    slip: NDArray[np.bool_]
+    shear_traction: NDArray[np.float64]
+    slip_velocity: NDArray[np.float64]
 
     def __post_init__(self) -> None:
         """Freeze the arrays."""
-        for name in FIELDS:
+        for name in (*FIELDS, *VECTOR_FIELDS):
             getattr(self, name).flags.writeable = False
 
     @classmethod
@@ -186,7 +230,8 @@ class Result:
         values = {name: getattr(solution, name) for name in names}
         values["mesh"] = _mesh_from_core(solution.mesh)
         values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
-        values["contact"] = solution.contact.view(np.bool_)
+        for name in ("contact", "stick", "slip"):
+            values[name] = getattr(solution, name).view(np.bool_)
         return cls(**inputs, **values)
 
     def __repr__(self) -> str:
@@ -197,22 +242,35 @@ class Result:
             ("penetration", f"{self.penetration:.6g} m"),
             ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m"),
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
-            ("power lost in the coating", f"{self.dissipated_power:.6g} W"),
+            *self._friction_rows(),
+            ("power lost in the coating", f"{self.bulk_power:.6g} W"),
             ("error estimate", f"{self.error_estimate:.2g} (power balance {self.power_balance_error:.2g})"),
             ("mesh", f"{self.mesh.nodes_per_revolution} nodes per revolution, orders to {self.mesh.max_order}"),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
-            ("status", f"{self.status.name}, {self.iterations} passes, residual {self.residual:.1e}"),
+            ("status", f"{self.status.name}, {self.iterations} iterations, residual {self.residual:.1e}"),
         ]
         width = max(len(label) for label, _ in rows)
         head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({self.compliance.name} compliance)"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
-    def scalars(self) -> dict[str, float | int | str]:
+    def _friction_rows(self) -> list[tuple[str, str]]:
+        if self.friction == 0.0:
+            return []
+        sticking = int(self.stick.sum()) / int(self.contact.sum())
+        return [
+            ("friction", f"{self.friction:g}, {sticking:.0%} of the nodes in contact stick"),
+            ("driving torque T, force Q", f"{self.driving_torque:.6g} N m, {self.driving_force:.6g} N"),
+            ("creepage", f"{self.creepage:.6g}"),
+            ("power lost by slip", f"{self.slip_power:.6g} W"),
+        ]
+
+    def scalars(self) -> dict[str, float | int | str | None]:
         """Return all scalar results by name, in SI units, with the status as its name."""
-        values: dict[str, float | int | str] = {name: getattr(self, name) for name in SCALARS}
+        values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
             "load": self.load,
             "angular_speed": self.angular_speed,
+            "friction": self.friction,
             "status": self.status.name,
             "iterations": self.iterations,
             "residual": self.residual,
@@ -245,10 +303,12 @@ class Result:
         }
         coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles.items()}
         variables = {
-            name: (("phi", "theta"), getattr(self, name), {"units": unit, "long_name": description})
-            for name, (unit, description) in FIELDS.items()
+            name: (dimensions, getattr(self, name), {"units": unit, "long_name": description})
+            for table, dimensions in ((FIELDS, ("phi", "theta")), (VECTOR_FIELDS, ("direction", "phi", "theta")))
+            for name, (unit, description) in table.items()
         }
-        return xarray.Dataset(variables, coordinates, attrs=self.scalars())
+        attributes = {name: value for name, value in self.scalars().items() if value is not None}
+        return xarray.Dataset(variables, coordinates | {"direction": ["x", "z"]}, attrs=attributes)
 
     def save(self, path: str | Path) -> None:
         """Write the fields to a file, in the format of its suffix.
@@ -271,15 +331,22 @@ class Result:
             case ".csv":
                 with path.open("w", newline="") as file:
                     writer = csv.writer(file)
-                    writer.writerow([f"{name} [{unit}]" for name, (unit, _) in FIELDS.items()])
-                    columns = [getattr(self, name).ravel() for name in FIELDS]
-                    writer.writerows(zip(*(column.tolist() for column in columns), strict=True))
+                    columns = self._columns()
+                    writer.writerow(columns)
+                    writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
             case ".nc":
                 self.to_xarray().to_netcdf(path)
             case ".vtu" | ".vtk":
                 self._write_vtk(path)
             case _:
                 raise ValueError(f"path must end in .csv, .nc, .vtu or .vtk, got {path.name!r}")
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        columns = {f"{name} [{unit}]": getattr(self, name).ravel() for name, (unit, _) in FIELDS.items()}
+        for name, (unit, _) in VECTOR_FIELDS.items():
+            for direction, values in zip("xz", getattr(self, name), strict=True):
+                columns[f"{name}_{direction} [{unit}]"] = values.ravel()
+        return columns
 
     def _write_vtk(self, path: Path) -> None:
         import meshio
@@ -296,11 +363,20 @@ class Result:
                 "pressure": self.pressure.ravel(),
                 "displacement": self.displacement.ravel(),
                 "contact": self.contact.ravel().astype(np.int32),
+                "stick": self.stick.ravel().astype(np.int32),
+                "shear_traction": self._vectors(self.shear_traction),
+                "slip_velocity": self._vectors(self.slip_velocity),
             },
         ).write(path)
 
+    @staticmethod
+    def _vectors(field: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.stack([*(part.ravel() for part in field), np.zeros(field[0].size)], axis=-1)
+
     def plot(self) -> Figure:
         """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
+
+        With friction also where the contact sticks and slips, with arrows for the traction on the coating.
 
         Returns
         -------

@@ -20,7 +20,7 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import _core, paper
-from viscoroll.result import FIELDS, SCALARS
+from viscoroll.result import FIELDS, SCALARS, VECTOR_FIELDS
 
 MESH = vr.Mesh(nodes_per_revolution=300, max_order=300)
 
@@ -39,7 +39,7 @@ def test_everything_public_is_documented():
 def test_defaults_agree_with_the_core():
     defaults = {name: p.default for name, p in inspect.signature(vr.solve).parameters.items()}
     options = _core.Options()
-    for name in ("compliance", "patch_load", "max_iterations", "threads"):
+    for name in ("compliance", "patch_load", "slip_kinematics", "max_iterations", "threads"):
         assert defaults[name] == getattr(options, name)
     assert options.accuracy == 0.01
 
@@ -51,6 +51,8 @@ def test_defaults_agree_with_the_core():
         vr.Prony(instantaneous_modulus=1.0, weights=np.array([0.1]), relaxation_times=[1.0]),
         vr.MasterCurve([1.0, 2.0], [1.0, 2.0], [0.0, 0.1], extrapolation=vr.Extrapolation.HOLD),
         MESH,
+        vr.Drive(torque=0.1),
+        vr.Drive(creepage=0.01, lateral_creepage=-0.02),
         paper.ball(),
     ],
 )
@@ -77,14 +79,15 @@ def test_results_can_be_copied(result):
 def test_results_are_read_only(result):
     with pytest.raises(dataclasses.FrozenInstanceError):
         result.load = 1.0
-    for name in FIELDS:
+    for name in (*FIELDS, *VECTOR_FIELDS):
         with pytest.raises(ValueError, match="read-only"):
             getattr(result, name)[0, 0] = 1.0
 
 
 def test_fields_share_a_shape(result):
     assert {getattr(result, name).shape for name in FIELDS} == {result.pressure.shape}
-    assert result.contact.dtype == bool
+    assert {getattr(result, name).shape for name in VECTOR_FIELDS} == {(2, *result.pressure.shape)}
+    assert {result.contact.dtype, result.stick.dtype, result.slip.dtype} == {np.dtype(bool)}
 
 
 def test_repr_fits_a_screen_and_has_units(result):
@@ -133,7 +136,9 @@ def test_plot_draws_map_and_profile(result, tmp_path):
 
 def test_all_scalars_are_attributes(result):
     assert set(SCALARS) <= {field.name for field in dataclasses.fields(result)}
-    assert all(isinstance(value, (float, int, str)) for value in result.scalars().values())
+    undetermined = {name for name, value in result.scalars().items() if value is None}
+    assert undetermined == {"linear_speed", "creepage"}
+    assert all(isinstance(value, (float, int, str, type(None))) for value in result.scalars().values())
 
 
 def test_eight_threads_give_the_serial_result(result, unlike_ball):

@@ -91,9 +91,9 @@ def test_power_balance_closes_on_a_fine_mesh(paper_ball, order):
 @pytest.mark.parametrize("thickness", [1e-3, 5e-3])
 def test_work_at_displaced_points_is_what_the_coating_loses(radial, thickness):
     r = roll(paper.ball(thickness=thickness), nodes=800, order=1200, radial=radial)
-    assert r.work_torque * r.angular_speed == pytest.approx(r.dissipated_power, rel=5e-3)
+    assert r.driving_torque * r.angular_speed == pytest.approx(r.dissipated_power, rel=5e-3)
     if radial:
-        assert r.work_torque == r.resisting_torque
+        assert r.driving_torque == pytest.approx(r.resisting_torque, rel=1e-14)
 
 
 @pytest.mark.parametrize(("thickness", "load"), [(1e-3, 100.0), (1e-3, 10.0), (5e-3, 50.0)])

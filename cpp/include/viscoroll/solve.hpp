@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "viscoroll/influence.hpp"
@@ -15,10 +16,31 @@
 
 namespace viscoroll {
 
+/// @brief A given horizontal force Q on the center, forward: 0 for a sphere that a torque alone drives.
+struct DriveForce {
+  double force = 0.0;  ///< Q [N], |Q| < friction * load
+};
+
+/// @brief A given driving torque T: 0 for a sphere that is towed.
+struct DriveTorque {
+  double torque = 0.0;  ///< T [N m]
+};
+
+/// @brief A given speed.
+struct DriveCreepage {
+  double creepage = 0.0;          ///< V_s / (Omega r_o) - 1 [-], forward
+  double lateral_creepage = 0.0;  ///< sideways speed of the center, per Omega r_o [-]
+};
+
+/// @brief What closes the system for the linear speed V_s.
+using Drive = std::variant<DriveForce, DriveTorque, DriveCreepage>;
+
 /// @brief What presses the sphere and turns it.
 struct LoadCase {
   double load = 0.0;           ///< P, force on the plane [N], > 0
   double angular_speed = 0.0;  ///< Omega [rad/s], > 0
+  double friction = 0.0;       ///< Coulomb's coefficient mu between coating and plane [-], >= 0
+  Drive drive;                 ///< without friction, a force of 0 or a creepage
 };
 
 /// @brief The compliance in the contact condition (46).
@@ -33,21 +55,28 @@ enum class PatchLoad {
   spherical,  ///< proportional to 1/sin(theta), equation (38)
 };
 
+/// @brief How far material travels between neighboring nodes of an undeformed sphere that rolls over the plane.
+enum class SlipKinematics {
+  exact,  ///< the difference of x = r_o sin(theta) cos(phi): away from the middle plane the radius is smaller
+  flat,   ///< r_o times the spacing everywhere, the last form of (55a), for comparison with the paper
+};
+
 /// @brief How to solve.
 struct Options {
-  std::optional<Mesh> mesh;                      ///< none: chosen and refined until `accuracy` is reached
-  double accuracy = 0.01;                        ///< wanted relative error without a mesh [-], in [1e-4, 0.5]
-  Compliance compliance = Compliance::vertical;  ///< compliance in the contact condition
-  PatchLoad patch_load = PatchLoad::flat;        ///< traction on a node's patch
-  int max_iterations = 100;                      ///< passes of the active set, >= 1
-  int threads = 0;                               ///< 0 for all cores
-  Observer observer;                             ///< progress and cancellation
+  std::optional<Mesh> mesh;                                ///< none: chosen and refined until `accuracy` is reached
+  double accuracy = 0.01;                                  ///< wanted relative error without a mesh [-], in [1e-4, 0.5]
+  Compliance compliance = Compliance::vertical;            ///< compliance in the contact condition
+  PatchLoad patch_load = PatchLoad::flat;                  ///< traction on a node's patch
+  SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< with friction
+  int max_iterations = 500;                                ///< linear systems on a mesh, >= 1
+  int threads = 0;                                         ///< 0 for all cores
+  Observer observer;                                       ///< progress and cancellation
 };
 
 /// @brief How a solve ended.
 enum class Status {
   converged,             ///< every condition holds, and the wanted accuracy where one was asked for
-  max_iterations,        ///< the active set still changed when the passes ran out
+  max_iterations,        ///< the active set still changed when the iterations ran out
   accuracy_not_reached,  ///< solved on the finest mesh allowed, with an error estimate above the wanted accuracy
 };
 
@@ -64,8 +93,10 @@ struct Refinement {
 /// @brief Solution on the candidate window. Fields are row-major [phi][theta].
 struct Result {
   Status status = Status::converged;  ///< how the solve ended
-  int iterations = 0;                 ///< passes of the active set
-  double residual = 0.0;              ///< largest violation of the contact conditions relative to the penetration [-]
+  int iterations = 0;                 ///< linear systems solved on the last mesh
+  /// Largest violation of the contact conditions: a gap relative to the penetration without friction; with friction the
+  /// norm of all of them, as forces relative to the load [-].
+  double residual = 0.0;
 
   double resisting_torque = 0.0;                ///< T_r = sum of x p, offset of the normal resultant times load [N m]
   double rolling_resistance_coefficient = 0.0;  ///< T_r / (P r_o) [-]
@@ -76,11 +107,18 @@ struct Result {
   double contact_area = 0.0;                    ///< [m^2]
   double max_pressure = 0.0;                    ///< [Pa]
 
-  /// Moment of the contact tractions at displaced positions, sum of (x + u_x) p [N m]: the torque that does the work
-  /// of the linear model. Equals `resisting_torque` with the radial compliance, which has no u_x.
-  double work_torque = 0.0;
-  double dissipated_power = 0.0;          ///< power lost in the coating, from the spectrum [W]
-  double power_balance_error = 0.0;       ///< |work_torque Omega - dissipated_power| relative to the larger [-]
+  /// T, moment of the contact forces at displaced points, sum of (x + u_x) p + (y + u_y) t_x [N m]: what turns the
+  /// sphere, and does the work of the linear model. With the radial compliance, which has no such u, sum of x p + y
+  /// t_x.
+  double driving_torque = 0.0;
+  double driving_force = 0.0;             ///< Q = -sum of t_x [N]
+  double lateral_force = 0.0;             ///< sum of t_z, of the plane on the sphere [N]
+  std::optional<double> linear_speed;     ///< V_s [m/s]; undetermined without friction, unless given
+  std::optional<double> creepage;         ///< V_s / (Omega r_o) - 1 [-]
+  double bulk_power = 0.0;                ///< lost in the coating, from the spectrum [W]
+  double slip_power = 0.0;                ///< lost by slip on the plane [W]
+  double dissipated_power = 0.0;          ///< bulk_power + slip_power [W]
+  double power_balance_error = 0.0;       ///< |T Omega + Q V_s - dissipated_power| relative to the larger [-]
   double centrifugal_displacement = 0.0;  ///< d_R^(c) in the contact condition [m]
 
   Mesh mesh;                           ///< the mesh of this solution
@@ -93,19 +131,23 @@ struct Result {
   std::vector<double> displacement;    ///< vertical displacement of the surface, positive upwards [m]
   std::vector<double> gap;             ///< height of the surface above the plane [m]
   std::vector<unsigned char> contact;  ///< 1 where the node is in contact
+  std::vector<unsigned char> stick;    ///< 1 where it sticks
+  std::vector<unsigned char> slip;     ///< 1 where it is in contact and slips
+  std::vector<double> shear_traction;  ///< on the coating, along x and z [Pa], [2][phi][theta]
+  std::vector<double> slip_velocity;   ///< of the coating over the plane, along x and z, in contact [m/s], likewise
 
   double error_estimate = 0.0;          ///< relative error estimate [-]: the power balance with a mesh given
   std::vector<Refinement> refinements;  ///< the meshes tried, coarse to fine; one entry with a mesh given
 };
 
-/// @brief Solve steady frictionless rolling of a coated sphere on a rigid plane: paper sections 11 and 12 with the
-/// active set of theory.md section 5.
+/// @brief Solve steady rolling of a coated sphere on a rigid plane: paper sections 11 to 13 with the solvers of
+/// theory.md sections 5 and 6.
 /// @param[in] sphere rigid core and layers
-/// @param[in] load_case load and rolling speed
+/// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options how to solve
 /// @return the solution, with its status
-/// @throws std::invalid_argument for bad input, a load too large for the coating (penetration >= thickness), and
-/// speeds at or above `critical_speed`
+/// @throws std::invalid_argument for bad input, a load too large for the coating (penetration >= thickness),
+/// speeds at or above `critical_speed`, and drives with which the sphere slides without end
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped the solve
 [[nodiscard]] Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options = {});

@@ -27,12 +27,10 @@ SurfaceWindow::SurfaceWindow(double radius, double spacing, int half_phi, int ha
   }
 }
 
-std::array<Eigen::ArrayXd, 3> SurfaceWindow::down() const {
-  return {y_ / radius_, phi_.cos(), theta_.cos() * phi_.sin()};
-}
-
-std::array<Eigen::ArrayXd, 3> SurfaceWindow::backward() const {
-  return {-x_ / radius_, phi_.sin(), -theta_.cos() * phi_.cos()};
+std::array<std::array<Eigen::ArrayXd, 3>, 3> SurfaceWindow::axes() const {
+  return {{{x_ / radius_, -phi_.sin(), z_ / radius_ * phi_.cos()},
+           {y_ / radius_, phi_.cos(), z_ / radius_ * phi_.sin()},
+           {z_ / radius_, Eigen::ArrayXd::Zero(phi_.size()), -theta_.sin()}}};
 }
 
 }  // namespace viscoroll::detail

@@ -30,10 +30,9 @@ class SurfaceWindow {
   /// @return theta of every node [rad]
   [[nodiscard]] const Eigen::ArrayXd& theta() const { return theta_; }
 
-  /// @return column W (down) of the rotation Q of paper equation (40): components r, phi, theta
-  [[nodiscard]] std::array<Eigen::ArrayXd, 3> down() const;
-  /// @return column U (backward) of the rotation Q of paper equation (40): components r, phi, theta
-  [[nodiscard]] std::array<Eigen::ArrayXd, 3> backward() const;
+  /// @return directions x (forward), y (down) and z (sideways), each by its components (r, phi, theta) at every node:
+  /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y
+  [[nodiscard]] std::array<std::array<Eigen::ArrayXd, 3>, 3> axes() const;
 
  private:
   double radius_;

@@ -4,12 +4,10 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "influence/fft.hpp"
 #include "influence/synthesis.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 
@@ -21,42 +19,33 @@ struct WindowShape {
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(phi_nodes) * theta_nodes; }
 };
 
-/// @brief Matrix over the nodes of a window that is a sum of tables between diagonal scalings:
-/// sum_t sign_t diag(left_t) C_t diag(right_t). Whatever couples the nodes of this model has this form, since
-/// C_r = Q^T C_s Q and C_s is translation invariant.
-class ScaledConvolution {
+/// @brief A field to another one through a table: what a `Convolution` is the sum of.
+struct ConvolutionTerm {
+  std::size_t result;   ///< which field it adds to
+  std::size_t table;    ///< which table
+  std::size_t operand;  ///< which field it is fed with
+  double sign;
+};
+
+/// @brief Several fields over a window to several others by translation-invariant tables, with FFTs on the window
+/// doubled in both directions: one transform for each field rather than for each table.
+class Convolution {
  public:
-  /// @brief One summand.
-  struct Term {
-    std::size_t left;   ///< which scaling of the result
-    std::size_t table;  ///< which table
-    std::size_t right;  ///< which scaling of the operand
-    double sign;
-  };
-
   /// @param[in] shape window; the tables reach across it
-  /// @param[in] tables shared, not copied
-  /// @param[in] scalings of nodes, used on either side
+  /// @param[in] tables of which those that occur in terms are used
   /// @param[in] terms summands
-  ScaledConvolution(WindowShape shape, std::shared_ptr<const std::vector<Table>> tables,
-                    std::vector<Eigen::ArrayXd> scalings, std::vector<Term> terms);
+  Convolution(WindowShape shape, const std::vector<Table>& tables, std::vector<ConvolutionTerm> terms);
 
-  [[nodiscard]] WindowShape shape() const { return shape_; }
-
-  /// @brief Product with a vector over the window, by FFT on the window doubled in both directions.
-  [[nodiscard]] Eigen::ArrayXd apply(const Eigen::ArrayXd& operand) const;
-
-  /// @brief Square block of the matrix.
-  /// @param[in] nodes its rows and columns
-  /// @param[in] threads number of threads, 0 for all cores
-  /// @param[in] watch progress and cancellation
-  [[nodiscard]] Eigen::MatrixXd block(std::span<const Eigen::Index> nodes, int threads, Watch& watch) const;
+  /// @param[in] operands one column for each field, rows being nodes
+  /// @return one column for each field
+  [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& operands) const;
 
  private:
+  void load(const Eigen::ArrayXXd& operands, Eigen::Index field, RealBuffer& padded) const;
+
   WindowShape shape_;
-  std::shared_ptr<const std::vector<Table>> tables_;
-  std::vector<Eigen::ArrayXd> scalings_;
-  std::vector<Term> terms_;
+  std::vector<ConvolutionTerm> terms_;
+  std::size_t results_;
   int padded_phi_;
   int padded_theta_;
   RealFft fft_;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "modal/spectrum.hpp"
@@ -40,15 +41,17 @@ class Table {
   [[nodiscard]] double operator()(int j, int l) const { return values_[index(j, l)]; }
   [[nodiscard]] double& operator()(int j, int l) { return values_[index(j, l)]; }
 
-  [[nodiscard]] int phi_reach() const { return phi_reach_; }
-  [[nodiscard]] int theta_reach() const { return theta_reach_; }
-
- private:
+  /// @return the table row by row, for sums over several tables of like reach
+  [[nodiscard]] std::span<const double> values() const { return values_; }
   [[nodiscard]] std::size_t index(int j, int l) const {
     const auto row = static_cast<std::size_t>(j + phi_reach_);
     return row * static_cast<std::size_t>(2 * theta_reach_ + 1) + static_cast<std::size_t>(l + theta_reach_);
   }
 
+  [[nodiscard]] int phi_reach() const { return phi_reach_; }
+  [[nodiscard]] int theta_reach() const { return theta_reach_; }
+
+ private:
   int phi_reach_;
   int theta_reach_;
   std::vector<double> values_;

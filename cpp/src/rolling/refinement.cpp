@@ -30,9 +30,10 @@ double relative_change(double value, double before, double negligible) {
 }
 
 /// Whether the next mesh would ask for more than the dense solver holds.
-bool is_finest(const Result& result) {
-  const double next = result.refinements.back().contact_nodes * kRefinement * kRefinement;
-  return result.mesh.nodes_per_revolution >= kMaxNodesPerRevolution || next > 0.5 * kMaxContactNodes;
+bool is_finest(const Result& result, double friction) {
+  const double unknowns_per_node = friction > 0.0 ? 3.0 : 1.0;
+  const double next = unknowns_per_node * result.refinements.back().contact_nodes * kRefinement * kRefinement;
+  return result.mesh.nodes_per_revolution >= kMaxNodesPerRevolution || next > 0.5 * kMaxUnknowns;
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, 
     result.error_estimate = step.error_estimate;
     refinements.push_back(step);
     const bool accurate = result.error_estimate <= options.accuracy;
-    if (accurate || is_finest(result) || result.status != Status::converged) {
+    if (accurate || is_finest(result, load_case.friction) || result.status != Status::converged) {
       if (!accurate && result.status == Status::converged) result.status = Status::accuracy_not_reached;
       result.refinements = std::move(refinements);
       return result;

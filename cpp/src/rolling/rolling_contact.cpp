@@ -1,16 +1,21 @@
 #include "rolling/rolling_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
 
-#include "contact/coating_operators.hpp"
+#include "contact/coating_compliance.hpp"
+#include "contact/frictional_contact.hpp"
 #include "contact/normal_contact.hpp"
 #include "modal/spectrum.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/result.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/modal.hpp"
@@ -18,18 +23,12 @@
 namespace viscoroll::detail {
 namespace {
 
-/// A solved contact and what it was solved on.
-struct SolvedContact {
-  SurfaceWindow window;
-  CoatingOperators operators;
-  NormalContactSolution contact;
-};
-
-bool touches_edge(const NormalContactSolution& contact, const WindowShape& shape) {
+/// Whether the contact reaches the rim of the window, or its upstream nodes do.
+bool touches_edge(const ContactSolution& contact, const WindowShape& shape) {
   return std::any_of(contact.contact.begin(), contact.contact.end(), [&](Eigen::Index node) {
     const Eigen::Index i = node / shape.theta_nodes;
     const Eigen::Index k = node % shape.theta_nodes;
-    return i == 0 || i == shape.phi_nodes - 1 || k == 0 || k == shape.theta_nodes - 1;
+    return i <= 1 || i == shape.phi_nodes - 1 || k == 0 || k == shape.theta_nodes - 1;
   });
 }
 
@@ -52,7 +51,9 @@ class MeshSolver {
         mesh_(mesh),
         options_(options),
         watch_(watch),
-        formulation_{.compliance = options.compliance, .patch_load = options.patch_load},
+        formulation_{
+            .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
+        limits_{.max_iterations = options.max_iterations, .max_unknowns = kMaxUnknowns, .threads = options.threads},
         spacing_(2.0 * std::numbers::pi / mesh.nodes_per_revolution),
         radius_(coating.outer_radius()),
         centrifugal_(centrifugal_displacement(coating.sphere(), coating.angular_speed())),
@@ -72,27 +73,80 @@ class MeshSolver {
     }
   }
 
-  [[nodiscard]] Result result(const SolvedContact& solved) const;
+  [[nodiscard]] Result result(const SolvedContact& solved) const {
+    require_clear_of_core(solved.contact.penetration - centrifugal_);
+    return make_result(solved, {.load_case = load_case_,
+                                .mesh = mesh_,
+                                .compliance = options_.compliance,
+                                .patch_load = options_.patch_load,
+                                .centrifugal = centrifugal_});
+  }
 
  private:
   [[nodiscard]] SolvedContact solve_in_window(int half, double estimate) const {
     const SurfaceWindow window(radius_, spacing_, half, half);
     const auto tables = std::make_shared<const std::vector<Table>>(synthesize(
         *spectrum_, radius_, mesh_, required_tables(formulation_), 2 * half, 2 * half, options_.threads, watch_));
-    CoatingOperators operators = make_operators(formulation_, window, tables);
-    const double scale = 1.0 + centrifugal_ / radius_;  // the free surface, swollen by the turning
+    CoatingCompliance coating(formulation_, window, tables);
+    const double swelling = 1.0 + centrifugal_ / radius_;  // of the free surface, by the turning
     const NormalContactProblem problem{
-        .compliance = operators.vertical, .drop = scale * (radius_ - window.y()), .load = load_case_.load};
+        .coating = coating, .drop = swelling * (radius_ - window.y()), .load = load_case_.load};
     try {
-      NormalContactSolution contact = solve_normal_contact(
-          problem, nodes_within(window, 0.8 * std::min(estimate, half * spacing_ * radius_)),
-          {.max_iterations = options_.max_iterations, .max_nodes = kMaxContactNodes, .threads = options_.threads},
-          watch_);
-      return {.window = window, .operators = std::move(operators), .contact = std::move(contact)};
+      ContactSolution contact = solve_normal_contact(
+          problem, nodes_within(window, 0.8 * std::min(estimate, half * spacing_ * radius_)), limits_, watch_);
+      if (load_case_.friction > 0.0) {
+        contact = add_friction(problem, window, swelling, contact);
+      } else if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
+        contact.speed_ratio = 1.0 + given->creepage;
+      }
+      return {.window = window, .coating = std::move(coating), .contact = std::move(contact)};
     } catch (const std::length_error& error) {
-      reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxContactNodes) + " nodes in contact",
+      reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
              std::to_string(mesh_.nodes_per_revolution) + " (" + error.what() + ")");
     }
+  }
+
+  [[nodiscard]] ContactSolution add_friction(const NormalContactProblem& normal, const SurfaceWindow& window,
+                                             double swelling, const ContactSolution& frictionless) const {
+    const WindowShape shape = window.shape();
+    const double step = radius_ * spacing_;
+    Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(shape.size(), -step);
+    if (options_.slip_kinematics == SlipKinematics::exact) {
+      const Eigen::Index rest = shape.size() - shape.theta_nodes;
+      ways.tail(rest) = swelling * (window.x().tail(rest) - window.x().head(rest));
+    }
+    const bool vertical = options_.compliance == Compliance::vertical;
+    const FrictionalContactProblem problem{
+        .normal = normal,
+        .shape = shape,
+        .x = swelling * window.x(),
+        .y = swelling * window.y(),
+        .ways = std::move(ways),
+        .step = step,
+        .friction = load_case_.friction,
+        .drive = load_case_.drive,
+        .lever_arm = vertical ? LeverArm::displaced : LeverArm::undisplaced,
+    };
+    try {
+      return solve_frictional_contact(problem, frictionless, limits_, watch_);
+    } catch (const ConvergenceError&) {
+      if (std::holds_alternative<DriveTorque>(load_case_.drive)) require_rolling(problem, frictionless);
+      throw;
+    }
+  }
+
+  /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
+  void require_rolling(FrictionalContactProblem problem, const ContactSolution& frictionless) const {
+    const double torque = std::get<DriveTorque>(load_case_.drive).torque;
+    std::array<double, 2> limits{};
+    for (const std::size_t side : {0, 1}) {
+      problem.drive = DriveCreepage{.creepage = side == 0 ? 1.0 : -1.0};
+      limits[side] = contact_moment(problem, solve_frictional_contact(problem, frictionless, limits_, watch_));
+    }
+    if (torque > limits[0] && torque < limits[1]) return;
+    reject("drive.torque",
+           "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
+           text(torque) + " N m");
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
@@ -113,80 +167,12 @@ class MeshSolver {
   const Options& options_;
   Watch& watch_;
   Formulation formulation_;
+  ContactOptions limits_;
   double spacing_;
   double radius_;
   double centrifugal_;
   std::unique_ptr<Spectrum> spectrum_;
 };
-
-std::vector<double> to_vector(const Eigen::ArrayXd& array) { return {array.begin(), array.end()}; }
-
-/// Half length of the ellipse with the second moment of `weights` along `coordinate`.
-double semi_axis(const Eigen::ArrayXd& coordinate, const Eigen::ArrayXd& weights) {
-  const double center = (coordinate * weights).sum() / weights.sum();
-  return 2.0 * std::sqrt(((coordinate - center).square() * weights).sum() / weights.sum());
-}
-
-Result MeshSolver::result(const SolvedContact& solved) const {
-  const SurfaceWindow& window = solved.window;
-  const NormalContactSolution& contact = solved.contact;
-  const Eigen::ArrayXd& force = contact.force;
-  require_clear_of_core(contact.penetration - centrifugal_);
-
-  const Eigen::ArrayXd sine = window.theta().sin();
-  const Eigen::ArrayXd flat_area = Eigen::ArrayXd::Constant(force.size(), std::pow(radius_ * spacing_, 2));
-  const Eigen::ArrayXd area = flat_area * sine;
-  const Eigen::ArrayXd pressure = force / (options_.patch_load == PatchLoad::flat ? flat_area : area);
-  Eigen::ArrayXd touching = Eigen::ArrayXd::Zero(force.size());
-  touching(contact.contact) = 1.0;
-
-  Result r;
-  r.status = contact.converged ? Status::converged : Status::max_iterations;
-  r.iterations = contact.iterations;
-  r.residual = contact.residual;
-
-  r.resisting_torque = (window.x() * force).sum();
-  r.rolling_resistance_coefficient = r.resisting_torque / (load_case_.load * radius_);
-  r.penetration = contact.penetration - centrifugal_;
-  r.center_height = radius_ - r.penetration;
-  r.semi_axis_x = semi_axis(window.x(), touching * area);
-  r.semi_axis_z = semi_axis(window.z(), touching * area);
-  r.contact_area = (touching * area).sum();
-  r.max_pressure = pressure.maxCoeff();
-
-  // Forward displacement u_x = -D_U, and D_U = -C_UW p + d_c Q_RU with Q_RU = -x / r_o.
-  const Eigen::ArrayXd forward = solved.operators.backward.apply(force) + centrifugal_ / radius_ * window.x();
-  r.work_torque = ((window.x() + forward) * force).sum();
-  r.dissipated_power = load_case_.angular_speed * (force * solved.operators.power.apply(force)).sum();
-  const double work = r.work_torque * load_case_.angular_speed;
-  // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
-  const double negligible = 1e-10 * load_case_.load * load_case_.angular_speed * r.semi_axis_x;
-  r.power_balance_error =
-      std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
-  r.centrifugal_displacement = centrifugal_;
-
-  r.mesh = mesh_;
-  r.spacing = spacing_;
-  r.phi_nodes = window.shape().phi_nodes;
-  r.theta_nodes = window.shape().theta_nodes;
-  r.x = to_vector(window.x());
-  r.z = to_vector(window.z());
-  r.pressure = to_vector(pressure);
-  r.gap = to_vector(contact.gap);
-  // The gap is H - y - D_W, so the upward displacement -D_W is gap + y - H.
-  r.displacement = to_vector(contact.gap + window.y() - r.center_height);
-  r.contact.assign(static_cast<std::size_t>(force.size()), 0);
-  for (const Eigen::Index node : contact.contact) r.contact[static_cast<std::size_t>(node)] = 1;
-
-  r.error_estimate = r.power_balance_error;
-  r.refinements = {{.mesh = mesh_,
-                    .contact_nodes = static_cast<int>(contact.contact.size()),
-                    .resisting_torque = r.resisting_torque,
-                    .penetration = r.penetration,
-                    .power_balance_error = r.power_balance_error,
-                    .error_estimate = r.error_estimate}};
-  return r;
-}
 
 }  // namespace
 

@@ -10,8 +10,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Nodes in contact that a dense matrix may hold: 0.8 GB.
-constexpr Eigen::Index kMaxContactNodes = 10000;
+/// @brief Unknown forces of a dense matrix: 0.8 GB.
+constexpr Eigen::Index kMaxUnknowns = 10000;
 
 /// @brief Solve on the given mesh: spectrum, tables, contact, powers. A window whose edge is touched grows.
 /// @param[in] coating layers at the harmonics 0 ... mesh.max_order

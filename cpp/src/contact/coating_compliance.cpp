@@ -1,0 +1,218 @@
+#include "contact/coating_compliance.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "influence/patch.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Components (r, phi, theta) that are displaced and loaded.
+std::size_t components(const Formulation& formulation) {
+  return formulation.compliance == Compliance::radial && !formulation.tangential ? 1 : 3;
+}
+
+std::size_t shapes(const Formulation& formulation) {
+  return formulation.patch_load == PatchLoad::flat ? 1 : std::size_t{kPatchShapes};
+}
+
+TableRequest displacement_request(Entry entry, std::size_t source) {
+  return {.entry = entry, .source_shape = static_cast<int>(source)};
+}
+
+/// Work between patch shapes whose degrees add up to 2 at most, as exact as the displacements.
+std::vector<std::pair<std::size_t, std::size_t>> shape_pairs(const Formulation& formulation) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t receiver = 0; receiver < shapes(formulation); ++receiver) {
+    for (std::size_t source = 0; source + receiver < shapes(formulation); ++source) {
+      pairs.emplace_back(receiver, source);
+    }
+  }
+  return pairs;
+}
+
+/// Exchanging the degrees conjugates i^(receiver - source): one table serves both.
+TableRequest lost_work_request(Entry entry, std::size_t receiver, std::size_t source) {
+  return {.entry = entry,
+          .source_shape = static_cast<int>(std::max(receiver, source)),
+          .power = true,
+          .receiver_shape = static_cast<int>(std::min(receiver, source))};
+}
+
+double lost_work_sign(std::size_t receiver, std::size_t source) {
+  return receiver > source && (receiver - source) % 2 == 1 ? -1.0 : 1.0;
+}
+
+/// Finds the tables of a formulation, whose loaded fields are numbered component * shapes + shape.
+class Terms {
+ public:
+  explicit Terms(const Formulation& formulation)
+      : formulation_(formulation), requests_(required_tables(formulation)), shapes_(shapes(formulation)) {}
+
+  [[nodiscard]] std::vector<ConvolutionTerm> displacement() const {
+    std::vector<ConvolutionTerm> terms;
+    for_component_pairs([&](std::size_t p, std::size_t q, SignedEntry c) {
+      for (std::size_t source = 0; source < shapes_; ++source) {
+        terms.push_back({p, index_of(displacement_request(c.entry, source)), q * shapes_ + source, c.sign});
+      }
+    });
+    return terms;
+  }
+
+  [[nodiscard]] std::vector<ConvolutionTerm> lost_work() const {
+    std::vector<ConvolutionTerm> terms;
+    for_component_pairs([&](std::size_t p, std::size_t q, SignedEntry c) {
+      for (const auto& [receiver, source] : shape_pairs(formulation_)) {
+        terms.push_back({p * shapes_ + receiver, index_of(lost_work_request(c.entry, receiver, source)),
+                         q * shapes_ + source, c.sign * lost_work_sign(receiver, source)});
+      }
+    });
+    return terms;
+  }
+
+ private:
+  template <class Function>
+  void for_component_pairs(const Function& function) const {
+    for (std::size_t p = 0; p < components(formulation_); ++p) {
+      for (std::size_t q = 0; q < components(formulation_); ++q) function(p, q, entry_of(p, q));
+    }
+  }
+
+  [[nodiscard]] std::size_t index_of(const TableRequest& request) const {
+    return static_cast<std::size_t>(std::find(requests_.begin(), requests_.end(), request) - requests_.begin());
+  }
+
+  Formulation formulation_;
+  std::vector<TableRequest> requests_;
+  std::size_t shapes_;
+};
+
+std::vector<std::array<Eigen::ArrayXd, 3>> directions(const Formulation& formulation, const SurfaceWindow& window) {
+  using Eigen::ArrayXd;
+  std::vector<std::array<ArrayXd, 3>> directions(components(formulation));
+  if (formulation.compliance == Compliance::radial) {
+    const Eigen::Index count = window.shape().size();
+    const std::array<Axis, 3> axis_of{kDown, kForward, kSideways};
+    for (std::size_t p = 0; p < directions.size(); ++p) {
+      directions[p].fill(ArrayXd::Zero(count));
+      directions[p][axis_of[p]].setConstant(p == 0 ? 1.0 : -1.0);
+    }
+    return directions;
+  }
+  const auto axes = window.axes();
+  for (std::size_t p = 0; p < 3; ++p) directions[p] = {axes[0][p], axes[1][p], axes[2][p]};
+  return directions;
+}
+
+std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfaceWindow& window) {
+  if (formulation.patch_load == PatchLoad::flat) return {Eigen::ArrayXd::Ones(window.shape().size())};
+  std::vector<Eigen::ArrayXd> weights;
+  for (std::size_t shape = 0; shape < shapes(formulation); ++shape) {
+    weights.emplace_back(window.theta().unaryExpr(
+        [&](double theta) { return spherical_patch_weights(theta, window.spacing())[shape]; }));
+  }
+  return weights;
+}
+
+}  // namespace
+
+std::vector<TableRequest> required_tables(const Formulation& formulation) {
+  std::vector<TableRequest> requests;
+  for (std::size_t p = 0; p < components(formulation); ++p) {
+    for (std::size_t q = p; q < components(formulation); ++q) {
+      const Entry entry = entry_of(p, q).entry;
+      for (std::size_t source = 0; source < shapes(formulation); ++source) {
+        requests.push_back(displacement_request(entry, source));
+      }
+      for (const auto& [receiver, source] : shape_pairs(formulation)) {
+        if (receiver <= source) requests.push_back(lost_work_request(entry, receiver, source));
+      }
+    }
+  }
+  return requests;
+}
+
+CoatingCompliance::CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
+                                     std::shared_ptr<const std::vector<Table>> tables)
+    : shape_(window.shape()),
+      tables_(std::move(tables)),
+      displacement_terms_(Terms(formulation).displacement()),
+      directions_(directions(formulation, window)),
+      weights_(patch_weights(formulation, window)),
+      displacements_(shape_, *tables_, displacement_terms_),
+      lost_work_(shape_, *tables_, Terms(formulation).lost_work()) {}
+
+Eigen::ArrayXXd CoatingCompliance::load_components(const VectorField& force) const {
+  Eigen::ArrayXXd loads(shape_.size(), static_cast<Eigen::Index>(directions_.size() * weights_.size()));
+  Eigen::Index field = 0;
+  for (const auto& direction : directions_) {
+    const Eigen::ArrayXd component =
+        direction[0] * force.col(0) + direction[1] * force.col(1) + direction[2] * force.col(2);
+    for (const Eigen::ArrayXd& weight : weights_) loads.col(field++) = weight * component;
+  }
+  return loads;
+}
+
+VectorField CoatingCompliance::displacement(const VectorField& force) const {
+  const Eigen::ArrayXXd components = displacements_.apply(load_components(force));
+  VectorField result = VectorField::Zero(shape_.size(), 3);
+  for (std::size_t p = 0; p < directions_.size(); ++p) {
+    for (const Axis axis : {kForward, kDown, kSideways}) {
+      result.col(axis) += directions_[p][axis] * components.col(static_cast<Eigen::Index>(p));
+    }
+  }
+  return result;
+}
+
+double CoatingCompliance::lost_work(const VectorField& force) const {
+  const Eigen::ArrayXXd loads = load_components(force);
+  return (loads * lost_work_.apply(loads)).sum();
+}
+
+Eigen::ArrayXXd CoatingCompliance::moved_components(std::span<const Eigen::Index> targets, Eigen::Index source,
+                                                    std::span<const Axis> axes) const {
+  const auto axis_count = static_cast<Eigen::Index>(axes.size());
+  const auto source_phi = static_cast<int>(source / shape_.theta_nodes);
+  const auto source_theta = static_cast<int>(source % shape_.theta_nodes);
+  Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(targets.size()),
+                                                static_cast<Eigen::Index>(directions_.size()) * axis_count);
+  for (const ConvolutionTerm& term : displacement_terms_) {
+    const auto& direction = directions_[term.operand / weights_.size()];
+    const double weight = term.sign * weights_[term.operand % weights_.size()][source];
+    Eigen::Array3d loads = Eigen::Array3d::Zero();
+    for (Eigen::Index b = 0; b < axis_count; ++b) loads[b] = weight * direction[axes[b]][source];
+    if ((loads == 0.0).all()) continue;
+    const Table& table = (*tables_)[term.table];
+    auto result = moved.middleCols(static_cast<Eigen::Index>(term.result) * axis_count, axis_count);
+    for (std::size_t row = 0; row < targets.size(); ++row) {
+      const double influence = table(static_cast<int>(targets[row] / shape_.theta_nodes) - source_phi,
+                                     static_cast<int>(targets[row] % shape_.theta_nodes) - source_theta);
+      for (Eigen::Index b = 0; b < axis_count; ++b) result(static_cast<Eigen::Index>(row), b) += loads[b] * influence;
+    }
+  }
+  return moved;
+}
+
+Eigen::MatrixXd CoatingCompliance::block(std::span<const Eigen::Index> targets, std::span<const Eigen::Index> sources,
+                                         std::span<const Axis> axes, int threads, Watch& watch) const {
+  const auto rows = static_cast<Eigen::Index>(targets.size());
+  const auto columns = static_cast<Eigen::Index>(sources.size());
+  const auto axis_count = static_cast<Eigen::Index>(axes.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows * axis_count, columns * axis_count);
+  parallel_for(sources.size(), threads, watch, "assembling the compliance", [&](std::size_t source, std::size_t) {
+    const Eigen::ArrayXXd moved = moved_components(targets, sources[source], axes);
+    for (Eigen::Index b = 0; b < axis_count; ++b) {
+      auto column = matrix.col(b * columns + static_cast<Eigen::Index>(source));
+      for (std::size_t p = 0; p < directions_.size(); ++p) {
+        const auto component = moved.col(static_cast<Eigen::Index>(p) * axis_count + b);
+        for (Eigen::Index a = 0; a < axis_count; ++a) {
+          column.segment(a * rows, rows).array() += directions_[p][axes[a]](targets) * component;
+        }
+      }
+    }
+  });
+  return matrix;
+}
+
+}  // namespace viscoroll::detail

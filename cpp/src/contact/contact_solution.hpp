@@ -1,0 +1,33 @@
+/// @file
+/// @brief State of a contact, with friction or without.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "contact/coating_compliance.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Forces and where they act.
+struct ContactSolution {
+  VectorField force;                  ///< on the coating at every node [N]: the pressing one along y is <= 0
+  VectorField displacement;           ///< of every node [m]
+  Eigen::ArrayXd gap;                 ///< of every node to the plane [m]
+  std::vector<Eigen::Index> contact;  ///< nodes in contact
+  double penetration = 0.0;           ///< of the lowest undeformed node below the plane [m]
+
+  std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
+  Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
+  std::optional<double> speed_ratio;  ///< V_s / (Omega r_o) [-]; undetermined without friction, unless given
+
+  int iterations = 0;      ///< linear systems solved
+  bool converged = false;  ///< every condition holds
+  double residual = 0.0;   ///< largest violation of the conditions [-], see the solver
+};
+
+/// @return force that presses each node [N], >= 0
+[[nodiscard]] inline Eigen::ArrayXd pressing_force(const ContactSolution& contact) { return -contact.force.col(kDown); }
+
+}  // namespace viscoroll::detail

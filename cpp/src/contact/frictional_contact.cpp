@@ -1,0 +1,243 @@
+#include "contact/frictional_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "contact/stick_slip_system.hpp"
+#include "validate.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayX2d;
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+constexpr double kTolerance = 1e-10;     // residual of a converged state, per load
+constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
+constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
+constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
+constexpr double kShortestStep = 0.05;   // per Newton step
+constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
+constexpr double kEasyFriction = 0.3;    // second start
+
+/// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
+/// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
+class CycleBreaker {
+ public:
+  explicit CycleBreaker(Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}
+
+  /// Take nodes out of contact for one step that changed their minds twice, if all others kept to theirs.
+  bool free_undecided(ContactSets& sets) {
+    before_last_.swap(last_);
+    last_.swap(now_);
+    std::fill(now_.begin(), now_.end(), kApart);
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      now_[static_cast<std::size_t>(sets.contact[i])] = sets.states[i].stick ? kStick : kSlip;
+    }
+    if (now_ != before_last_ || now_ == last_) return false;
+    ContactSets kept;
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      const auto node = static_cast<std::size_t>(sets.contact[i]);
+      if (now_[node] != last_[node]) continue;
+      kept.contact.push_back(sets.contact[i]);
+      kept.states.push_back(sets.states[i]);
+    }
+    sets = std::move(kept);
+    return true;
+  }
+
+ private:
+  enum State : unsigned char { kApart, kStick, kSlip };
+  std::vector<State> now_, last_, before_last_;
+};
+
+class FrictionalContactSolver {
+ public:
+  FrictionalContactSolver(const FrictionalContactProblem& problem, const ContactSolution& start,
+                          const ContactOptions& options, Watch& watch)
+      : problem_(problem), options_(options), watch_(watch), scales_(condition_scales(problem, watch)), state_(start) {
+    const auto* given = std::get_if<DriveCreepage>(&problem.drive);
+    state_.speed_ratio = 1.0 + (given != nullptr ? given->creepage : 0.0);
+    state_.converged = false;
+  }
+
+  /// From full stick most frictions are reached at once, and the others from an easy friction or step by step.
+  [[nodiscard]] ContactSolution solve() {
+    iterate(std::numeric_limits<double>::infinity());
+    const ContactSolution stick = state_;
+    const double large = 10.0 * std::max(1.0, problem_.friction);  // hardly different from full stick
+    const bool found = iterate(problem_.friction) ||
+                       (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, problem_.friction)) ||
+                       (restart_from(stick) && approach(large, std::sqrt(large * problem_.friction)));
+    if (!found) {
+      throw ConvergenceError("no state of stick and slip was found in " + std::to_string(state_.iterations) +
+                                 " iterations: the residual is " + text(last_residual_) + " of the load",
+                             state_.iterations, last_residual_);
+    }
+    state_.converged = true;
+    return state_;
+  }
+
+ private:
+  /// Go from the present state, at the friction `reached`, by way of `next` to the one wanted, halving steps that fail.
+  bool approach(double reached, double next) {
+    while (reached != problem_.friction) {
+      const ContactSolution before = state_;
+      if (iterate(next)) {
+        reached = next;
+        next = problem_.friction;
+      } else {
+        if (state_.iterations >= options_.max_iterations) return false;
+        restart_from(before);
+        next = std::sqrt(reached * next);
+        if (std::abs(std::log(reached / next)) < kSmallestStep) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
+  bool restart_from(const ContactSolution& other) {
+    const int iterations = state_.iterations;
+    state_ = other;
+    state_.iterations = iterations;
+    return true;
+  }
+
+  /// Newton steps at a given friction, from the present state.
+  bool iterate(double friction) {
+    CycleBreaker breaker(problem_.shape.size());
+    for (int step = 0;; ++step) {
+      const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
+      find_displacements();
+      ContactSets sets = classify(friction);
+      last_residual_ = state_.residual;
+      if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
+      const bool stalled = state_.residual > 0.1 * before_step;
+      if (state_.residual < kTolerance || (stalled && state_.residual < kRoundOff)) {
+        note_sets(sets);
+        return true;
+      }
+      if (step == kStepsOfOneFriction || state_.iterations == options_.max_iterations) return false;
+      ++state_.iterations;
+      const ContactSolution before = state_;
+      const bool freed = breaker.free_undecided(sets);
+      take_newton_step(problem_, friction, scales_, sets, options_, watch_, state_);
+      if (step >= kFreeSteps && !freed) shorten_step(friction, before);
+    }
+  }
+
+  /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
+  void shorten_step(double friction, const ContactSolution& before) {
+    const ContactSolution full = state_;
+    for (double share = 1.0; share > kShortestStep; share *= 0.5) {
+      state_.force = before.force + share * (full.force - before.force);
+      state_.penetration = before.penetration + share * (full.penetration - before.penetration);
+      state_.speed_ratio = *before.speed_ratio + share * (*full.speed_ratio - *before.speed_ratio);
+      find_displacements();
+      std::ignore = classify(friction);
+      if (state_.residual < before.residual) return;
+    }
+  }
+
+  void find_displacements() {
+    const NormalContactProblem& normal = problem_.normal;
+    const Index stride = problem_.shape.theta_nodes;
+    const Index rest = problem_.shape.size() - stride;
+    state_.displacement = normal.coating.displacement(state_.force);
+    state_.gap = normal.drop - state_.displacement.col(kDown) - state_.penetration;
+    state_.slip.resize(problem_.shape.size(), 2);
+    state_.slip.topRows(stride).setZero();  // no contact there, see `classify`
+    state_.slip.bottomRows(rest).col(0) =
+        *state_.speed_ratio * problem_.step + problem_.ways.tail(rest) +
+        (state_.displacement.col(kForward).tail(rest) - state_.displacement.col(kForward).head(rest));
+    state_.slip.bottomRows(rest).col(1) =
+        state_.displacement.col(kSideways).tail(rest) - state_.displacement.col(kSideways).head(rest);
+    if (const auto* given = std::get_if<DriveCreepage>(&problem_.drive)) {
+      state_.slip.bottomRows(rest).col(1) += given->lateral_creepage * problem_.step;
+    }
+  }
+
+  /// Who touches, sticks and slips next, and how far all conditions are from holding.
+  ContactSets classify(double friction) {
+    ContactSets sets;
+    double violation = std::pow(imbalance(), 2);
+    for (Index node = 0; node < problem_.shape.size(); ++node) {
+      const double pressing = -state_.force(node, kDown);
+      const double predicted = pressing - scales_.normal * state_.gap[node];
+      const bool touches = predicted > 0.0 && node >= problem_.shape.theta_nodes;
+      violation += std::pow(touches ? scales_.normal * state_.gap[node] : pressing, 2);
+      const Eigen::Array2d traction(state_.force(node, kForward), state_.force(node, kSideways));
+      if (!touches) {
+        violation += traction.square().sum();
+        continue;
+      }
+      const Eigen::Array2d slip = state_.slip.row(node).transpose();
+      const Eigen::Array2d trial = traction - scales_.tangential * slip;
+      const double size = trial.matrix().norm();
+      const double limit = friction * predicted;
+      sets.contact.push_back(node);
+      if (size <= limit) {
+        sets.states.push_back({.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0});
+        violation += (scales_.tangential * slip).square().sum();
+      } else {
+        const Eigen::Array2d direction = trial / size;
+        const double rigidity = friction * std::max(pressing, 0.0) / size;
+        sets.states.push_back({.stick = false, .direction = direction, .rigidity = std::min(rigidity, 1.0)});
+        violation += (traction - limit * direction).square().sum();
+      }
+    }
+    state_.residual = std::sqrt(violation) / problem_.normal.load;
+    return sets;
+  }
+
+  /// How far load and drive are from balance [N].
+  [[nodiscard]] double imbalance() const {
+    const double load = -state_.force.col(kDown).sum() - problem_.normal.load;
+    if (const auto* pull = std::get_if<DriveForce>(&problem_.drive)) {
+      return std::hypot(load, state_.force.col(kForward).sum() + pull->force);
+    }
+    if (const auto* turn = std::get_if<DriveTorque>(&problem_.drive)) {
+      return std::hypot(load, (contact_moment(problem_, state_) - turn->torque) / problem_.y.maxCoeff());
+    }
+    return load;
+  }
+
+  void note_sets(const ContactSets& sets) {
+    state_.contact = sets.contact;
+    state_.stick.clear();
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      if (sets.states[i].stick) state_.stick.push_back(sets.contact[i]);
+    }
+  }
+
+  const FrictionalContactProblem& problem_;
+  const ContactOptions& options_;
+  Watch& watch_;
+  ConditionScales scales_;
+  ContactSolution state_;
+  double last_residual_ = 0.0;  // of the last attempt, for the message of a failure
+};
+
+}  // namespace
+
+double contact_moment(const FrictionalContactProblem& problem, const ContactSolution& contact) {
+  const double displaced = problem.lever_arm == LeverArm::displaced ? 1.0 : 0.0;
+  const ArrayXd x = problem.x + displaced * contact.displacement.col(kForward);
+  const ArrayXd y = problem.y + displaced * contact.displacement.col(kDown);
+  return (y * contact.force.col(kForward) - x * contact.force.col(kDown)).sum();
+}
+
+ContactSolution solve_frictional_contact(const FrictionalContactProblem& problem, const ContactSolution& start,
+                                         const ContactOptions& options, Watch& watch) {
+  return FrictionalContactSolver(problem, start, options, watch).solve();
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,173 @@
+#include "rolling/result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayX2d;
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+std::vector<double> to_vector(const ArrayXd& array) { return {array.begin(), array.end()}; }
+
+/// One column after the other.
+std::vector<double> columns_of(const ArrayX2d& array) { return to_vector(ArrayXd(array.reshaped())); }
+
+std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
+  std::vector<unsigned char> values(static_cast<std::size_t>(size), 0);
+  for (const Index node : nodes) values[static_cast<std::size_t>(node)] = 1;
+  return values;
+}
+
+/// Half length of the ellipse with the second moment of `weights` along `coordinate`.
+double semi_axis(const ArrayXd& coordinate, const ArrayXd& weights) {
+  const double center = (coordinate * weights).sum() / weights.sum();
+  return 2.0 * std::sqrt(((coordinate - center).square() * weights).sum() / weights.sum());
+}
+
+class Summary {
+ public:
+  Summary(const SolvedContact& solved, const ContactConditions& given)
+      : window_(solved.window),
+        coating_(solved.coating),
+        contact_(solved.contact),
+        given_(given),
+        size_(window_.shape().size()),
+        pressing_(pressing_force(contact_)),
+        flat_area_(ArrayXd::Constant(size_, std::pow(window_.radius() * window_.spacing(), 2))),
+        area_(flat_area_ * window_.theta().sin()) {}
+
+  void add_status(Result& r) const {
+    r.status = contact_.converged ? Status::converged : Status::max_iterations;
+    r.iterations = contact_.iterations;
+    r.residual = contact_.residual;
+  }
+
+  void add_shape(Result& r) const {
+    ArrayXd touching = ArrayXd::Zero(size_);
+    touching(contact_.contact) = 1.0;
+    r.penetration = contact_.penetration - given_.centrifugal;
+    r.center_height = window_.radius() - r.penetration;
+    r.centrifugal_displacement = given_.centrifugal;
+    r.semi_axis_x = semi_axis(window_.x(), touching * area_);
+    r.semi_axis_z = semi_axis(window_.z(), touching * area_);
+    r.contact_area = (touching * area_).sum();
+  }
+
+  void add_forces(Result& r) const {
+    const ArrayXd forward = contact_.force.col(kForward);
+    r.resisting_torque = (window_.x() * pressing_).sum();
+    r.rolling_resistance_coefficient = r.resisting_torque / (given_.load_case.load * window_.radius());
+    r.driving_force = -forward.sum();
+    r.lateral_force = contact_.force.col(kSideways).sum();
+
+    const double swelling = 1.0 + given_.centrifugal / window_.radius();
+    ArrayXd x = swelling * window_.x();
+    ArrayXd y = swelling * window_.y();
+    if (given_.compliance == Compliance::vertical) {
+      x += contact_.displacement.col(kForward);
+      y += contact_.displacement.col(kDown);
+    }
+    r.driving_torque = (x * pressing_ + y * forward).sum();
+  }
+
+  void add_powers(Result& r) const {
+    const LoadCase& load_case = given_.load_case;
+    if (contact_.speed_ratio) {
+      r.creepage = *contact_.speed_ratio - 1.0;
+      r.linear_speed = *contact_.speed_ratio * load_case.angular_speed * window_.radius();
+    }
+    r.bulk_power = load_case.angular_speed * coating_.lost_work(contact_.force);
+    if (contact_.slip.rows() > 0) {
+      r.slip_power = slip_power();
+    }
+    r.dissipated_power = r.bulk_power + r.slip_power;
+    const double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
+    const double negligible = 1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x;
+    r.power_balance_error =
+        std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
+  }
+
+  void add_fields(Result& r) const {
+    const ArrayXd patch_area = given_.patch_load == PatchLoad::flat ? flat_area_ : area_;
+    const ArrayXd pressure = pressing_ / patch_area;
+    ArrayX2d shear(size_, 2);
+    shear.col(0) = contact_.force.col(kForward) / patch_area;
+    shear.col(1) = contact_.force.col(kSideways) / patch_area;
+    r.max_pressure = pressure.maxCoeff();
+    r.mesh = given_.mesh;
+    r.spacing = window_.spacing();
+    r.phi_nodes = window_.shape().phi_nodes;
+    r.theta_nodes = window_.shape().theta_nodes;
+    r.x = to_vector(window_.x());
+    r.z = to_vector(window_.z());
+    r.pressure = to_vector(pressure);
+    r.gap = to_vector(contact_.gap);
+    // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H.
+    r.displacement = to_vector(contact_.gap + window_.y() - r.center_height);
+    r.contact = mask(contact_.contact, size_);
+    r.stick = mask(contact_.stick, size_);
+    r.slip = r.contact;
+    for (const Index node : contact_.stick) r.slip[static_cast<std::size_t>(node)] = 0;
+    r.shear_traction = columns_of(shear);
+    r.slip_velocity = columns_of(slip_velocity());
+  }
+
+ private:
+  /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
+  [[nodiscard]] ArrayX2d slip_velocity() const {
+    ArrayX2d velocity = ArrayX2d::Zero(size_, 2);
+    if (contact_.slip.rows() == 0) return velocity;
+    const double rate = given_.load_case.angular_speed / window_.spacing();
+    for (const Index node : contact_.contact) velocity.row(node) = rate * contact_.slip.row(node);
+    return velocity;
+  }
+
+  /// A node's patch reaches half way to both neighbors: it slides half of the way from the one before and half of the
+  /// way to the one after.
+  [[nodiscard]] double slip_power() const {
+    const Index stride = window_.shape().theta_nodes;
+    const Index rest = size_ - stride;
+    const auto work = [&](Index column, Axis axis) {
+      const auto force = contact_.force.col(axis).head(rest);
+      const auto slip = contact_.slip.col(column);
+      return 0.5 * (force * (slip.head(rest) + slip.tail(rest))).sum();
+    };
+    return -given_.load_case.angular_speed / window_.spacing() * (work(0, kForward) + work(1, kSideways));
+  }
+
+  const SurfaceWindow& window_;
+  const CoatingCompliance& coating_;
+  const ContactSolution& contact_;
+  const ContactConditions& given_;
+  Index size_;
+  ArrayXd pressing_;
+  ArrayXd flat_area_;
+  ArrayXd area_;
+};
+
+}  // namespace
+
+Result make_result(const SolvedContact& solved, const ContactConditions& given) {
+  const Summary summary(solved, given);
+  Result r;
+  summary.add_status(r);
+  summary.add_shape(r);
+  summary.add_forces(r);
+  summary.add_powers(r);
+  summary.add_fields(r);
+  r.error_estimate = r.power_balance_error;
+  r.refinements = {{.mesh = given.mesh,
+                    .contact_nodes = static_cast<int>(solved.contact.contact.size()),
+                    .resisting_torque = r.resisting_torque,
+                    .penetration = r.penetration,
+                    .power_balance_error = r.power_balance_error,
+                    .error_estimate = r.error_estimate}};
+  return r;
+}
+
+}  // namespace viscoroll::detail

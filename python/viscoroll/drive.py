@@ -1,0 +1,66 @@
+"""What moves the ball along the plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import _core
+from ._arrays import as_float
+
+__all__ = ["Drive"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """What is given besides load and angular speed of rolling with friction: exactly one of force, torque and creepage.
+
+    Parameters
+    ----------
+    force : float, optional
+        Q, horizontal force on the center, forward [N], smaller than friction times load in magnitude. With 0 a torque
+        alone drives the ball.
+    torque : float, optional
+        T, driving torque about the axis of rolling [N m]. With 0 the ball is towed.
+    creepage : float, optional
+        V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center.
+    lateral_creepage : float, default 0
+        Sideways speed of the center per Ω r_o [-]; only with `creepage`.
+
+    Raises
+    ------
+    TypeError
+        For values that are not real numbers.
+    ValueError
+        Unless exactly one of the three is given.
+
+    Examples
+    --------
+    >>> Drive(torque=0.0)
+    Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0)
+    """
+
+    force: float | None = None
+    torque: float | None = None
+    creepage: float | None = None
+    lateral_creepage: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the parameters."""
+        given = [name for name in ("force", "torque", "creepage") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise ValueError(
+                f"drive must have exactly one of force, torque and creepage, got {', '.join(given) or 'none'}"
+            )
+        if self.creepage is None and self.lateral_creepage != 0.0:
+            raise ValueError(f"drive.lateral_creepage must be 0 without drive.creepage, got {self.lateral_creepage!r}")
+        self._to_core()
+
+    def _to_core(self) -> _core.DriveForce | _core.DriveTorque | _core.DriveCreepage:
+        if self.force is not None:
+            return _core.DriveForce(as_float("drive.force", self.force))
+        if self.torque is not None:
+            return _core.DriveTorque(as_float("drive.torque", self.torque))
+        return _core.DriveCreepage(
+            creepage=as_float("drive.creepage", self.creepage),
+            lateral_creepage=as_float("drive.lateral_creepage", self.lateral_creepage),
+        )
