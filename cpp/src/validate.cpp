@@ -22,12 +22,23 @@ void reject(std::string_view name, std::string_view requirement, double value) {
   reject(name, requirement, text(value));
 }
 
+namespace {
+
+/// "0 Pa", or "0" of a number without unit.
+std::string zero_of(std::string_view unit) { return unit.empty() ? "0" : "0 " + std::string(unit); }
+
+}  // namespace
+
 void require_positive(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value > 0.0)) reject(name, "> 0 " + std::string(unit), value);
+  if (!(std::isfinite(value) && value > 0.0)) reject(name, "> " + zero_of(unit), value);
 }
 
 void require_nonnegative(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value >= 0.0)) reject(name, ">= 0 " + std::string(unit), value);
+  if (!(std::isfinite(value) && value >= 0.0)) reject(name, ">= " + zero_of(unit), value);
+}
+
+void require_finite(std::string_view name, double value) {
+  if (!std::isfinite(value)) reject(name, "finite", value);
 }
 
 }  // namespace viscoroll::detail

@@ -15,10 +15,14 @@ namespace viscoroll::detail {
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value);
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, double value);
 
+/// @param[in] unit empty for a number without one
 /// @throws std::invalid_argument unless `value` is finite and > 0
 void require_positive(std::string_view name, double value, std::string_view unit);
 
 /// @throws std::invalid_argument unless `value` is finite and >= 0
 void require_nonnegative(std::string_view name, double value, std::string_view unit);
+
+/// @throws std::invalid_argument unless `value` is finite
+void require_finite(std::string_view name, double value);
 
 }  // namespace viscoroll::detail

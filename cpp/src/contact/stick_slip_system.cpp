@@ -64,7 +64,7 @@ std::vector<Unknown> list_unknowns(const Carriers& carriers, const ContactSets& 
       unknowns.push_back({i, {1.0, 0.0, 0.0}});
       if (sideways) unknowns.push_back({i, {0.0, 0.0, 1.0}});
     } else {
-      unknowns.push_back({i, {friction * e[0], -1.0, friction * e[1]}});
+      unknowns.push_back({i, {friction * e[0], -1.0, sideways ? friction * e[1] : 0.0}});
       if (sideways) unknowns.push_back({i, {-e[1], 0.0, e[0]}});
     }
   }

@@ -16,12 +16,8 @@
 namespace viscoroll {
 namespace {
 
-void require_finite(std::string_view name, double value, std::string_view unit) {
-  if (!std::isfinite(value)) detail::reject(name, "finite [" + std::string(unit) + "]", value);
-}
-
 void validate(const DriveForce& drive, const LoadCase& load_case) {
-  require_finite("drive.force", drive.force, "N");
+  detail::require_finite("drive.force", drive.force);
   if (drive.force == 0.0) return;
   const double largest = load_case.friction * load_case.load;
   if (!(std::abs(drive.force) < largest)) {
@@ -33,7 +29,7 @@ void validate(const DriveForce& drive, const LoadCase& load_case) {
 }
 
 void validate(const DriveTorque& drive, const LoadCase& load_case) {
-  require_finite("drive.torque", drive.torque, "N m");
+  detail::require_finite("drive.torque", drive.torque);
   if (load_case.friction == 0.0) {
     detail::reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
                    detail::text(drive.torque) + " N m");
@@ -43,12 +39,12 @@ void validate(const DriveTorque& drive, const LoadCase& load_case) {
 void validate(const LoadCase& load_case) {
   detail::require_positive("load", load_case.load, "N");
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
-  detail::require_nonnegative("friction", load_case.friction, "-");
+  detail::require_nonnegative("friction", load_case.friction, "");
   if (const auto* pull = std::get_if<DriveForce>(&load_case.drive)) validate(*pull, load_case);
   if (const auto* turn = std::get_if<DriveTorque>(&load_case.drive)) validate(*turn, load_case);
   if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-    require_finite("drive.creepage", given->creepage, "-");
-    require_finite("drive.lateral_creepage", given->lateral_creepage, "-");
+    detail::require_finite("drive.creepage", given->creepage);
+    detail::require_finite("drive.lateral_creepage", given->lateral_creepage);
   }
 }
 
