@@ -4,10 +4,12 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -21,32 +23,45 @@ void Watch::poll(std::string_view stage, double fraction) {
   if (observer_.cancelled && observer_.cancelled()) throw Cancelled();
 }
 
-int thread_count(int threads) {
-  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+void require_thread_count(int threads) {
+  if (threads >= 0 && threads <= kMaxThreads) return;
+  reject("threads", "in [0, " + std::to_string(kMaxThreads) + "]", std::to_string(threads));
+}
+
+std::size_t worker_count(std::size_t count, int threads) {
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
+  return std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(count, 1));
 }
 
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,
-                  const std::function<void(std::size_t, std::size_t)>& body) {
+                  const std::function<void(std::size_t, const Worker&)>& body) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::exception_ptr failure;
   std::mutex failure_mutex;
 
-  const auto run = [&](std::size_t worker) {
+  const auto run = [&](std::size_t number) {
+    const Worker worker{
+        .number = number, .checkpoint = [&, number] {
+          if (number == 0) {
+            watch.poll(stage, static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count));
+          }
+          if (stop) throw Cancelled();
+        }};
     try {
       for (std::size_t index = next++; index < count && !stop; index = next++) {
         body(index, worker);
-        if (worker == 0) watch.poll(stage, static_cast<double>(index + 1) / static_cast<double>(count));
+        worker.checkpoint();
       }
     } catch (...) {
-      stop = true;
       const std::scoped_lock lock(failure_mutex);
       if (!failure) failure = std::current_exception();
+      stop = true;  // after the failure is stored, for the checkpoints of the others throw too
     }
   };
 
   {
-    const std::size_t workers = std::min(count, static_cast<std::size_t>(thread_count(threads)));
+    const std::size_t workers = worker_count(count, threads);
     std::vector<std::jthread> others;
     others.reserve(workers);
     try {

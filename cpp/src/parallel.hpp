@@ -26,8 +26,20 @@ class Watch {
   Clock::time_point last_ = Clock::now();
 };
 
-/// @return number of threads meant by the option `threads` (0 = all cores)
-[[nodiscard]] int thread_count(int threads);
+/// @brief Most threads that a caller may ask for.
+constexpr int kMaxThreads = 1024;
+
+/// @throws std::invalid_argument unless `threads` is in [0, kMaxThreads]
+void require_thread_count(int threads);
+
+/// @return number of threads that `parallel_for` uses: what the option `threads` means (0 = all cores), at most `count`
+[[nodiscard]] std::size_t worker_count(std::size_t count, int threads);
+
+/// @brief One of the threads of a `parallel_for`, as its body sees it.
+struct Worker {
+  std::size_t number;                ///< in [0, worker_count(count, threads))
+  std::function<void()> checkpoint;  ///< to be called by bodies that take long, every few milliseconds
+};
 
 /// @brief Run `body(index, worker)` for every index in [0, count) on `threads` threads, the caller's being worker 0.
 /// The order of execution is free, so a body writes only to what belongs to its index. The first exception of any
@@ -36,8 +48,8 @@ class Watch {
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch polled by worker 0 between indices
 /// @param[in] stage what is being done, in words
-/// @param[in] body work on one index; `worker` is in [0, thread_count(threads))
+/// @param[in] body work on one index
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,
-                  const std::function<void(std::size_t index, std::size_t worker)>& body);
+                  const std::function<void(std::size_t index, const Worker& worker)>& body);
 
 }  // namespace viscoroll::detail

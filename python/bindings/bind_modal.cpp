@@ -19,8 +19,9 @@ py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const Inp
   const auto orders_n = view(n);
   std::vector<ComplexMatrix3> compliances;
   {
+    const Observer observer = python_observer(py::none());
     const py::gil_scoped_release release;
-    compliances = surface_compliance(sphere, angular_speed, orders_m, orders_n);
+    compliances = surface_compliance(sphere, angular_speed, orders_m, orders_n, observer);
   }
   py::array_t<cplx> result({static_cast<py::ssize_t>(compliances.size()), py::ssize_t{3}, py::ssize_t{3}});
   cplx* out = result.mutable_data();

@@ -17,9 +17,9 @@ TEST(ParallelFor, VisitsEveryIndexOnceOnAnyNumberOfThreads) {
   Watch watch(observer);
   for (const int threads : {0, 1, 2, 7}) {
     std::vector<std::atomic<int>> visits(1000);
-    parallel_for(visits.size(), threads, watch, "", [&](std::size_t i, std::size_t worker) {
+    parallel_for(visits.size(), threads, watch, "", [&](std::size_t i, const Worker& worker) {
       ++visits[i];
-      EXPECT_LT(worker, static_cast<std::size_t>(thread_count(threads)));
+      EXPECT_LT(worker.number, worker_count(visits.size(), threads));
     });
     for (const auto& count : visits) EXPECT_EQ(count, 1);
   }
@@ -30,7 +30,7 @@ TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {
   Watch watch(observer);
   std::atomic<int> visits = 0;
   EXPECT_THROW(parallel_for(1'000'000, 2, watch, "",
-                            [&](std::size_t i, std::size_t) {
+                            [&](std::size_t i, const Worker&) {
                               ++visits;
                               if (i == 3) throw std::out_of_range("three");
                             }),
@@ -41,7 +41,7 @@ TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {
 TEST(ParallelFor, DoesNothingForNoIndex) {
   const Observer observer;
   Watch watch(observer);
-  parallel_for(0, 2, watch, "", [](std::size_t, std::size_t) { FAIL(); });
+  parallel_for(0, 2, watch, "", [](std::size_t, const Worker&) { FAIL(); });
 }
 
 TEST(Watch, StopsOnRequestAndReportsFromTheCallingThread) {
@@ -55,7 +55,7 @@ TEST(Watch, StopsOnRequestAndReportsFromTheCallingThread) {
                                 fractions.push_back(report.fraction);
                               }};
   Watch watch(observer);
-  const auto wait = [](std::size_t, std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
+  const auto wait = [](std::size_t, const Worker&) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
   EXPECT_THROW(parallel_for(100'000, 2, watch, "waiting", wait), Cancelled);
   ASSERT_EQ(fractions.size(), 3U);
   EXPECT_LT(fractions[0], fractions[2]);

@@ -196,20 +196,24 @@ def test_an_exception_in_progress_ends_the_solve():
         )
 
 
-LONG_SOLVES = {
-    "orders": "nodes_per_revolution=20000, max_order=30000",
-    "contact": "nodes_per_revolution=2200, max_order=1100",
+SOLVE = "vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution={}, max_order={}){})"
+LONG_CALLS = {
+    "tables": SOLVE.format(20000, 30000, ""),
+    "many orders to a node": SOLVE.format(64, 200000, ""),
+    "contact": SOLVE.format(2200, 1100, ""),
+    "friction": SOLVE.format(1300, 1300, ", friction=0.1"),
+    "single orders": "vr.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))",
 }
 
 
-@pytest.mark.parametrize("mesh", LONG_SOLVES.values(), ids=LONG_SOLVES)
-def test_ctrl_c_stops_a_long_solve(mesh):
+@pytest.mark.parametrize("call", LONG_CALLS.values(), ids=LONG_CALLS)
+def test_ctrl_c_stops_long_work(call):
     program = f"""
-import time, viscoroll as vr
+import numpy as np, viscoroll as vr
 from viscoroll import paper
 print("started", flush=True)
 try:
-    vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh({mesh}))
+    {call}
 except KeyboardInterrupt:
     print("stopped", flush=True)
 """

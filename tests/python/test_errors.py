@@ -98,7 +98,8 @@ def test_numpy_scalars_are_numbers():
         (solve, CASE, {"accuracy": math.nan}, r"accuracy must be in \[1e-4, 0.5\], got nan"),
         (solve, CASE, {"accuracy": 0.1, "mesh": vr.Mesh(**MESH)}, "accuracy must be left out where a mesh is given"),
         (solve, CASE, {"max_iterations": 0}, "max_iterations must be >= 1, got 0"),
-        (solve, CASE, {"threads": -1}, "threads must be >= 0, got -1"),
+        (solve, CASE, {"threads": -1}, r"threads must be in \[0, 1024\], got -1"),
+        (solve, CASE, {"threads": 10**6}, r"threads must be in \[0, 1024\], got 1000000"),
     ],
 )  # fmt: skip
 def test_values_out_of_range(make, valid, changes, message):

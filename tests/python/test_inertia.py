@@ -180,3 +180,23 @@ def test_critical_speed_of_a_callable_is_that_of_its_modulus(rubber):
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
     assert vr.critical_speed(ball(rubber.complex_modulus)) == pytest.approx(vr.critical_speed(ball(rubber)))
+
+
+@pytest.mark.parametrize(
+    "modulus",
+    [
+        vr.KelvinVoigt(modulus=3e6, viscosity=1e-9),
+        vr.StandardLinearSolid(instantaneous_modulus=3e9, relaxed_modulus=3e6, relaxation_time=1e-17),
+    ],
+    ids=["Kelvin-Voigt", "standard linear"],
+)
+def test_short_time_stiffness_out_of_reach_hides_no_waves(modulus):
+    # Both are elastic at every frequency that rolling reaches.
+    def ball(material):
+        layer = vr.Layer(thickness=5e-3, shear_modulus=material, poisson_ratio=0.5, density=1000.0)
+        return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+
+    speed = 2.0 * vr.critical_speed(ball(vr.Elastic(modulus=3e6)))
+    assert speed < vr.critical_speed(ball(modulus))
+    with pytest.raises(ValueError, match=r"angular_speed must be below the speed at which the coating radiates waves"):
+        vr.solve(ball(modulus), load=50.0, angular_speed=speed)

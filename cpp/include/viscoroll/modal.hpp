@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "viscoroll/observer.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll {
@@ -27,10 +28,13 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] m orders in phi, any sign
 /// @param[in] n orders in theta, any sign, as many as `m`
+/// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (m, n) [m/Pa]
 /// @throws std::invalid_argument for bad input
+/// @throws Cancelled where the observer stopped it
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed,
-                                                             std::span<const int> m, std::span<const int> n);
+                                                             std::span<const int> m, std::span<const int> n,
+                                                             const Observer& observer = {});
 
 /// @brief Matrix of the system z' = B z in s = ln r, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi,
 /// r sigma_rtheta): paper equation (23) in the form of theory.md section 3, finite at Poisson's ratio 1/2.

@@ -200,7 +200,7 @@ Eigen::MatrixXd CoatingCompliance::block(std::span<const Eigen::Index> targets, 
   const auto columns = static_cast<Eigen::Index>(sources.size());
   const auto axis_count = static_cast<Eigen::Index>(axes.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows * axis_count, columns * axis_count);
-  parallel_for(sources.size(), threads, watch, "assembling the compliance", [&](std::size_t source, std::size_t) {
+  parallel_for(sources.size(), threads, watch, "assembling the compliance", [&](std::size_t source, const Worker&) {
     const Eigen::ArrayXXd moved = moved_components(targets, sources[source], axes);
     for (Eigen::Index b = 0; b < axis_count; ++b) {
       auto column = matrix.col(b * columns + static_cast<Eigen::Index>(source));

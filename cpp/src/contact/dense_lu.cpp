@@ -23,7 +23,7 @@ Eigen::MatrixXd solve_dense(Eigen::MatrixXd matrix, Eigen::MatrixXd right_sides,
     };
     eliminate(right_sides.middleRows(start, block), right_sides.bottomRows(rest));
     const auto stripes = static_cast<std::size_t>((rest + kStripe - 1) / kStripe);
-    parallel_for(stripes, threads, watch, "solving the contact equations", [&](std::size_t stripe, std::size_t) {
+    parallel_for(stripes, threads, watch, "solving the contact equations", [&](std::size_t stripe, const Worker&) {
       const Eigen::Index first = start + block + static_cast<Eigen::Index>(stripe) * kStripe;
       const Eigen::Index width = std::min(kStripe, size - first);
       eliminate(matrix.block(start, first, block, width), matrix.block(start + block, first, rest, width));

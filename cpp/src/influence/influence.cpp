@@ -36,7 +36,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
       detail::reject(name, "in [0, nodes_per_revolution / 2]", std::to_string(reach));
     }
   }
-  if (threads < 0) detail::reject("threads", ">= 0", std::to_string(threads));
+  detail::require_thread_count(threads);
 
   using detail::Entry;
   constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};

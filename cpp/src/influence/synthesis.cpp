@@ -99,13 +99,17 @@ class Synthesis {
   }
 
   /// Sum every order that the mesh cannot tell from m = p, along theta.
-  void sum_along_theta(int p, Workspace& work) {
+  void sum_along_theta(int p, Workspace& work, const Worker& worker) {
     for (auto& sum : work.sums) sum.setZero();
     const int length = mesh_.nodes_per_revolution;
     const bool own_mirror = 2 * p % length == 0;
-    for (int m = p; m <= mesh_.max_order; m += length) add_order(m, true, own_mirror && m > 0, work);
-    if (!own_mirror) {
-      for (int m = length - p; m <= mesh_.max_order; m += length) add_order(m, false, true, work);
+    for (int m = p; m <= mesh_.max_order; m += length) {
+      add_order(m, true, own_mirror && m > 0, work);
+      worker.checkpoint();
+    }
+    for (int m = length - p; m <= mesh_.max_order && !own_mirror; m += length) {
+      add_order(m, false, true, work);
+      worker.checkpoint();
     }
     for (std::size_t k = 0; k < kernels_.size(); ++k) transform(k, p, work);
   }
@@ -181,15 +185,15 @@ std::vector<Table> synthesize(const Spectrum& spectrum, double outer_radius, con
                               const std::vector<TableRequest>& requests, int phi_reach, int theta_reach, int threads,
                               Watch& watch) {
   Synthesis synthesis(spectrum, outer_radius, mesh, requests, theta_reach);
-  std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(threads)), synthesis.make_workspace());
   const auto folded_orders = static_cast<std::size_t>(mesh.nodes_per_revolution / 2 + 1);
-  parallel_for(folded_orders, threads, watch, "summing orders", [&](std::size_t p, std::size_t worker) {
-    synthesis.sum_along_theta(static_cast<int>(p), workspaces[worker]);
+  std::vector<Workspace> workspaces(worker_count(folded_orders, threads), synthesis.make_workspace());
+  parallel_for(folded_orders, threads, watch, "summing orders", [&](std::size_t p, const Worker& worker) {
+    synthesis.sum_along_theta(static_cast<int>(p), workspaces[worker.number], worker);
   });
 
   std::vector<Table> tables(requests.size(), Table(phi_reach, theta_reach));
   parallel_for(requests.size(), threads, watch, "transforming tables",
-               [&](std::size_t k, std::size_t) { tables[k] = synthesis.table(k, phi_reach); });
+               [&](std::size_t k, const Worker&) { tables[k] = synthesis.table(k, phi_reach); });
   return tables;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "modal/compliance_recursion.hpp"
@@ -90,6 +91,36 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
          "below the critical speed " + text(viscoroll::critical_speed(sphere, highest_frequency)) +
              " rad/s, above which the coating radiates waves",
          text(angular_speed) + " rad/s");
+}
+
+void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics,
+                          const std::vector<std::vector<std::complex<double>>>& moduli) {
+  int next = 1;
+  for (std::size_t i = 0; i < harmonics.size(); ++i) {
+    const int m = harmonics[i];
+    if (m < next) continue;
+    next = std::max(m + 1, m * 11 / 10);
+    std::vector<Medium<double>> media;
+    double radius = sphere.core_radius;
+    double damping = 0.0;  // the largest m tan(delta)
+    for (std::size_t j = 0; j < sphere.layers.size(); ++j) {
+      const Layer& layer = sphere.layers[j];
+      const double mu = moduli[j][i].real();
+      damping = std::max(damping, m * moduli[j][i].imag() / mu);
+      media.push_back({.inner_radius = radius,
+                       .outer_radius = radius + layer.thickness,
+                       .mu = mu,
+                       .b = shear_ratio(layer, mu),
+                       .inertia = layer.density * angular_speed * angular_speed});
+      radius += layer.thickness;
+    }
+    const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds
+    if (damping > 1.0 || slowest > 10.0 || is_subcritical(media, m, 0.0)) continue;
+    reject(
+        "angular_speed",
+        "below the speed at which the coating radiates waves of order " + std::to_string(m) + " that it hardly damps",
+        text(angular_speed) + " rad/s");
+  }
 }
 
 }  // namespace detail

@@ -2,6 +2,10 @@
 /// @brief Where steady rolling without radiated waves ends, theory.md section 7.
 #pragma once
 
+#include <complex>
+#include <span>
+#include <vector>
+
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -17,5 +21,15 @@ namespace viscoroll::detail {
 /// @param[in] highest_frequency stands for the short-time limit of a `CustomModulus` [rad/s]
 /// @throws std::invalid_argument with the critical speed
 void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency);
+
+/// @brief Refuse a rolling speed at which a wave of some order outruns the surface and comes back around the sphere
+/// hardly damped, exp(-pi m tan(delta)): a coating whose short-time modulus is high, or infinite, but plays no role.
+/// @param[in] sphere rigid core and layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] harmonics orders m >= 0
+/// @param[in] moduli complex shear moduli, [layer][harmonic]
+/// @throws std::invalid_argument with the order
+void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics,
+                          const std::vector<std::vector<std::complex<double>>>& moduli);
 
 }  // namespace viscoroll::detail

@@ -24,6 +24,7 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   }
   const double highest = omega.empty() ? 0.0 : *std::max_element(omega.begin(), omega.end());
   require_subcritical(sphere, angular_speed, std::max(highest, angular_speed));
+  require_damped_waves(sphere, angular_speed, harmonics, moduli_);
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {

@@ -8,6 +8,7 @@
 #include "modal/compliance_recursion.hpp"
 #include "modal/layer_system.hpp"
 #include "modal/medium.hpp"
+#include "parallel.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -17,23 +18,28 @@ using RowMajor3 = Eigen::Matrix<cplx, 3, 3, Eigen::RowMajor>;
 using RowMajor6 = Eigen::Matrix<cplx, 6, 6, Eigen::RowMajor>;
 
 std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
-                                               std::span<const int> n) {
+                                               std::span<const int> n, const Observer& observer) {
+  constexpr int kHighestOrder = 1000000;
   if (m.size() != n.size()) {
     detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
   }
   std::vector<int> harmonics;
-  for (const int order : m) harmonics.push_back(std::abs(order));
+  for (const int order : m) {
+    if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
+    harmonics.push_back(std::abs(order));
+  }
   const detail::HarmonicCoating coating(sphere, angular_speed, harmonics);
 
+  detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
-  for (std::size_t i = 0; i < m.size(); ++i) {
+  detail::parallel_for(m.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
     // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
     const bool conjugate = m[i] < 0;
     const auto media = coating.media(i);
     const Eigen::Matrix3cd compliance =
         detail::to_physical(detail::surface_compliance<cplx>(media, harmonics[i], conjugate ? -n[i] : n[i]));
     Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
-  }
+  });
   return compliances;
 }
 

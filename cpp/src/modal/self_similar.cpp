@@ -235,7 +235,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   std::vector<double> bounds{kZeroOrder};
   while (bounds.back() < most) bounds.push_back(std::min(8.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
-  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, std::size_t) {
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {
     append_panels(
         bounds[p], bounds[p + 1], [&](double k2) { return inertia_series.sample(k2); },
         [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -26,7 +27,8 @@ Mesh make_mesh(double nodes_per_revolution) {
 }
 
 double relative_change(double value, double before, double negligible) {
-  return std::abs(value - before) / std::max({std::abs(value), std::abs(before), negligible});
+  return std::abs(value - before) /
+         std::max({std::abs(value), std::abs(before), negligible, std::numeric_limits<double>::min()});
 }
 
 /// Whether the next mesh would ask for more than the dense solver holds.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace viscoroll::detail {
@@ -87,7 +88,8 @@ class Summary {
     r.dissipated_power = r.bulk_power + r.slip_power;
     const double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
-    const double negligible = 1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x;
+    const double negligible =
+        std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());
     r.power_balance_error =
         std::abs(work - r.dissipated_power) / std::max({std::abs(work), std::abs(r.dissipated_power), negligible});
   }

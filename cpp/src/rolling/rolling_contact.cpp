@@ -74,6 +74,10 @@ class MeshSolver {
   }
 
   [[nodiscard]] Result result(const SolvedContact& solved) const {
+    if (!(solved.contact.penetration > 0.0)) {
+      throw ConvergenceError("the load was found to lift the sphere", solved.contact.iterations,
+                             solved.contact.residual);
+    }
     require_clear_of_core(solved.contact.penetration - centrifugal_);
     return make_result(solved, {.load_case = load_case_,
                                 .mesh = mesh_,

@@ -54,7 +54,7 @@ void validate(const Options& options) {
     detail::reject("accuracy", "in [1e-4, 0.5]", options.accuracy);
   }
   if (options.max_iterations < 1) detail::reject("max_iterations", ">= 1", std::to_string(options.max_iterations));
-  if (options.threads < 0) detail::reject("threads", ">= 0", std::to_string(options.threads));
+  detail::require_thread_count(options.threads);
 }
 
 }  // namespace
