@@ -8,19 +8,41 @@ namespace {
 
 using namespace viscoroll;
 
+Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compliance, PatchLoad patch_load,
+                     SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
+  return {.mesh = mesh,
+          .accuracy = accuracy,
+          .compliance = compliance,
+          .patch_load = patch_load,
+          .slip_kinematics = slip_kinematics,
+          .max_iterations = max_iterations,
+          .threads = threads,
+          .observer = python_observer(progress)};
+}
+
 Result solve_released(const CoatedSphere& sphere, double load, double angular_speed, std::optional<Mesh> mesh,
                       double accuracy, double friction, Drive drive, Compliance compliance, PatchLoad patch_load,
                       SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
-  const Options options{.mesh = mesh,
-                        .accuracy = accuracy,
-                        .compliance = compliance,
-                        .patch_load = patch_load,
-                        .slip_kinematics = slip_kinematics,
-                        .max_iterations = max_iterations,
-                        .threads = threads,
-                        .observer = python_observer(progress)};
+  const Options options =
+      make_options(mesh, accuracy, compliance, patch_load, slip_kinematics, max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve(sphere, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
+}
+
+RollingModel make_model(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads,
+                        const py::object& progress) {
+  const Observer observer = python_observer(progress);
+  const py::gil_scoped_release release;
+  return {sphere, angular_speed, mesh, threads, observer};
+}
+
+Result solve_on_model(const RollingModel& model, double load, double angular_speed, double friction, Drive drive,
+                      Compliance compliance, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
+                      int threads, const py::object& progress) {
+  const Options options =
+      make_options({}, Options{}.accuracy, compliance, patch_load, slip_kinematics, max_iterations, threads, progress);
+  const py::gil_scoped_release release;
+  return model.solve({.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
 /// A field of the result as a read-only array over its memory, [phi][theta].
@@ -120,6 +142,13 @@ void bind_solve(py::module_& m) {
       .def_property_readonly("slip", field(&Result::slip))
       .def_property_readonly("shear_traction", vector_field(&Result::shear_traction))
       .def_property_readonly("slip_velocity", vector_field(&Result::slip_velocity));
+
+  py::classh<RollingModel>(m, "RollingModel")
+      .def(py::init(&make_model), py::arg("sphere"), py::kw_only(), py::arg("angular_speed"), py::arg("mesh"),
+           py::arg("threads"), py::arg("progress").none(true))
+      .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
+           py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),
+           py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 
   m.def("solve", &solve_released, py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("angular_speed"),
         py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),

@@ -32,7 +32,7 @@ from .orders import (
     surface_compliance,
 )
 from .result import Refinement, Result
-from .rolling import solve
+from .rolling import RollingModel, solve
 
 __all__ = [
     "CoatedSphere",
@@ -50,6 +50,7 @@ __all__ = [
     "Prony",
     "Refinement",
     "Result",
+    "RollingModel",
     "ShearModulus",
     "SlipKinematics",
     "StandardLinearSolid",

@@ -11,7 +11,19 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["as_float", "as_floats", "as_int", "as_orders"]
+__all__ = ["as_float", "as_floats", "as_int", "as_orders", "require_type"]
+
+
+def require_type(name: str, value: object, wanted: type) -> None:
+    """Refuse a value of another type than a class of this package.
+
+    Raises
+    ------
+    TypeError
+        Naming the parameter and the class.
+    """
+    if not isinstance(value, wanted):
+        raise TypeError(f"{name} must be a viscoroll.{wanted.__name__}, got {value!r}")
 
 
 def as_float(name: str, value: object) -> float:

@@ -211,6 +211,32 @@ def influence_tables(
     threads: int,
     progress: Callable[[str, float], object] | None,
 ) -> NDArray[np.float64]: ...
+
+class RollingModel:
+    def __init__(
+        self,
+        sphere: CoatedSphere,
+        *,
+        angular_speed: float,
+        mesh: Mesh,
+        threads: int,
+        progress: Callable[[str, float], object] | None,
+    ) -> None: ...
+    def solve(
+        self,
+        *,
+        load: float,
+        angular_speed: float,
+        friction: float,
+        drive: DriveForce | DriveTorque | DriveCreepage,
+        compliance: Compliance,
+        patch_load: PatchLoad,
+        slip_kinematics: SlipKinematics,
+        max_iterations: int,
+        threads: int,
+        progress: Callable[[str, float], object] | None,
+    ) -> Result: ...
+
 def solve(
     sphere: CoatedSphere,
     *,

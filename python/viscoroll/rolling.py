@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import as_float, as_int
+from ._arrays import as_float, as_int, require_type
 from ._core import Compliance, PatchLoad, SlipKinematics
 from .drive import Drive
 from .geometry import CoatedSphere
@@ -15,7 +15,7 @@ from .result import Result
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-__all__ = ["solve"]
+__all__ = ["RollingModel", "solve"]
 
 
 def solve(
@@ -102,44 +102,147 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    if not isinstance(ball, CoatedSphere):
-        raise TypeError(f"ball must be a viscoroll.CoatedSphere, got {ball!r}")
+    require_type("ball", ball, CoatedSphere)
     if mesh is not None and not isinstance(mesh, Mesh):
         raise TypeError(f"mesh must be a viscoroll.Mesh or None, got {mesh!r}")
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {accuracy!r}")
-    if not isinstance(compliance, Compliance):
-        raise TypeError(f"compliance must be a viscoroll.Compliance, got {compliance!r}")
-    if not isinstance(patch_load, PatchLoad):
-        raise TypeError(f"patch_load must be a viscoroll.PatchLoad, got {patch_load!r}")
-    if not isinstance(slip_kinematics, SlipKinematics):
-        raise TypeError(f"slip_kinematics must be a viscoroll.SlipKinematics, got {slip_kinematics!r}")
-    if not isinstance(drive, Drive):
-        raise TypeError(f"drive must be a viscoroll.Drive, got {drive!r}")
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable or None, got {progress!r}")
+    speed = as_float("angular_speed", angular_speed)
+    case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress)
     solution = _core.solve(
         ball._to_core(),
-        load=as_float("load", load),
-        angular_speed=as_float("angular_speed", angular_speed),
+        angular_speed=speed,
         mesh=None if mesh is None else mesh._to_core(),
         accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
-        friction=as_float("friction", friction),
-        drive=drive._to_core(),
-        compliance=compliance,
-        patch_load=patch_load,
-        slip_kinematics=slip_kinematics,
-        max_iterations=as_int("max_iterations", max_iterations),
-        threads=as_int("threads", threads),
-        progress=progress,
+        **case,
     )
-    return Result._from_core(
-        solution,
-        ball=ball,
-        load=float(load),
-        angular_speed=float(angular_speed),
-        friction=float(friction),
-        drive=drive,
-        compliance=compliance,
-        patch_load=patch_load,
-    )
+    return _result(solution, ball, speed, drive, case)
+
+
+class RollingModel:
+    """A ball at one speed on one mesh, for many load cases: its influence tables are computed once.
+
+    Threads may solve on it at the same time.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0 and below `critical_speed(ball)`.
+    mesh : Mesh
+        Surface mesh.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : callable, optional
+        Called as progress(stage, fraction) about every 20 ms.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For bad input, as of `solve`.
+
+    Examples
+    --------
+    >>> from viscoroll import paper
+    >>> model = RollingModel(paper.ball(), angular_speed=2.5, mesh=Mesh(nodes_per_revolution=200, max_order=300))
+    >>> [round(model.solve(load=load).resisting_torque * 1e3, 1) for load in (50.0, 100.0)]
+    [4.4, 10.9]
+    """
+
+    def __init__(
+        self,
+        ball: CoatedSphere,
+        *,
+        angular_speed: float,
+        mesh: Mesh,
+        threads: int = 0,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> None:
+        require_type("ball", ball, CoatedSphere)
+        require_type("mesh", mesh, Mesh)
+        _require_callable(progress)
+        self.ball = ball
+        self.angular_speed = as_float("angular_speed", angular_speed)
+        self.mesh = mesh
+        self._core = _core.RollingModel(
+            ball._to_core(),
+            angular_speed=self.angular_speed,
+            mesh=mesh._to_core(),
+            threads=as_int("threads", threads),
+            progress=progress,
+        )
+
+    def __repr__(self) -> str:
+        """Return what it was made of."""
+        return f"RollingModel({self.ball!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r})"
+
+    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[CoatedSphere, float, Mesh]]:
+        """Pickle the input; the tables are computed again."""
+        return _make_model, (self.ball, self.angular_speed, self.mesh)
+
+    def solve(
+        self,
+        *,
+        load: float,
+        friction: float = 0.0,
+        drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+        compliance: Compliance = Compliance.VERTICAL,
+        patch_load: PatchLoad = PatchLoad.FLAT,
+        slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
+        max_iterations: int = 500,
+        threads: int = 0,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> Result:
+        """Solve one load case; parameters, result and errors as of `viscoroll.solve`."""
+        case = _core_case(
+            load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress
+        )
+        solution = self._core.solve(angular_speed=self.angular_speed, **case)
+        return _result(solution, self.ball, self.angular_speed, drive, case)
+
+
+def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh) -> RollingModel:
+    return RollingModel(ball, angular_speed=angular_speed, mesh=mesh)
+
+
+def _require_callable(progress: object) -> None:
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable or None, got {progress!r}")
+
+
+def _core_case(
+    load: float,
+    friction: float,
+    drive: Drive,
+    compliance: Compliance,
+    patch_load: PatchLoad,
+    slip_kinematics: SlipKinematics,
+    max_iterations: int,
+    threads: int,
+    progress: Callable[[str, float], object] | None,
+) -> dict[str, Any]:
+    """Settle the types of a load case and its options, as the core wants them."""
+    require_type("compliance", compliance, Compliance)
+    require_type("patch_load", patch_load, PatchLoad)
+    require_type("slip_kinematics", slip_kinematics, SlipKinematics)
+    require_type("drive", drive, Drive)
+    _require_callable(progress)
+    return {
+        "load": as_float("load", load),
+        "friction": as_float("friction", friction),
+        "drive": drive._to_core(),
+        "compliance": compliance,
+        "patch_load": patch_load,
+        "slip_kinematics": slip_kinematics,
+        "max_iterations": as_int("max_iterations", max_iterations),
+        "threads": as_int("threads", threads),
+        "progress": progress,
+    }
+
+
+def _result(
+    solution: _core.Result, ball: CoatedSphere, angular_speed: float, drive: Drive, case: dict[str, Any]
+) -> Result:
+    given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
+    return Result._from_core(solution, ball=ball, angular_speed=angular_speed, drive=drive, **given)

@@ -141,6 +141,27 @@ def test_all_scalars_are_attributes(result):
     assert all(isinstance(value, (float, int, str, type(None))) for value in result.scalars().values())
 
 
+def test_a_model_gives_what_single_solves_give():
+    model = vr.RollingModel(paper.ball(), angular_speed=0.5, mesh=MESH)
+    cases = [
+        {"load": 10.0},
+        {"load": 200.0, "friction": 0.2},  # a wider window
+        {"load": 50.0, "compliance": vr.Compliance.RADIAL, "patch_load": vr.PatchLoad.SPHERICAL},
+        {"load": 50.0, "friction": 0.5, "drive": vr.Drive(torque=0.0)},
+    ]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(lambda case: model.solve(**case), cases * 2))
+    for case, result in zip(cases * 2, together, strict=True):
+        alone = vr.solve(paper.ball(), angular_speed=0.5, mesh=MESH, **case)
+        assert result.resisting_torque == pytest.approx(alone.resisting_torque, rel=1e-12)
+        assert result.bulk_power == pytest.approx(alone.bulk_power, rel=1e-12)
+    twin = pickle.loads(pickle.dumps(model))
+    assert repr(twin) == repr(model)
+    assert twin.solve(load=10.0).scalars() == together[0].scalars()
+    with pytest.raises(TypeError, match=r"mesh must be a viscoroll\.Mesh"):
+        vr.RollingModel(paper.ball(), angular_speed=0.5, mesh=None)
+
+
 def test_eight_threads_give_the_serial_result(result, unlike_ball):
     def torque(ball):
         return vr.solve(ball, load=100.0, angular_speed=2.5, mesh=MESH).resisting_torque

@@ -24,7 +24,8 @@ def solve_frictional_contact(
 
     Parameters: `compliance` C_r of shape (3, 3, nodes, nodes); `profile` and `forward`, undeformed y and x of the
     nodes; `step`, r_o Delta; `first`, the upstream neighbors. One of force Q, torque T (at displaced points) and
-    creepage is given. Friction comes down from full stick in steps. Returns the forces (3, nodes), H and the speed ratio.
+    creepage is given. Friction comes down from full stick in steps. Returns the forces (3, nodes), H and the speed
+    ratio.
     """
     nodes = profile.size
     dense = compliance.transpose(0, 2, 1, 3).reshape(3 * nodes, 3 * nodes)

@@ -6,6 +6,7 @@
 /// tractions on the coating point up (F_W < 0); the pressure -F_W per area is positive outwards to the user.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -151,5 +152,33 @@ struct Result {
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped the solve
 [[nodiscard]] Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options = {});
+
+/// @brief A coated sphere at one speed on one mesh, for many load cases: its spectrum and its influence tables are
+/// computed once. Threads may solve on it at the same time.
+class RollingModel {
+ public:
+  /// @param[in] sphere rigid core and layers
+  /// @param[in] angular_speed Omega [rad/s], > 0
+  /// @param[in] mesh spacing and truncation
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] observer progress and cancellation
+  /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
+  RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads = 0,
+               const Observer& observer = {});
+  ~RollingModel();
+  RollingModel(RollingModel&&) noexcept;
+  RollingModel& operator=(RollingModel&&) noexcept;
+  RollingModel(const RollingModel&) = delete;
+  RollingModel& operator=(const RollingModel&) = delete;
+
+  /// @brief The same as `viscoroll::solve` on this mesh.
+  /// @param[in] load_case at the speed of the model
+  /// @param[in] options how to solve; the mesh may be left out, and the accuracy is not looked at
+  [[nodiscard]] Result solve(const LoadCase& load_case, const Options& options = {}) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace viscoroll

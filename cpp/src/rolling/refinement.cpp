@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 
-#include "modal/critical_speed.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/rolling_contact.hpp"
 
@@ -47,8 +46,8 @@ Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, 
   Mesh mesh = make_mesh(2.0 * std::numbers::pi * kFirstNodesPerRadius * outer_radius(sphere) / radius);
   std::vector<Refinement> refinements;
   for (;;) {
-    const HarmonicCoating coating(sphere, load_case.angular_speed, orders_up_to(mesh.max_order));
-    Result result = solve_on_mesh(coating, load_case, mesh, options, watch);
+    const MeshModel model(sphere, load_case.angular_speed, mesh, options.threads, watch);
+    Result result = solve_load_case(model, load_case, options, watch);
     Refinement& step = result.refinements.back();
     step.error_estimate = 1.0;  // nothing to compare the first mesh with
     if (!refinements.empty()) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,12 +11,10 @@
 #include "contact/coating_compliance.hpp"
 #include "contact/frictional_contact.hpp"
 #include "contact/normal_contact.hpp"
-#include "modal/spectrum.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
-#include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -42,28 +38,25 @@ std::vector<Eigen::Index> nodes_within(const SurfaceWindow& window, double dista
   return nodes;
 }
 
-class MeshSolver {
+class LoadCaseSolver {
  public:
-  MeshSolver(const HarmonicCoating& coating, const LoadCase& load_case, const Mesh& mesh, const Options& options,
-             Watch& watch)
-      : coating_(coating),
+  LoadCaseSolver(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch)
+      : model_(model),
         load_case_(load_case),
-        mesh_(mesh),
         options_(options),
         watch_(watch),
         formulation_{
             .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
         limits_{.max_iterations = options.max_iterations, .max_unknowns = kMaxUnknowns, .threads = options.threads},
-        spacing_(2.0 * std::numbers::pi / mesh.nodes_per_revolution),
-        radius_(coating.outer_radius()),
-        centrifugal_(centrifugal_displacement(coating.sphere(), coating.angular_speed())),
-        spectrum_(make_spectrum(coating, options.threads, watch)) {}
+        spacing_(model.spacing()),
+        radius_(model.radius()),
+        swelling_(1.0 + model.centrifugal() / radius_) {}
 
   [[nodiscard]] SolvedContact solve() const {
-    if (load_case_.load > unbearable_load(coating_)) reject_load("would be pressed through any such coating");
-    const double estimate = estimate_contact_radius(coating_, load_case_.load) / radius_;
+    if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
+    const double estimate = estimate_contact_radius(model_.coating(), load_case_.load) / radius_;
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
-    const int largest = mesh_.nodes_per_revolution / 6;
+    const int largest = model_.mesh().nodes_per_revolution / 6;
     int half = std::min(static_cast<int>(std::ceil(1.1 * estimate / spacing_)) + 2, largest);
     for (;;) {
       SolvedContact solved = solve_in_window(half, estimate * radius_);
@@ -78,53 +71,50 @@ class MeshSolver {
       throw ConvergenceError("the load was found to lift the sphere", solved.contact.iterations,
                              solved.contact.residual);
     }
-    require_clear_of_core(solved.contact.penetration - centrifugal_);
+    require_clear_of_core(solved.contact.penetration - model_.centrifugal());
     return make_result(solved, {.load_case = load_case_,
-                                .mesh = mesh_,
+                                .mesh = model_.mesh(),
                                 .compliance = options_.compliance,
                                 .patch_load = options_.patch_load,
-                                .centrifugal = centrifugal_});
+                                .centrifugal = model_.centrifugal()});
   }
 
  private:
   [[nodiscard]] SolvedContact solve_in_window(int half, double estimate) const {
     const SurfaceWindow window(radius_, spacing_, half, half);
-    const auto tables = std::make_shared<const std::vector<Table>>(synthesize(
-        *spectrum_, radius_, mesh_, required_tables(formulation_), 2 * half, 2 * half, options_.threads, watch_));
-    CoatingCompliance coating(formulation_, window, tables);
-    const double swelling = 1.0 + centrifugal_ / radius_;  // of the free surface, by the turning
+    CoatingCompliance coating(formulation_, window, model_.tables(formulation_, 2 * half, options_.threads, watch_));
     const NormalContactProblem problem{
-        .coating = coating, .drop = swelling * (radius_ - window.y()), .load = load_case_.load};
+        .coating = coating, .drop = swelling_ * (radius_ - window.y()), .load = load_case_.load};
     try {
       ContactSolution contact = solve_normal_contact(
           problem, nodes_within(window, 0.8 * std::min(estimate, half * spacing_ * radius_)), limits_, watch_);
       if (load_case_.friction > 0.0) {
-        contact = add_friction(problem, window, swelling, contact);
+        contact = add_friction(problem, window, contact);
       } else if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
         contact.speed_ratio = 1.0 + given->creepage;
       }
       return {.window = window, .coating = std::move(coating), .contact = std::move(contact)};
     } catch (const std::length_error& error) {
       reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
-             std::to_string(mesh_.nodes_per_revolution) + " (" + error.what() + ")");
+             std::to_string(model_.mesh().nodes_per_revolution) + " (" + error.what() + ")");
     }
   }
 
   [[nodiscard]] ContactSolution add_friction(const NormalContactProblem& normal, const SurfaceWindow& window,
-                                             double swelling, const ContactSolution& frictionless) const {
+                                             const ContactSolution& frictionless) const {
     const WindowShape shape = window.shape();
     const double step = radius_ * spacing_;
     Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(shape.size(), -step);
     if (options_.slip_kinematics == SlipKinematics::exact) {
       const Eigen::Index rest = shape.size() - shape.theta_nodes;
-      ways.tail(rest) = swelling * (window.x().tail(rest) - window.x().head(rest));
+      ways.tail(rest) = swelling_ * (window.x().tail(rest) - window.x().head(rest));
     }
     const bool vertical = options_.compliance == Compliance::vertical;
     const FrictionalContactProblem problem{
         .normal = normal,
         .shape = shape,
-        .x = swelling * window.x(),
-        .y = swelling * window.y(),
+        .x = swelling_ * window.x(),
+        .y = swelling_ * window.y(),
         .ways = std::move(ways),
         .step = step,
         .friction = load_case_.friction,
@@ -158,31 +148,28 @@ class MeshSolver {
   }
 
   void require_clear_of_core(double penetration) const {
-    const double thickness = coating_thickness(coating_.sphere());
+    const double thickness = coating_thickness(model_.coating().sphere());
     if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
     if (penetration >= thickness) {
       reject_load("is pressed " + text(penetration) + " m into a coating of " + text(thickness) + " m");
     }
   }
 
-  const HarmonicCoating& coating_;
-  LoadCase load_case_;
-  Mesh mesh_;
+  const MeshModel& model_;
+  const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
   Formulation formulation_;
   ContactOptions limits_;
   double spacing_;
   double radius_;
-  double centrifugal_;
-  std::unique_ptr<Spectrum> spectrum_;
+  double swelling_;  // of the free surface, by the turning
 };
 
 }  // namespace
 
-Result solve_on_mesh(const HarmonicCoating& coating, const LoadCase& load_case, const Mesh& mesh,
-                     const Options& options, Watch& watch) {
-  const MeshSolver solver(coating, load_case, mesh, options, watch);
+Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
+  const LoadCaseSolver solver(model, load_case, options, watch);
   return solver.result(solver.solve());
 }
 

@@ -2,13 +2,13 @@
 #include "viscoroll/solve.hpp"
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "modal/critical_speed.hpp"
-#include "modal/medium.hpp"
 #include "parallel.hpp"
+#include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "validate.hpp"
@@ -65,8 +65,41 @@ Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Option
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) return detail::solve_to_accuracy(sphere, load_case, options, watch);
-  const detail::HarmonicCoating coating(sphere, load_case.angular_speed, detail::orders_up_to(options.mesh->max_order));
-  return detail::solve_on_mesh(coating, load_case, *options.mesh, options, watch);
+  const detail::MeshModel model(sphere, load_case.angular_speed, *options.mesh, options.threads, watch);
+  return detail::solve_load_case(model, load_case, options, watch);
+}
+
+struct RollingModel::Impl {
+  detail::MeshModel model;
+};
+
+RollingModel::RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads,
+                           const Observer& observer) {
+  validate(sphere);
+  viscoroll::validate(mesh);
+  detail::require_positive("angular_speed", angular_speed, "rad/s");
+  detail::require_thread_count(threads);
+  detail::Watch watch(observer);
+  impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, threads, watch}});
+}
+
+RollingModel::~RollingModel() = default;
+RollingModel::RollingModel(RollingModel&&) noexcept = default;
+RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
+
+Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
+  validate(load_case);
+  validate(options);
+  const double speed = impl_->model.coating().angular_speed();
+  if (load_case.angular_speed != speed) {
+    detail::reject("angular_speed", "that of the model, " + detail::text(speed) + " rad/s",
+                   detail::text(load_case.angular_speed) + " rad/s");
+  }
+  if (options.mesh && *options.mesh != impl_->model.mesh()) {
+    detail::reject("mesh", "left out, or that of the model", "another one");
+  }
+  detail::Watch watch(options.observer);
+  return detail::solve_load_case(impl_->model, load_case, options, watch);
 }
 
 }  // namespace viscoroll
