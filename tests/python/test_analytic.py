@@ -12,8 +12,9 @@ import pytest
 import viscoroll as vr
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from reference.bonded_layer import bonded_layer
 from scipy import integrate, optimize, special
-from viscoroll import analytic
+from viscoroll import analytic, paper
 
 RADIUS = 20e-3
 MODULUS = 3e6
@@ -362,12 +363,94 @@ def test_values_out_of_range(function, valid, changes, message):
         (analytic.hertz, HERTZ, {"radius": [1.0, 2.0]}, "radius must be a real number, got list"),
         (analytic.hertz, HERTZ, {"shear_modulus": SPRING}, "shear_modulus must be a real number, got Elastic"),
         (analytic.persson_torque, PERSSON, {"shear_modulus": 1.0}, "shear_modulus must be a modulus of viscoroll"),
+        (
+            analytic.applicable,
+            {"ball": paper.ball()},
+            {"ball": "ball"},
+            "ball must be a viscoroll.CoatedSphere",
+        ),
     ],
 )
 def test_values_of_another_type(function, valid, changes, message):
     function(**valid)
     with pytest.raises(TypeError, match=message):
         function(**valid | changes)
+
+
+def ball_of(*moduli, **material):
+    layers = [vr.Layer(thickness=0.45 * RADIUS, shear_modulus=modulus, **material) for modulus in moduli]
+    return vr.CoatedSphere(core_radius=0.1 * RADIUS, layers=layers)
+
+
+RUBBER = standard_linear_solid(2.0)
+FRACTIONAL = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=TAU, order=0.5)
+CURVE = vr.MasterCurve([0.0, 1.0, 1e9], [MODULUS, MODULUS, 2 * MODULUS], [0.0, 0.0, 1e5])
+ALL = {"low_speed", "greenwood_tabor", "persson"}
+
+
+@pytest.mark.parametrize(
+    ("ball", "names"),
+    [
+        (ball_of(RUBBER, RUBBER, poisson_ratio=0.5), ALL),
+        (ball_of(RUBBER, standard_linear_solid(3.0), poisson_ratio=0.5), set()),
+        (ball_of(RUBBER, vr.KelvinVoigt(modulus=1.0, viscosity=TAU), poisson_ratio=0.0), {"low_speed"}),
+        (ball_of(RUBBER, bulk_modulus=1e7), ALL),
+        (ball_of(RUBBER, vr.KelvinVoigt(modulus=1.0, viscosity=TAU), bulk_modulus=1e7), set()),
+        (ball_of(FRACTIONAL, poisson_ratio=0.4), {"greenwood_tabor", "persson"}),
+        (ball_of(CURVE, poisson_ratio=0.4), {"greenwood_tabor"}),
+        (ball_of(lambda omega: MODULUS + 1e3j * omega, poisson_ratio=0.5), ALL),
+    ],
+)
+def test_which_forms_a_ball_has(ball, names):
+    forms = analytic.applicable(ball)
+    assert set(forms) == names
+    loads, speeds = np.array([[1e-3], [1.0]]), np.array([1e-3, 1.0, 1e3])
+    for form in forms.values():
+        assert form(loads, speeds).shape == form.holds(loads, speeds).shape == (2, 3)
+        assert type(form(1.0, 2.0)) is float
+        assert form.validity
+        assert form(1.0, 2.0) == form.torque(1.0, 2.0)
+
+
+@pytest.mark.parametrize("material", [{"poisson_ratio": 0.4}, {"bulk_modulus": bulk_modulus(0.4)}])
+def test_forms_of_a_ball_are_the_closed_forms(material):
+    ball = ball_of(RUBBER, **material)
+    ball = vr.CoatedSphere(core_radius=0.55 * RADIUS, layers=ball.layers)
+    forms = analytic.applicable(ball)
+    sphere = {"shear_modulus": MODULUS, "poisson_ratio": 0.4}
+    bulk_viscosity = TAU * bulk_modulus(0.4) if "poisson_ratio" in material else 0.0
+    time = analytic.sphere_loss_time(**sphere, shear_viscosity=TAU * MODULUS, bulk_viscosity=bulk_viscosity)
+    case = {"load": 2.0, "angular_speed": 0.3}
+    expected = {
+        "low_speed": analytic.low_speed_torque(**case, radius=RADIUS, loss_time=time),
+        "greenwood_tabor": analytic.greenwood_tabor_torque(load=2.0, radius=RADIUS, **sphere),
+        "persson": analytic.persson_torque(**case, radius=RADIUS, shear_modulus=RUBBER, **material),
+    }
+    assert {name: form(**case) for name, form in forms.items()} == close(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("material", [{"poisson_ratio": 0.5}, {"bulk_modulus": 1e2 * MODULUS}])
+def test_forms_hold_for_small_contacts_and_slow_rolling(material):
+    # Core 0.45 and thickness 0.55 of the radius, so that a fifth of the thickness is 0.11 R.
+    ball = ball_of(RUBBER, **material)
+    ball = vr.CoatedSphere(core_radius=0.55 * RADIUS, layers=ball.layers)
+    forms = analytic.applicable(ball)
+    small, large = hertz_load(np.array([0.08, 0.1]) * RADIUS, 0.5)
+    for name in ("greenwood_tabor", "persson"):
+        assert forms[name].holds([small, large], 1.0).tolist() == [True, False]
+    # 5 % of the small contact radius is 0.004 R.
+    assert forms["low_speed"].holds(small, np.array([0.3, 0.5])).tolist() == [True, False]
+    assert forms["low_speed"].holds(large, 0.3) == ("poisson_ratio" in material)
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
+def test_low_speed_on_a_thin_coating_is_measured_against_its_contact(poisson_ratio):
+    # a/h = 20: the exact contact radius decides, to 10 %.
+    load = bonded_layer(20, poisson_ratio)[0] * MODULUS * 1e-3**3 / 0.25
+    layer = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=poisson_ratio)
+    form = analytic.applicable(vr.CoatedSphere(core_radius=0.249, layers=[layer]))["low_speed"]
+    limit = 0.05 * 20e-3 / (0.25 * TAU)
+    assert form.holds(load, np.array([0.99, 1.1]) * limit).tolist() == [True, False]
 
 
 def test_everything_public_is_documented_with_an_example():

@@ -9,17 +9,20 @@
 
 Contacts at rest: `hertz`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques: `low_speed_torque`
 with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`; `greenwood_tabor_torque`;
-`persson_torque`. Loads and speeds may be arrays.
+`persson_torque`. `applicable` says which torques a ball has. Loads and speeds may be arrays.
 
 All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
 """
 
+from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
 from .low_speed import brilliantov_poschel_time, loss_time, low_speed_torque, sphere_loss_time
 
 __all__ = [
+    "ClosedForm",
     "PointContact",
+    "applicable",
     "brilliantov_poschel_time",
     "greenwood_tabor_torque",
     "hertz",
