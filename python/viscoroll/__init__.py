@@ -11,6 +11,7 @@
 All quantities are in SI units; angles are in radians and all moduli are shear moduli.
 """
 
+from . import analytic
 from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, SlipKinematics, Status, __version__
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
@@ -56,6 +57,7 @@ __all__ = [
     "StandardLinearSolid",
     "Status",
     "__version__",
+    "analytic",
     "centrifugal_displacement",
     "critical_speed",
     "influence_tables",

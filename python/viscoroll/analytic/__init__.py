@@ -1,0 +1,35 @@
+"""Closed forms to set beside the solver: each holds in a limit, and none is used by it.
+
+    >>> from viscoroll import StandardLinearSolid, analytic
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> time = analytic.loss_time(rubber)
+    >>> torque = analytic.low_speed_torque(load=100.0, angular_speed=1e-3, radius=21e-3, loss_time=time)
+    >>> f"{torque * 1e3:.4f} mN m"
+    '0.2625 mN m'
+
+Contacts at rest: `hertz`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques: `low_speed_torque`
+with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`; `greenwood_tabor_torque`;
+`persson_torque`. `applicable` says which torques a ball has. Loads and speeds may be arrays.
+
+All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
+"""
+
+from .applicable import ClosedForm, applicable
+from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
+from .half_space import greenwood_tabor_torque, persson_torque
+from .low_speed import brilliantov_poschel_time, loss_time, low_speed_torque, sphere_loss_time
+
+__all__ = [
+    "ClosedForm",
+    "PointContact",
+    "applicable",
+    "brilliantov_poschel_time",
+    "greenwood_tabor_torque",
+    "hertz",
+    "loss_time",
+    "low_speed_torque",
+    "persson_torque",
+    "sphere_loss_time",
+    "thin_compressible_layer",
+    "thin_incompressible_layer",
+]

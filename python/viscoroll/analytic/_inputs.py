@@ -1,0 +1,97 @@
+"""Arguments of the closed forms: shape, type and range, in the words of the core."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from .. import _core
+from .._arrays import as_float
+from ..materials import ShearModulusLike, to_core
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Floats", "complex_modulus", "fraction", "nonnegative", "plain", "poisson", "positive", "positives"]
+
+#: A float where all arguments are numbers, else an array of their common shape.
+Floats: TypeAlias = "float | NDArray[np.float64]"
+
+
+def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
+    """Return numbers > 0 of any shape.
+
+    Raises
+    ------
+    TypeError
+        Where an entry is not a real number.
+    ValueError
+        Where one is not finite and > 0.
+    """
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
+    bad = array[~(np.isfinite(array) & (array > 0.0))]
+    if bad.size:
+        raise ValueError(f"{name} must be > 0 {unit}, got {bad[0]:g}")
+    return array.astype(np.float64)
+
+
+def positive(name: str, value: object, unit: str) -> float:
+    """Return one number > 0, or raise as `positives` does."""
+    return float(positives(name, as_float(name, value), unit))
+
+
+def nonnegative(name: str, value: object, unit: str = "") -> float:
+    """Return one number ≥ 0.
+
+    Raises
+    ------
+    ValueError
+        Where it is not finite and ≥ 0.
+    """
+    number = as_float(name, value)
+    if not (np.isfinite(number) and number >= 0.0):
+        raise ValueError(f"{name} must be >= {f'0 {unit}'.strip()}, got {number:g}")
+    return number
+
+
+def fraction(name: str, value: object) -> float:
+    """Return a number in [0, 1].
+
+    Raises
+    ------
+    ValueError
+        Where it is outside.
+    """
+    number = as_float(name, value)
+    if not 0.0 <= number <= 1.0:
+        raise ValueError(f"{name} must be in [0, 1], got {number:g}")
+    return number
+
+
+def poisson(value: object, *, compressible: bool = False) -> float:
+    """Return a Poisson's ratio in (-1, 0.5], or in (-1, 0.5) for a `compressible` material.
+
+    Raises
+    ------
+    ValueError
+        Where it is outside.
+    """
+    number = as_float("poisson_ratio", value)
+    if not (-1.0 < number < 0.5 or (number == 0.5 and not compressible)):
+        raise ValueError(f"poisson_ratio must be in (-1, 0.5{')' if compressible else ']'}, got {number:g}")
+    return number
+
+
+def complex_modulus(modulus: ShearModulusLike, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
+    """Evaluate any accepted modulus [Pa] at ω [rad/s] of any shape, with the checks of the core."""
+    omega = np.asarray(angular_frequency, dtype=np.float64)
+    return _core.complex_modulus(to_core(modulus), omega.ravel()).reshape(omega.shape)
+
+
+def plain(values: ArrayLike) -> Floats:
+    """Return a float for a single value, and the array otherwise."""
+    array = np.asarray(values, dtype=np.float64)
+    return float(array) if array.ndim == 0 else array

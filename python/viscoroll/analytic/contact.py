@@ -1,0 +1,220 @@
+"""Contacts at rest between a rigid plane and an elastic or coated ball: thick and thin limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ._inputs import Floats, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["PointContact", "hertz", "thin_compressible_layer", "thin_incompressible_layer"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class PointContact:
+    """Contact on a disk, with the pressure p₀ (1 - r²/a²)ᵏ.
+
+    Attributes
+    ----------
+    radius : float or ndarray
+        Contact radius a [m].
+    approach : float or ndarray
+        d, by which ball and plane come closer [m]; `penetration` of a solve.
+    max_pressure : float or ndarray
+        p₀, at the center [Pa].
+    exponent : float
+        k [-]: 1/2 for Hertz, 1 and 2 for a thin layer that is compressible and incompressible.
+    """
+
+    radius: Floats
+    approach: Floats
+    max_pressure: Floats
+    exponent: float
+
+    def pressure(self, distance: ArrayLike) -> Floats:
+        """Pressure at a distance from the center [Pa], 0 outside of the contact.
+
+        Parameters
+        ----------
+        distance : array_like
+            r [m], of a shape that broadcasts with the radius.
+
+        Returns
+        -------
+        float or ndarray
+            p(r) [Pa].
+
+        Examples
+        --------
+        >>> hertz(load=100.0, radius=20e-3, shear_modulus=3e6, poisson_ratio=0.5).pressure(1.0)
+        0.0
+        """
+        inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.radius) ** 2, 0.0, None)
+        return plain(self.max_pressure * inside**self.exponent)
+
+
+def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> PointContact:
+    """Contact of a rigid plane with a solid elastic sphere: a³ = 3 (1-ν) P R / (8 G), d = a²/R.
+
+    Valid without friction for a ≪ R, and on a coating for a ≪ h. The center of a sphere comes closer by less than a²/R,
+    in proportion to a/R: the solver finds 4 % less at a/R = 0.1 and 2 % at 0.05.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    radius : float
+        R [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5].
+
+    Returns
+    -------
+    PointContact
+        With the exponent 1/2 and p₀ = 3P / (2πa²).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, equations (4.22) to (4.24).
+
+    Examples
+    --------
+    >>> contact = hertz(load=100.0, radius=20e-3, shear_modulus=3e6, poisson_ratio=0.5)
+    >>> f"{contact.radius * 1e3:.3f} mm"
+    '5.000 mm'
+    """
+    force, size = positives("load", load, "N"), positive("radius", radius, "m")
+    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    a = np.cbrt(3.0 * (1.0 - poisson(poisson_ratio)) * force * size / (8.0 * stiffness))
+    return _on_disk(force, a, approach=a**2 / size, exponent=0.5)
+
+
+def thin_compressible_layer(
+    *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float, poisson_ratio: float
+) -> PointContact:
+    """Contact on a thin compressible coating, a bed of springs: P = π M a⁴ / (4 R h), d = a²/(2R).
+
+    M = λ + 2μ = 2 G (1-ν)/(1-2ν) is the modulus of a layer that cannot give way sideways. Valid for a ≫ h, and only
+    where the layer yields by its volume, (1-2ν) a² ≫ h². It is the leading term in h/a: at ν = 0.3 the exact load at
+    given a is larger by the share 0.49 h/a.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    radius : float
+        Outer radius R [m], > 0.
+    thickness : float
+        h of the coating [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5).
+
+    Returns
+    -------
+    PointContact
+        With the exponent 1 and p₀ = M a² / (2 R h).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    Johnson, Contact Mechanics, section 5.8 (in the plane); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235.
+
+    Examples
+    --------
+    >>> contact = thin_compressible_layer(
+    ...     load=100.0, radius=20e-3, thickness=0.1e-3, shear_modulus=3e6, poisson_ratio=0.3
+    ... )
+    >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
+    '22.2 thicknesses'
+    """
+    force, size, h = (
+        positives("load", load, "N"),
+        positive("radius", radius, "m"),
+        positive("thickness", thickness, "m"),
+    )
+    nu = poisson(poisson_ratio, compressible=True)
+    confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    a = (4.0 * force * size * h / (np.pi * confined)) ** 0.25
+    return _on_disk(force, a, approach=a**2 / (2.0 * size), exponent=1.0)
+
+
+def thin_incompressible_layer(
+    *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float
+) -> PointContact:
+    """Contact on a thin incompressible bonded coating, without friction: P = π G a⁶ / (32 R h³), d = a²/(4R).
+
+    The coating is squeezed out sideways like a film that sticks to the core and slips on the plane:
+    (h³/3G) ∇²p = -(d - r²/2R), with p = 0 and no flow at the edge. Valid for a ≫ h, but slow to become so: at given a
+    the exact load is 2.2 times as large at a = 10 h, and larger by the share 8.8 h/a in the limit. The load at given d,
+    2π G R² d³/h³, is much closer: 13 % below the exact one at a = 10 h, 4 % at 20 h.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    radius : float
+        Outer radius R [m], > 0.
+    thickness : float
+        h of the coating [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+
+    Returns
+    -------
+    PointContact
+        With the exponent 2 and p₀ = 3 G a⁴ / (32 R h³).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    Johnson, Contact Mechanics, section 5.8 (in the plane); M. J. Jaffar, Int. J. Mech. Sci. 31 (1989) 229-235;
+    J. R. Barber, Int. J. Mech. Sci. 32 (1990) 129-132.
+
+    Examples
+    --------
+    >>> contact = thin_incompressible_layer(load=100.0, radius=20e-3, thickness=0.1e-3, shear_modulus=3e6)
+    >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
+    '13.8 thicknesses'
+    """
+    force, size, h = (
+        positives("load", load, "N"),
+        positive("radius", radius, "m"),
+        positive("thickness", thickness, "m"),
+    )
+    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    a = (32.0 * force * size * h**3 / (np.pi * stiffness)) ** (1.0 / 6.0)
+    return _on_disk(force, a, approach=a**2 / (4.0 * size), exponent=2.0)
+
+
+def _on_disk(
+    load: NDArray[np.float64], a: NDArray[np.float64], *, approach: NDArray[np.float64], exponent: float
+) -> PointContact:
+    """Fit the pressure p₀ (1 - r²/a²)ᵏ, whose sum is π a² p₀ / (k+1), to the load."""
+    return PointContact(
+        radius=plain(a),
+        approach=plain(approach),
+        max_pressure=plain((exponent + 1.0) * load / (np.pi * a**2)),
+        exponent=exponent,
+    )

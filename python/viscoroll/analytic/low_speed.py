@@ -1,0 +1,212 @@
+"""Rolling so slowly that the torque grows in proportion to speed: T = P Ω R t, with a time t of the material."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ._inputs import Floats, complex_modulus, nonnegative, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ..materials import ShearModulusLike
+
+__all__ = ["brilliantov_poschel_time", "loss_time", "low_speed_torque", "sphere_loss_time"]
+
+#: Frequencies [rad/s] at which a modulus shows its behavior at rest: far below those of any material in use.
+_AT_REST = np.array([1e-12, 1e-9])
+
+
+def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float, loss_time: float) -> Floats:
+    """Resisting torque of slow rolling, T = P Ω R t.
+
+    Holds for any load, thickness and number of layers, as long as the compliance of the surface at small ω is real but
+    for one factor 1 - iωt. Then the power lost is Ω² t ∫ p (-∂²u/∂φ²) dA, and the surface follows the plane wherever p
+    is not 0, so that -∂²u/∂φ² = R and the integral is P R, whatever the shape of the contact.
+
+    Valid without friction and inertia, with the radial compliance (the vertical one differs by a share of the order of
+    the strain), for Ω R t ≪ a with the contact radius a. It is approached slowly: a solid sphere of a standard linear
+    solid with half of its instantaneous modulus at rest has 10 % less at Ω R t = 0.05 a.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    angular_speed : array_like
+        Ω [rad/s], > 0.
+    radius : float
+        Outer radius R [m], > 0.
+    loss_time : float
+        t [s], ≥ 0. For a coating: the `loss_time` that all layers share, each with a real Poisson's ratio. For a solid
+        sphere whose bulk and shear are lossy in different degrees: `sphere_loss_time`.
+
+    Returns
+    -------
+    float or ndarray
+        T [N m].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    docs/theory.md, section 5; for spheres N. V. Brilliantov and T. Pöschel, Europhys. Lett. 42 (1998) 511-516.
+
+    Examples
+    --------
+    >>> low_speed_torque(load=100.0, angular_speed=[1e-3, 2e-3], radius=21e-3, loss_time=0.125)
+    array([0.0002625, 0.000525 ])
+    """
+    force, speed = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
+    return plain(force * speed * positive("radius", radius, "m") * nonnegative("loss_time", loss_time, "s"))
+
+
+def loss_time(shear_modulus: ShearModulusLike) -> float:
+    """Time t of a material at rest, lim G″(ω) / (ω G′(ω)) for ω → 0.
+
+    It is Σ g_k τ_k / g_∞ of a Prony series and η/G of a Kelvin-Voigt solid, and 0 without loss.
+
+    Parameters
+    ----------
+    shear_modulus : ShearModulus or callable
+        μ*(ω) [Pa], as in `Layer`.
+
+    Returns
+    -------
+    float
+        t [s], ≥ 0.
+
+    Raises
+    ------
+    TypeError
+        For something else than a modulus.
+    ValueError
+        Where the limit does not exist, as for a fractional solid of an order below 1 and for a master curve that does
+        not reach down to ω = 0.
+
+    References
+    ----------
+    docs/theory.md, section 5.
+
+    Examples
+    --------
+    >>> from viscoroll import Prony
+    >>> series = Prony(instantaneous_modulus=6e6, weights=[0.3, 0.2], relaxation_times=[0.1, 1.0])
+    >>> f"{loss_time(series):.3f} s"
+    '0.460 s'
+    """
+    modulus = complex_modulus(shear_modulus, _AT_REST)
+    slowest, slow = (modulus.imag / modulus.real / _AT_REST).tolist()
+    if abs(slowest - slow) > 1e-6 * slow:
+        raise ValueError(
+            "shear_modulus must have a loss modulus in proportion to frequency near 0 rad/s, got G''/(ω G') = "
+            f"{slowest:g} s at {_AT_REST[0]:g} rad/s and {slow:g} s at {_AT_REST[1]:g} rad/s"
+        )
+    return float(slow)
+
+
+def sphere_loss_time(
+    *, shear_modulus: float, poisson_ratio: float, shear_viscosity: float, bulk_viscosity: float = 0.0
+) -> float:
+    """Time t of a solid Kelvin-Voigt sphere, whose surface sees shear and bulk together.
+
+    t = (1+ν)/(Y (1-ν)) · [(4/3) (1-ν+ν²) η_s + (1-2ν)² η_b] with Young's modulus Y = 2G (1+ν).
+
+    It is -d/dω of the phase of a half-space's compliance (1-ν*)/G* = (3K*+4G*) / (2G* (3K*+G*)) at ω = 0, with
+    G* = G + iωη_s and K* = K + iωη_b. It is η_s/G at ν = 1/2, and wherever both viscosities share one time,
+    η_s/G = η_b/K. Valid for the radius of contact well below that of the sphere (or the thickness of a coating).
+
+    Parameters
+    ----------
+    shear_modulus : float
+        G at rest [Pa], > 0.
+    poisson_ratio : float
+        ν at rest [-], in (-1, 0.5].
+    shear_viscosity : float
+        η_s [Pa s], ≥ 0; `loss_time` times G for any material.
+    bulk_viscosity : float, default 0
+        η_b [Pa s], ≥ 0.
+
+    Returns
+    -------
+    float
+        t [s], for `low_speed_torque`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    See Also
+    --------
+    brilliantov_poschel_time : the coefficient of 1998, which this one corrects.
+
+    References
+    ----------
+    D. S. Goldobin, E. A. Susloparov, A. V. Pimenova and N. V. Brilliantov, Eur. Phys. J. E 38 (2015) 55, for the force
+    between colliding spheres, which has the same coefficient.
+
+    Examples
+    --------
+    >>> sphere_loss_time(shear_modulus=1e6, poisson_ratio=0.5, shear_viscosity=1e3)
+    0.001
+    """
+    modulus, nu = positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
+    shear = 4.0 / 3.0 * (1.0 - nu + nu**2) * nonnegative("shear_viscosity", shear_viscosity, "Pa s")
+    bulk = (1.0 - 2.0 * nu) ** 2 * nonnegative("bulk_viscosity", bulk_viscosity, "Pa s")
+    return (shear + bulk) / (2.0 * modulus * (1.0 - nu))
+
+
+def brilliantov_poschel_time(
+    *, shear_modulus: float, poisson_ratio: float, shear_viscosity: float, bulk_viscosity: float = 0.0
+) -> float:
+    """Coefficient of Brilliantov and Pöschel (1998) as printed, for comparison; `sphere_loss_time` is the right one.
+
+    t = (1/3) (3η₂-η₁)²/(3η₂+2η₁) · (1-ν²)(1-2ν)/(Y ν²) with η₁ = 2η_s and η₂ = η_b.
+
+    Its derivation errs in a change of coordinates, as Zheng et al. (2011) found. It is right where both viscosities
+    share one time, η_s/G = η_b/K. Elsewhere it vanishes at ν = 1/2 for any shear viscosity, and where η₁ = 3η₂, and it
+    grows without bound for ν → 0. With η_b = 0 it is 18, 0.69 and 0.15 times the right one at ν = 0.1, 0.3 and 0.4.
+
+    Parameters
+    ----------
+    shear_modulus : float
+        G at rest [Pa], > 0.
+    poisson_ratio : float
+        ν at rest [-], in (-1, 0.5], not 0.
+    shear_viscosity : float
+        η_s [Pa s], > 0.
+    bulk_viscosity : float, default 0
+        η_b [Pa s], ≥ 0.
+
+    Returns
+    -------
+    float
+        t [s], for `low_speed_torque`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    N. V. Brilliantov and T. Pöschel, Europhys. Lett. 42 (1998) 511-516; its error: Zheng et al. (2011), as reported in
+    the introduction of G.-P. Zéhil and H. P. Gavin, "Rolling resistance of a rigid sphere with viscoelastic coatings".
+
+    Examples
+    --------
+    >>> brilliantov_poschel_time(shear_modulus=1e6, poisson_ratio=0.5, shear_viscosity=1e3)
+    0.0
+    """
+    modulus, nu = positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
+    if nu == 0.0:
+        raise ValueError("poisson_ratio must be in (-1, 0.5] and not 0, where the coefficient is infinite, got 0")
+    eta1 = 2.0 * positive("shear_viscosity", shear_viscosity, "Pa s")
+    eta2 = nonnegative("bulk_viscosity", bulk_viscosity, "Pa s")
+    viscosity = (3.0 * eta2 - eta1) ** 2 / (3.0 * eta2 + 2.0 * eta1)
+    return viscosity * (1.0 - nu) * (1.0 - 2.0 * nu) / (6.0 * modulus * nu**2)
