@@ -91,8 +91,8 @@ void friction_sweep(benchmark::State& state) {
   state.counters["error"] = error;
 }
 
-/// 200 speeds from 0.05 to 25 rad/s by ten loads from 10 to 100 N at pi/250, a speed to a thread; the error is that of the
-/// paper's example, which is one of them.
+/// 200 speeds from 0.05 to 25 rad/s by ten loads from 10 to 100 N at pi/250, a speed to a thread; the error is that of
+/// the paper's example, which is one of them.
 void speed_sweep(benchmark::State& state) {
   constexpr int kExample = 125;  // number of the example's speed
   const CoatedSphere sphere = cases::paper_sphere();

@@ -12,7 +12,16 @@ All quantities are in SI units; angles are in radians and all moduli are shear m
 """
 
 from . import analytic
-from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, SlipKinematics, Status, __version__
+from ._core import (
+    Compliance,
+    ConvergenceError,
+    Extrapolation,
+    InnerBoundary,
+    PatchLoad,
+    SlipKinematics,
+    Status,
+    __version__,
+)
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .materials import (
@@ -43,6 +52,7 @@ __all__ = [
     "Elastic",
     "Extrapolation",
     "FractionalZener",
+    "InnerBoundary",
     "KelvinVoigt",
     "Layer",
     "MasterCurve",
