@@ -33,6 +33,7 @@ from .orders import (
 )
 from .result import Refinement, Result
 from .rolling import solve
+from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
     "CoatedSphere",
@@ -41,11 +42,13 @@ __all__ = [
     "Drive",
     "Elastic",
     "Extrapolation",
+    "Fit",
     "FractionalZener",
     "KelvinVoigt",
     "Layer",
     "MasterCurve",
     "Mesh",
+    "Parameter",
     "PatchLoad",
     "Prony",
     "Refinement",
@@ -57,8 +60,12 @@ __all__ = [
     "__version__",
     "centrifugal_displacement",
     "critical_speed",
+    "fit_friction_law",
+    "fit_power_law",
+    "fit_thickness_law",
     "influence_tables",
     "solve",
     "state_matrix",
     "surface_compliance",
+    "sweep",
 ]
