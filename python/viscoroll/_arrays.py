@@ -3,27 +3,53 @@
 from __future__ import annotations
 
 import operator
+import sys
+from collections.abc import Callable, Sequence
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._text import shown
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["as_float", "as_floats", "as_int", "as_orders", "require_type"]
+__all__ = [
+    "as_float",
+    "as_float_array",
+    "as_floats",
+    "as_int",
+    "as_orders",
+    "require_callable",
+    "require_type",
+    "store_floats",
+]
 
 
-def require_type(name: str, value: object, wanted: type) -> None:
-    """Refuse a value of another type than a class of this package.
+def require_type(name: str, value: object, kind: type, *, optional: bool = False) -> None:
+    """Refuse a value that is not of a class of this package.
 
     Raises
     ------
     TypeError
-        Naming the parameter and the class.
+        Where `value` is not of `kind`, nor None where that is `optional`.
     """
-    if not isinstance(value, wanted):
-        raise TypeError(f"{name} must be a viscoroll.{wanted.__name__}, got {value!r}")
+    if not (isinstance(value, kind) or (optional and value is None)):
+        wanted = f"a viscoroll.{kind.__name__}{' or None' if optional else ''}"
+        raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
+
+
+def require_callable(name: str, value: object) -> None:
+    """Refuse a value that is neither callable nor None.
+
+    Raises
+    ------
+    TypeError
+        Where it is something else.
+    """
+    if value is not None and not callable(value):
+        raise TypeError(f"{name} must be callable or None, got {shown(value)}")
 
 
 def as_float(name: str, value: object) -> float:
@@ -33,12 +59,17 @@ def as_float(name: str, value: object) -> float:
     ------
     TypeError
         Where `value` is not a real number: a string, a complex number, an array of several, None.
+    ValueError
+        Where it is beyond the range of a float.
     """
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, bool) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a real number, got {_described(value)}")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in size, got {shown(value)}") from None
 
 
 def as_int(name: str, value: object) -> int:
@@ -58,8 +89,24 @@ def as_int(name: str, value: object) -> int:
     except TypeError:
         raise TypeError(f"{name} must be a whole number, got {_described(value)}") from None
     if abs(number) > 2**31 - 1:
-        raise ValueError(f"{name} must fit into 32 bits, got {number}")
+        raise ValueError(f"{name} must fit into 32 bits, got {shown(number)}")
     return number
+
+
+def as_float_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return real numbers of any shape as an array of floats.
+
+    Raises
+    ------
+    TypeError
+        Where an entry is not a real number.
+    ValueError
+        Where an entry is beyond the range of a float, or rows differ in length.
+    """
+    array = _each(as_float, name, _as_array(name, values))
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
+    return array.astype(np.float64)
 
 
 def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
@@ -70,17 +117,12 @@ def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
     TypeError
         Where an entry is not a real number.
     ValueError
-        Where `values` is not one-dimensional.
+        Where `values` is not one-dimensional, or an entry is beyond the range of a float.
     """
-    try:
-        array = np.asarray(values)
-    except ValueError:
-        raise ValueError(f"{name} must be one-dimensional, got rows of different lengths") from None
+    array = _as_array(name, values, wanted="one-dimensional")
     if array.ndim != 1:
         raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")
-    if array.size and array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
-    return tuple(float(value) for value in array)
+    return tuple(as_float_array(name, array).tolist())
 
 
 def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
@@ -91,9 +133,9 @@ def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
     TypeError
         Where the entries are not integers.
     ValueError
-        Where an entry is above 1e6 in size, beyond any order of use.
+        Where an entry is above 1e6 in size, beyond any order of use, or rows differ in length.
     """
-    array = np.asarray(values)
+    array = _each(as_int, name, _as_array(name, values))
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must hold whole numbers, got {array.dtype} entries")
     if array.size and max(-int(array.min()), int(array.max())) > 10**6:
@@ -101,5 +143,40 @@ def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
     return array.astype(np.int32)
 
 
+def store_floats(target: object, names: Sequence[str], *, optional: Sequence[str] = (), prefix: str = "") -> None:
+    """Replace attributes of a frozen object by floats, so that it holds nothing mutable; `optional` ones may be None.
+
+    Raises
+    ------
+    TypeError
+        Where one is not a real number; the message names it behind `prefix`.
+    ValueError
+        Where one is beyond the range of a float.
+    """
+    given = [name for name in optional if getattr(target, name) is not None]
+    for name in (*names, *given):
+        object.__setattr__(target, name, as_float(f"{prefix}{name}", getattr(target, name)))
+
+
+def _as_array(name: str, values: ArrayLike, *, wanted: str = "an array") -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} must be {wanted}, got rows of different lengths") from None
+
+
+def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any]) -> NDArray[Any]:
+    """Convert the entries of an array of objects one by one: NumPy keeps integers beyond 64 bits as such."""
+    if array.dtype.kind != "O":
+        return array
+    entries = [
+        convert(f"{name}[{', '.join(map(str, index))}]" if index else name, value)
+        for index, value in np.ndenumerate(array)
+    ]
+    return np.array(entries).reshape(array.shape)
+
+
 def _described(value: Any) -> str:
-    return f"{type(value).__name__} {value!r}" if not isinstance(value, np.ndarray) else f"array of shape {value.shape}"
+    if isinstance(value, np.ndarray):
+        return f"array of shape {value.shape}"
+    return f"{type(value).__name__} {shown(value)}"

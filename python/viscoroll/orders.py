@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _core
-from ._arrays import as_float, as_int, as_orders
+from ._arrays import as_float, as_int, as_orders, require_callable, require_type
+from ._text import shown
+from .geometry import CoatedSphere, Layer
+from .mesh import Mesh
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import ArrayLike, NDArray
-
-    from .geometry import CoatedSphere, Layer
-    from .mesh import Mesh
 
 __all__ = ["centrifugal_displacement", "critical_speed", "influence_tables", "state_matrix", "surface_compliance"]
 
@@ -44,7 +44,7 @@ def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n
     Raises
     ------
     TypeError
-        For orders that are not integers.
+        For arguments of another type, and orders that are not integers.
     ValueError
         For bad input, and for speeds at or above the critical one.
 
@@ -61,7 +61,8 @@ def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n
     >>> surface_compliance(ball, 1.0, [10, 20], 0).shape
     (2, 3, 3)
     """
-    orders_m, orders_n = np.broadcast_arrays(as_orders("m", m), as_orders("n", n))
+    require_type("ball", ball, CoatedSphere)
+    orders_m, orders_n = _broadcast(as_orders("m", m), as_orders("n", n))
     compliance = _core.surface_compliance(
         ball._to_core(),
         np.ascontiguousarray(orders_m.ravel()),
@@ -92,6 +93,8 @@ def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: i
 
     Raises
     ------
+    TypeError
+        For arguments of another type.
     ValueError
         For bad input.
 
@@ -99,6 +102,7 @@ def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: i
     ----------
     Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
     """
+    require_type("layer", layer, Layer)
     return _core.state_matrix(
         layer._to_core(),
         angular_speed=as_float("angular_speed", angular_speed),
@@ -125,9 +129,12 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
 
     Raises
     ------
+    TypeError
+        For arguments of another type.
     ValueError
         For bad input, and for speeds at or above the critical one.
     """
+    require_type("ball", ball, CoatedSphere)
     return _core.centrifugal_displacement(ball._to_core(), angular_speed=as_float("angular_speed", angular_speed))
 
 
@@ -151,9 +158,12 @@ def critical_speed(ball: CoatedSphere, *, highest_frequency: float = 1e9) -> flo
 
     Raises
     ------
+    TypeError
+        For arguments of another type.
     ValueError
         For bad input.
     """
+    require_type("ball", ball, CoatedSphere)
     return _core.critical_speed(ball._to_core(), highest_frequency=as_float("highest_frequency", highest_frequency))
 
 
@@ -191,16 +201,38 @@ def influence_tables(
 
     Raises
     ------
+    TypeError
+        For arguments of another type.
     ValueError
         For bad input, and for speeds at or above the critical one.
     """
-    phi_reach, theta_reach = (reach, reach) if not isinstance(reach, tuple) else reach
+    require_type("ball", ball, CoatedSphere)
+    require_type("mesh", mesh, Mesh)
+    require_callable("progress", progress)
+    phi_reach, theta_reach = _pair("reach", reach)
     return _core.influence_tables(
         ball._to_core(),
         mesh._to_core(),
         angular_speed=as_float("angular_speed", angular_speed),
-        phi_reach=as_int("reach", phi_reach),
-        theta_reach=as_int("reach", theta_reach),
+        phi_reach=phi_reach,
+        theta_reach=theta_reach,
         threads=as_int("threads", threads),
         progress=progress,
     )
+
+
+def _broadcast(m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    try:
+        shape = np.broadcast_shapes(m.shape, n.shape)
+    except ValueError:
+        raise ValueError(f"m and n must have shapes that broadcast, got {m.shape} and {n.shape}") from None
+    return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
+
+
+def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:
+    """Return one number twice, and two as they are."""
+    if not isinstance(value, tuple):
+        return (as_int(name, value),) * 2
+    if len(value) != 2:
+        raise ValueError(f"{name} must be one whole number or two, got {shown(value)}")
+    return as_int(f"{name}[0]", value[0]), as_int(f"{name}[1]", value[1])

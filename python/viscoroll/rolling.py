@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import as_float, as_int, require_type
+from ._arrays import as_float, as_int, require_callable, require_type
 from ._core import Compliance, PatchLoad, SlipKinematics
+from ._text import shown
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
@@ -103,10 +104,9 @@ def solve(
     'CONVERGED'
     """
     require_type("ball", ball, CoatedSphere)
-    if mesh is not None and not isinstance(mesh, Mesh):
-        raise TypeError(f"mesh must be a viscoroll.Mesh or None, got {mesh!r}")
+    require_type("mesh", mesh, Mesh, optional=True)
     if mesh is not None and accuracy is not None:
-        raise ValueError(f"accuracy must be left out where a mesh is given, got {accuracy!r}")
+        raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress)
     solution = _core.solve(
@@ -161,7 +161,7 @@ class RollingModel:
     ) -> None:
         require_type("ball", ball, CoatedSphere)
         require_type("mesh", mesh, Mesh)
-        _require_callable(progress)
+        require_callable("progress", progress)
         self.ball = ball
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
@@ -206,11 +206,6 @@ def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh) -> Rolling
     return RollingModel(ball, angular_speed=angular_speed, mesh=mesh)
 
 
-def _require_callable(progress: object) -> None:
-    if progress is not None and not callable(progress):
-        raise TypeError(f"progress must be callable or None, got {progress!r}")
-
-
 def _core_case(
     load: float,
     friction: float,
@@ -227,7 +222,7 @@ def _core_case(
     require_type("patch_load", patch_load, PatchLoad)
     require_type("slip_kinematics", slip_kinematics, SlipKinematics)
     require_type("drive", drive, Drive)
-    _require_callable(progress)
+    require_callable("progress", progress)
     return {
         "load": as_float("load", load),
         "friction": as_float("friction", friction),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -53,6 +54,25 @@ def test_positive_numbers(make, valid, name, unit, value):
 def test_numbers_that_are_none(make, valid, name, unit, value):
     with pytest.raises(TypeError, match=rf"^{name} must be a real number, got "):
         make(**valid | {name: value})
+
+
+@pytest.mark.parametrize(("sign", "exponent"), [(1, 400), (-3, 5000)])
+@pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
+def test_integers_beyond_floats(make, valid, name, unit, sign, exponent):
+    # The second is beyond what Python writes in decimal, too.
+    with pytest.raises(ValueError, match=rf"^{name} must be <= 1.8e\+308 in size, got about {sign}e{exponent}$"):
+        make(**valid | {name: sign * 10**exponent})
+
+
+def test_numbers_beyond_floats_in_arrays(paper_ball):
+    with pytest.raises(ValueError, match=r"^weights\[1\] must be <= 1.8e\+308 in size, got about 1e400$"):
+        vr.Prony(**PRONY | {"weights": [0.3, 10**400]})
+    with pytest.raises(ValueError, match=r"^load must be <= .*, got Fraction\(1000.*\.\.\.$"):
+        solve(load=Fraction(10**400))
+    with pytest.raises(ValueError, match=r"^m\[0\] must fit into 32 bits, got about 1e400$"):
+        vr.surface_compliance(paper_ball, 2.5, [10**400], 1)
+    with pytest.raises(ValueError, match=r"^max_order must fit into 32 bits, got about 1e5000$"):
+        vr.Mesh(**MESH | {"max_order": 10**5000})
 
 
 def test_numpy_scalars_are_numbers():
@@ -134,6 +154,53 @@ def test_something_else_than_a_ball():
         vr.solve("ball", **CASE)
 
 
+def tables(ball=None, mesh=None, **options):
+    ball = paper.ball() if ball is None else ball
+    return vr.influence_tables(ball, 2.5, vr.Mesh(**MESH) if mesh is None else mesh, **{"reach": 3} | options)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: vr.critical_speed(3), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: vr.surface_compliance(3, 2.5, 1, 1), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: vr.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: vr.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),
+        (lambda: tables(ball=3), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: tables(mesh=3), "mesh must be a viscoroll.Mesh, got 3"),
+        (lambda: tables(progress=3), "progress must be callable or None, got 3"),
+        (lambda: tables(reach=[1, 2]), r"reach must be a whole number, got list \[1, 2\]"),
+        (lambda: tables(reach=(1, 2.0)), r"reach\[1\] must be a whole number, got float 2.0"),
+        (lambda: solve(drive=0.1), "drive must be a viscoroll.Drive, got 0.1"),
+        (lambda: solve(slip_kinematics="exact"), "slip_kinematics must be a viscoroll.SlipKinematics, got 'exact'"),
+    ],
+)
+def test_arguments_of_another_type(call, message):
+    with pytest.raises(TypeError, match=f"^{message}$"):
+        call()
+
+
+def test_reach_is_one_number_or_two():
+    assert tables(reach=(1, 2)).shape == (3, 3, 3, 5)
+    with pytest.raises(ValueError, match=r"^reach must be one whole number or two, got \(1, 2, 3\)$"):
+        tables(reach=(1, 2, 3))
+
+
+def test_long_values_are_cut(paper_ball):
+    with pytest.raises(TypeError, match=r"^mesh must be a viscoroll.Mesh or None, got \[0, 1, .*\.\.\.$") as caught:
+        vr.solve(paper_ball, **CASE, mesh=list(range(10000)))
+    assert len(str(caught.value)) < 200
+
+
+def test_values_without_a_repr():
+    def fails(self):
+        raise RuntimeError
+
+    unprintable = type("Unprintable", (), {"__repr__": fails})
+    with pytest.raises(TypeError, match=r"^load must be a real number, got Unprintable <Unprintable>$"):
+        solve(load=unprintable())
+
+
 def test_load_too_large_for_the_coating(paper_ball):
     message = r"load must be small enough for the coating, got 20000 N \(the sphere is pressed .* m into a coating of 0.001 m\)"
     with pytest.raises(ValueError, match=message):
@@ -175,8 +242,10 @@ def test_orders_must_be_whole(paper_ball, orders):
 
 
 def test_orders_must_broadcast(paper_ball):
-    with pytest.raises(ValueError, match="broadcast"):
+    with pytest.raises(ValueError, match=r"^m and n must have shapes that broadcast, got \(2,\) and \(3,\)$"):
         vr.surface_compliance(paper_ball, 2.5, [1, 2], [1, 2, 3])
+    with pytest.raises(ValueError, match=r"^n must be an array, got rows of different lengths$"):
+        vr.surface_compliance(paper_ball, 2.5, 1, [[1], [1, 2]])
     with pytest.raises(ValueError, match=r"n must be in \[-1e6, 1e6\]"):
         vr.surface_compliance(paper_ball, 2.5, 1, 10**7)
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float
+from .._arrays import as_float, as_float_array
 from ..materials import ShearModulusLike, to_core
 
 if TYPE_CHECKING:
@@ -29,13 +29,11 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     ValueError
         Where one is not finite and > 0.
     """
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
+    array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
         raise ValueError(f"{name} must be > 0 {unit}, got {bad[0]:g}")
-    return array.astype(np.float64)
+    return array
 
 
 def positive(name: str, value: object, unit: str) -> float:
@@ -87,7 +85,7 @@ def poisson(value: object, *, compressible: bool = False) -> float:
 
 def complex_modulus(modulus: ShearModulusLike, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
     """Evaluate any accepted modulus [Pa] at ω [rad/s] of any shape, with the checks of the core."""
-    omega = np.asarray(angular_frequency, dtype=np.float64)
+    omega = as_float_array("angular_frequency", angular_frequency)
     return _core.complex_modulus(to_core(modulus), omega.ravel()).reshape(omega.shape)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
+from .._arrays import as_float, require_type
 from ..geometry import CoatedSphere
 from ._inputs import Floats, complex_modulus, plain, positives
 from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
@@ -80,8 +80,7 @@ def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
     >>> f"{forms['low_speed'](0.01, 0.1) * 1e9:.1f} nN m"
     '20.0 nN m'
     """
-    if not isinstance(ball, CoatedSphere):
-        raise TypeError(f"ball must be a viscoroll.CoatedSphere, got {ball!r}")
+    require_type("ball", ball, CoatedSphere)
     return _low_speed(ball) | (_half_space(ball) if _is_homogeneous(ball) else {})
 
 
