@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from . import _core
-from ._arrays import as_float
+from ._arrays import store_floats
 
 __all__ = ["Drive"]
 
@@ -45,7 +45,8 @@ class Drive:
     lateral_creepage: float = 0.0
 
     def __post_init__(self) -> None:
-        """Check the parameters."""
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("lateral_creepage",), optional=("force", "torque", "creepage"), prefix="drive.")
         given = [name for name in ("force", "torque", "creepage") if getattr(self, name) is not None]
         if len(given) != 1:
             raise ValueError(
@@ -57,10 +58,8 @@ class Drive:
 
     def _to_core(self) -> _core.DriveForce | _core.DriveTorque | _core.DriveCreepage:
         if self.force is not None:
-            return _core.DriveForce(as_float("drive.force", self.force))
+            return _core.DriveForce(self.force)
         if self.torque is not None:
-            return _core.DriveTorque(as_float("drive.torque", self.torque))
-        return _core.DriveCreepage(
-            creepage=as_float("drive.creepage", self.creepage),
-            lateral_creepage=as_float("drive.lateral_creepage", self.lateral_creepage),
-        )
+            return _core.DriveTorque(self.torque)
+        assert self.creepage is not None
+        return _core.DriveCreepage(creepage=self.creepage, lateral_creepage=self.lateral_creepage)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from . import _core
-from ._arrays import as_float, require_type
+from ._arrays import require_type, store_floats
 from ._core import InnerBoundary
+from ._text import shown
 from .materials import ShearModulusLike, to_core
 
 __all__ = ["CoatedSphere", "Layer"]
@@ -47,16 +48,17 @@ class Layer:
     density: float = 0.0
 
     def __post_init__(self) -> None:
-        """Check the parameters."""
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus"))
         self._to_core()
 
     def _to_core(self) -> _core.Layer:
         return _core.Layer(
-            thickness=as_float("thickness", self.thickness),
+            thickness=self.thickness,
             shear_modulus=to_core(self.shear_modulus),
-            poisson_ratio=None if self.poisson_ratio is None else as_float("poisson_ratio", self.poisson_ratio),
-            bulk_modulus=None if self.bulk_modulus is None else as_float("bulk_modulus", self.bulk_modulus),
-            density=as_float("density", self.density),
+            poisson_ratio=self.poisson_ratio,
+            bulk_modulus=self.bulk_modulus,
+            density=self.density,
         )
 
 
@@ -87,11 +89,14 @@ class CoatedSphere:
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
     def __post_init__(self) -> None:
-        """Freeze the list of layers and check the parameters."""
-        layers = (self.layers,) if isinstance(self.layers, Layer) else tuple(self.layers)
+        """Freeze the list of layers, store the radius as a float, and check the parameters."""
+        layers = (self.layers,) if isinstance(self.layers, Layer) else self.layers
+        if not isinstance(layers, Iterable):
+            raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
+        layers = tuple(layers)
         for j, layer in enumerate(layers):
-            if not isinstance(layer, Layer):
-                raise TypeError(f"layers[{j}] must be a viscoroll.Layer, got {layer!r}")
+            require_type(f"layers[{j}]", layer, Layer)
+        store_floats(self, ("core_radius",))
         object.__setattr__(self, "layers", layers)
         require_type("inner_boundary", self.inner_boundary, InnerBoundary)
         self._to_core()
@@ -108,7 +113,7 @@ class CoatedSphere:
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
-            core_radius=as_float("core_radius", self.core_radius),
+            core_radius=self.core_radius,
             layers=[layer._to_core() for layer in self.layers],
             inner_boundary=self.inner_boundary,
         )

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from . import _core
-from ._arrays import as_float, as_floats
+from ._arrays import as_floats, require_type, store_floats
+from ._text import shown
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -37,7 +38,8 @@ class ShearModulus(ABC):
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        """Check the parameters."""
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, [field.name for field in fields(self) if field.type == "float"])  # type: ignore[arg-type]
         _core.validate_modulus(self._to_core())
 
     @abstractmethod
@@ -88,7 +90,7 @@ class Elastic(ShearModulus):
     modulus: float
 
     def _to_core(self) -> _core.Elastic:
-        return _core.Elastic(modulus=as_float("modulus", self.modulus))
+        return _core.Elastic(modulus=self.modulus)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,7 +129,7 @@ class Prony(ShearModulus):
 
     def _to_core(self) -> _core.Prony:
         return _core.Prony(
-            instantaneous_modulus=as_float("instantaneous_modulus", self.instantaneous_modulus),
+            instantaneous_modulus=self.instantaneous_modulus,
             weights=as_floats("weights", self.weights),
             relaxation_times=as_floats("relaxation_times", self.relaxation_times),
         )
@@ -159,9 +161,9 @@ class StandardLinearSolid(ShearModulus):
 
     def _to_core(self) -> _core.Prony:
         return _core.standard_linear_solid(
-            instantaneous_modulus=as_float("instantaneous_modulus", self.instantaneous_modulus),
-            relaxed_modulus=as_float("relaxed_modulus", self.relaxed_modulus),
-            relaxation_time=as_float("relaxation_time", self.relaxation_time),
+            instantaneous_modulus=self.instantaneous_modulus,
+            relaxed_modulus=self.relaxed_modulus,
+            relaxation_time=self.relaxation_time,
         )
 
 
@@ -186,9 +188,7 @@ class KelvinVoigt(ShearModulus):
     viscosity: float
 
     def _to_core(self) -> _core.KelvinVoigt:
-        return _core.KelvinVoigt(
-            modulus=as_float("modulus", self.modulus), viscosity=as_float("viscosity", self.viscosity)
-        )
+        return _core.KelvinVoigt(modulus=self.modulus, viscosity=self.viscosity)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -224,10 +224,10 @@ class FractionalZener(ShearModulus):
 
     def _to_core(self) -> _core.FractionalZener:
         return _core.FractionalZener(
-            instantaneous_modulus=as_float("instantaneous_modulus", self.instantaneous_modulus),
-            relaxed_modulus=as_float("relaxed_modulus", self.relaxed_modulus),
-            relaxation_time=as_float("relaxation_time", self.relaxation_time),
-            order=as_float("order", self.order),
+            instantaneous_modulus=self.instantaneous_modulus,
+            relaxed_modulus=self.relaxed_modulus,
+            relaxation_time=self.relaxation_time,
+            order=self.order,
         )
 
 
@@ -265,8 +265,7 @@ class MasterCurve(ShearModulus):
         """Freeze the table and check it."""
         for name in ("frequency", "storage", "loss"):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        if not isinstance(self.extrapolation, _core.Extrapolation):
-            raise TypeError(f"extrapolation must be a viscoroll.Extrapolation, got {self.extrapolation!r}")
+        require_type("extrapolation", self.extrapolation, _core.Extrapolation)
         ShearModulus.__post_init__(self)
 
     def _to_core(self) -> _core.MasterCurve:
@@ -290,4 +289,4 @@ def to_core(modulus: ShearModulusLike) -> _core._ShearModulus:
         return modulus._to_core()
     if callable(modulus):
         return _core.CustomModulus(modulus)
-    raise TypeError(f"shear_modulus must be a modulus of viscoroll or a function of frequency, got {modulus!r}")
+    raise TypeError(f"shear_modulus must be a modulus of viscoroll or a function of frequency, got {shown(modulus)}")

@@ -33,7 +33,9 @@ class Mesh:
     max_order: int
 
     def __post_init__(self) -> None:
-        """Check the parameters."""
+        """Store the numbers as integers of Python and check them."""
+        for name in ("nodes_per_revolution", "max_order"):
+            object.__setattr__(self, name, as_int(name, getattr(self, name)))
         self._to_core()
 
     @property
@@ -42,7 +44,4 @@ class Mesh:
         return 2.0 * math.pi / self.nodes_per_revolution
 
     def _to_core(self) -> _core.Mesh:
-        return _core.Mesh(
-            nodes_per_revolution=as_int("nodes_per_revolution", self.nodes_per_revolution),
-            max_order=as_int("max_order", self.max_order),
-        )
+        return _core.Mesh(nodes_per_revolution=self.nodes_per_revolution, max_order=self.max_order)

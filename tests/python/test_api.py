@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 
 import meshio
 import numpy as np
@@ -65,6 +66,45 @@ def test_inputs_are_values(value):
     )
     with pytest.raises(dataclasses.FrozenInstanceError):
         setattr(value, dataclasses.fields(value)[0].name, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("value", "twin"),
+    [
+        (vr.Elastic(modulus=np.array(1.0)), vr.Elastic(modulus=1.0)),
+        (
+            vr.StandardLinearSolid(instantaneous_modulus=2, relaxed_modulus=np.float32(1), relaxation_time=np.array(1)),
+            vr.StandardLinearSolid(instantaneous_modulus=2.0, relaxed_modulus=1.0, relaxation_time=1.0),
+        ),
+        (
+            vr.Prony(instantaneous_modulus=np.int64(1), weights=np.array([0.5]), relaxation_times=[Fraction(1, 4)]),
+            vr.Prony(instantaneous_modulus=1.0, weights=[0.5], relaxation_times=[0.25]),
+        ),
+        (vr.Mesh(nodes_per_revolution=np.int64(300), max_order=np.uint16(300)), MESH),
+        (vr.Drive(force=np.array(0.5)), vr.Drive(force=0.5)),
+        (
+            vr.Drive(creepage=np.float64(0.5), lateral_creepage=np.array(0)),
+            vr.Drive(creepage=0.5, lateral_creepage=0.0),
+        ),
+        (
+            vr.Layer(
+                thickness=np.array(1e-3),
+                shear_modulus=vr.Elastic(modulus=1.0),
+                bulk_modulus=np.array(3.0),
+                density=np.int8(1),
+            ),
+            vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1.0), bulk_modulus=3.0, density=1.0),
+        ),
+        (
+            vr.CoatedSphere(core_radius=np.array(20e-3), layers=list(paper.ball().layers)),
+            vr.CoatedSphere(core_radius=20e-3, layers=paper.ball().layers),
+        ),
+    ],
+)
+def test_inputs_store_numbers_of_python(value, twin):
+    # Arrays would stay mutable and have no hash; scalars of NumPy would show in the repr.
+    assert repr(value) == repr(twin)
+    assert hash(value) == hash(twin)
 
 
 def test_results_can_be_copied(result):

@@ -173,6 +173,7 @@ def tables(ball=None, mesh=None, **options):
         (lambda: tables(reach=(1, 2.0)), r"reach\[1\] must be a whole number, got float 2.0"),
         (lambda: solve(drive=0.1), "drive must be a viscoroll.Drive, got 0.1"),
         (lambda: solve(slip_kinematics="exact"), "slip_kinematics must be a viscoroll.SlipKinematics, got 'exact'"),
+        (lambda: vr.CoatedSphere(core_radius=1.0, layers=3), "layers must be a sequence of viscoroll.Layer, got 3"),
     ],
 )
 def test_arguments_of_another_type(call, message):
