@@ -9,12 +9,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
+from numbers import Complex
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from . import _core
-from ._arrays import as_floats, require_type, store_floats
+from ._arrays import as_float_array, as_floats, require_type, store_floats
 from ._text import shown
 
 if TYPE_CHECKING:
@@ -61,10 +62,12 @@ class ShearModulus(ABC):
 
         Raises
         ------
+        TypeError
+            For frequencies that are not real numbers.
         ValueError
             For a negative or infinite frequency, or one outside a master curve that is not held.
         """
-        omega = np.asarray(angular_frequency, dtype=np.float64)
+        omega = as_float_array("angular_frequency", angular_frequency)
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
@@ -144,7 +147,7 @@ class StandardLinearSolid(ShearModulus):
     instantaneous_modulus : float
         Shear modulus at infinite frequency [Pa], > 0.
     relaxed_modulus : float
-        Shear modulus at zero frequency [Pa], > 0 and at most `instantaneous_modulus`.
+        Shear modulus at zero frequency [Pa], in [1e-12, 1] times `instantaneous_modulus`.
     relaxation_time : float
         τ [s], > 0, of the stress at constant strain.
 
@@ -160,11 +163,18 @@ class StandardLinearSolid(ShearModulus):
     relaxation_time: float
 
     def _to_core(self) -> _core.Prony:
-        return _core.standard_linear_solid(
+        series = _core.standard_linear_solid(
             instantaneous_modulus=self.instantaneous_modulus,
             relaxed_modulus=self.relaxed_modulus,
             relaxation_time=self.relaxation_time,
         )
+        # The series holds 1 - relaxed / instantaneous: of a smaller ratio that difference keeps less than four digits.
+        if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
+            raise ValueError(
+                f"relaxed_modulus must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa, "
+                f"got {self.relaxed_modulus:g}"
+            )
+        return series
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -288,5 +298,27 @@ def to_core(modulus: ShearModulusLike) -> _core._ShearModulus:
     if isinstance(modulus, ShearModulus):
         return modulus._to_core()
     if callable(modulus):
-        return _core.CustomModulus(modulus)
+        return _core.CustomModulus(_numbers_of(modulus))
     raise TypeError(f"shear_modulus must be a modulus of viscoroll or a function of frequency, got {shown(modulus)}")
+
+
+def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
+    """Return a user's function with a check that what it returns are numbers; the core checks shape and values."""
+
+    def modulus(omega: NDArray[np.float64]) -> NDArray[Any]:
+        values = _as_numbers(function(omega))
+        if values.dtype.kind not in "fciu":
+            raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
+        return values
+
+    return modulus
+
+
+def _as_numbers(values: Any) -> NDArray[Any]:
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind == "O" and all(isinstance(value, Complex) for value in array.flat):
+            array = array.astype(np.complex128)
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"shear_modulus must be a function that returns an array of numbers ({error})") from None
+    return array

@@ -83,6 +83,7 @@ def test_numpy_scalars_are_numbers():
     ("make", "valid", "changes", "message"),
     [
         (vr.StandardLinearSolid, SLS, {"relaxed_modulus": 7e6}, "relaxed_modulus must be <= instantaneous_modulus = 6e.06 Pa"),
+        (vr.StandardLinearSolid, SLS, {"instantaneous_modulus": 3e20, "relaxed_modulus": 3.0}, r"^relaxed_modulus must be >= 1e-12 instantaneous_modulus = 3e\+08 Pa, got 3$"),
         (vr.Prony, PRONY, {"weights": [0.3]}, r"relaxation_times must be as many as weights \(1\), got 2"),
         (vr.Prony, PRONY, {"weights": [0.3, -0.1]}, r"weights\[1\] must be in \(0, 1\), got -0.1"),
         (vr.Prony, PRONY, {"weights": [0.5, 0.5]}, "weights must be of a sum < 1 .*, got 1"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mpmath
 import numpy as np
 import pytest
 import viscoroll as vr
@@ -127,8 +128,46 @@ def test_a_callable_is_checked_at_the_harmonics(function, message):
         vr.solve(ball, load=1.0, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=64, max_order=64))
 
 
-def test_a_callable_that_returns_no_numbers_is_a_type_error():
-    layer = vr.Layer(thickness=0.1, shear_modulus=lambda w: "stiff", poisson_ratio=0.5)
+@pytest.mark.parametrize(
+    ("frequency", "error", "message"),
+    [
+        ("a", TypeError, "must hold real numbers, got <U1 entries"),
+        ("1.0", TypeError, "must hold real numbers, got <U3 entries"),
+        (1j, TypeError, "must hold real numbers, got complex128 entries"),
+        (True, TypeError, "must hold real numbers, got bool entries"),
+        (None, TypeError, "must be a real number, got NoneType None"),
+        ([1.0, None], TypeError, r"\[1\] must be a real number, got NoneType None"),
+        (10**400, ValueError, r"must be <= 1.8e\+308 in size, got about 1e400"),
+        ([1.0, 10**400], ValueError, r"\[1\] must be <= 1.8e\+308 in size, got about 1e400"),
+        ([[1.0], [1.0, 2.0]], ValueError, "must be an array, got rows of different lengths"),
+    ],
+)
+def test_frequencies_must_be_real_numbers(rubber, frequency, error, message):
+    with pytest.raises(error, match=f"^angular_frequency ?{message}$"):
+        rubber.complex_modulus(frequency)
+
+
+def test_a_callable_may_return_objects_that_are_numbers(rubber):
+    layer = vr.Layer(thickness=0.1, shear_modulus=lambda w: [mpmath.mpc(1e6, 1e3)] * len(w), poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=1.0, layers=[layer])
-    with pytest.raises((TypeError, ValueError)):
+    elastic = vr.Layer(thickness=0.1, shear_modulus=lambda w: np.full(w.shape, 1e6 + 1e3j), poisson_ratio=0.5)
+    expected = vr.surface_compliance(vr.CoatedSphere(core_radius=1.0, layers=[elastic]), 1.0, 2, 2)
+    np.testing.assert_array_equal(vr.surface_compliance(ball, 1.0, 2, 2), expected)
+
+
+@pytest.mark.parametrize(
+    ("function", "error", "message"),
+    [
+        (lambda w: "stiff", TypeError, "returns numbers, got <U5 entries"),
+        (lambda w: ["1e6"] * len(w), TypeError, "returns numbers, got <U3 entries"),
+        (lambda w: w >= 0.0, TypeError, "returns numbers, got bool entries"),
+        (lambda w: None, TypeError, "returns numbers, got object entries"),
+        (lambda w: [[1.0], [1.0, 2.0]], ValueError, "returns an array of numbers .*"),
+        (lambda w: [10**400] * len(w), ValueError, "returns an array of numbers .*"),
+    ],
+)
+def test_a_callable_that_returns_no_numbers(function, error, message):
+    layer = vr.Layer(thickness=0.1, shear_modulus=function, poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=1.0, layers=[layer])
+    with pytest.raises(error, match=f"^shear_modulus must be a function that {message}$"):
         vr.solve(ball, load=1.0, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=64, max_order=64))
