@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,7 +22,10 @@ if TYPE_CHECKING:
 
     from . import _core
 
-__all__ = ["Refinement", "Result"]
+__all__ = ["SUFFIXES", "Refinement", "Result"]
+
+#: Of the files that `Result.save` writes.
+SUFFIXES = (".csv", ".nc", ".vtu", ".vtk")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -224,6 +228,10 @@ class Result:
         for name in (*FIELDS, *VECTOR_FIELDS):
             getattr(self, name).flags.writeable = False
 
+    def __reduce__(self) -> tuple[Callable[..., Result], tuple[type[Result], dict[str, Any]]]:
+        """Copy and pickle by way of the constructor, which freezes the arrays of the copy."""
+        return _rebuilt, (type(self), {field.name: getattr(self, field.name) for field in fields(self)})
+
     @classmethod
     def _from_core(cls, solution: _core.Result, **inputs: Any) -> Result:
         names = {field.name for field in fields(cls)} - inputs.keys()
@@ -327,7 +335,7 @@ class Result:
             For all but ``.csv``, without the extra `viscoroll[files]`.
         """
         path = Path(path)
-        match path.suffix:
+        match path.suffix.lower():
             case ".csv":
                 with path.open("w", newline="") as file:
                     writer = csv.writer(file)
@@ -391,6 +399,10 @@ class Result:
         from .plot import plot_contact
 
         return plot_contact(self)
+
+
+def _rebuilt(kind: type[Result], values: dict[str, Any]) -> Result:
+    return kind(**values)
 
 
 def _mesh_from_core(mesh: _core.Mesh) -> Mesh:

@@ -116,6 +116,13 @@ def test_results_can_be_copied(result):
             np.testing.assert_array_equal(getattr(twin, name), getattr(result, name))
 
 
+@pytest.mark.parametrize("twin", [lambda r: pickle.loads(pickle.dumps(r)), copy.deepcopy, copy.copy])
+def test_copies_of_results_are_read_only(result, twin):
+    for name in (*FIELDS, *VECTOR_FIELDS):
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(twin(result), name)[0, 0] = 1.0
+
+
 def test_results_are_read_only(result):
     with pytest.raises(dataclasses.FrozenInstanceError):
         result.load = 1.0
@@ -162,6 +169,9 @@ def test_fields_can_be_saved(result, tmp_path):
     mesh = meshio.read(tmp_path / "fields.vtu")
     np.testing.assert_array_equal(mesh.point_data["pressure"], result.pressure.ravel())
     assert len(mesh.cells[0].data) == (result.x.shape[0] - 1) * (result.x.shape[1] - 1)
+
+    result.save(tmp_path / "UPPER.CSV")
+    assert (tmp_path / "UPPER.CSV").read_text() == (tmp_path / "fields.csv").read_text()
 
     with pytest.raises(ValueError, match=r"path must end in .csv, .nc, .vtu or .vtk, got 'fields.xls'"):
         result.save(tmp_path / "fields.xls")
