@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import csv
 import tomllib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from importlib import resources
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from . import materials
 from ._core import Compliance, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
+from ._text import one_line, shown
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .mesh import Mesh
 from .result import Result
 from .rolling import solve
 
-__all__ = ["Case", "build_case", "example_text", "load_case", "read_toml"]
+__all__ = ["Case", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -29,6 +32,14 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "fractional_zener": materials.FractionalZener,
     "master_curve": materials.MasterCurve,
 }
+
+_COLUMNS = ("frequency", "storage", "loss")
+
+_Choice = TypeVar("_Choice")
+
+
+#: With or without the byte-order mark that some editors write.
+_ENCODING = "utf-8-sig"
 
 
 class _Table(BaseModel):
@@ -121,11 +132,19 @@ def load_case(path: str | Path) -> Case:
         Where it cannot be read.
     """
     path = Path(path)
-    document = read_toml(path)
+    with errors_in(path):
+        return build_case(read_toml(path), path.parent)
+
+
+@contextmanager
+def errors_in(path: Path) -> Iterator[None]:
+    """Turn an error about the content of a file into a ValueError of one line that names the file."""
     try:
-        return build_case(document, path.parent)
+        yield
+    except RecursionError:
+        raise ValueError(one_line(f"{path}: nested too deeply")) from None
     except (TypeError, ValueError) as error:
-        raise ValueError(f"{path}: {error}") from None
+        raise ValueError(one_line(f"{path}: {error}")) from None
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -139,9 +158,9 @@ def read_toml(path: Path) -> dict[str, Any]:
         Where it cannot be read.
     """
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: not a TOML file: {error}") from None
+        return tomllib.loads(path.read_text(encoding=_ENCODING))
+    except ValueError as error:  # TOMLDecodeError and UnicodeDecodeError are, and integers of thousands of digits
+        raise ValueError(f"not a TOML file: {error}") from None
 
 
 def build_case(document: dict[str, Any], folder: Path) -> Case:
@@ -207,9 +226,7 @@ def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
 
 def _shear_modulus(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
     kind = table.pop("type", None)
-    if kind not in _MATERIALS:
-        raise ValueError(f"shear_modulus.type must be one of {', '.join(_MATERIALS)}, got {kind!r}")
-    material = _MATERIALS[kind]
+    material = _chosen("shear_modulus.type", kind, _MATERIALS)
     if material is materials.MasterCurve:
         table = _master_curve(table, folder)
     known = {field.name for field in fields(material)}  # type: ignore[arg-type]
@@ -224,27 +241,38 @@ def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:
     """Replace the name of a file by its columns, and the name of an extrapolation by its member."""
     table = dict(table)
     if "file" in table:
-        path = folder / str(table.pop("file"))
-        try:
-            with path.open(newline="", encoding="utf-8") as file:
-                rows = list(csv.DictReader(file, skipinitialspace=True))
-            columns = {name: [float(row[name]) for row in rows] for name in ("frequency", "storage", "loss")}
-        except OSError as error:
-            raise ValueError(f"master curve {path}: {error.strerror}") from None
-        except (KeyError, TypeError, ValueError) as error:
-            message = f"master curve {path}: needs numbers in columns frequency, storage, loss ({error})"
-            raise ValueError(message) from None
-        table |= columns
+        name = table.pop("file")
+        if not isinstance(name, str):
+            raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
+        if both := [column for column in _COLUMNS if column in table]:
+            raise ValueError(f"shear_modulus.file must be left out where columns are given, got {', '.join(both)} too")
+        table |= _read_columns(folder / name)
     if "extrapolation" in table:
-        names = {member.name.lower(): member for member in Extrapolation}
-        if table["extrapolation"] not in names:
-            raise ValueError(f"extrapolation must be one of {', '.join(names)}, got {table['extrapolation']!r}")
-        table["extrapolation"] = names[table["extrapolation"]]
+        members = {member.name.lower(): member for member in Extrapolation}
+        table["extrapolation"] = _chosen("shear_modulus.extrapolation", table["extrapolation"], members)
     return table
+
+
+def _read_columns(path: Path) -> dict[str, list[float]]:
+    try:
+        with path.open(newline="", encoding=_ENCODING) as file:
+            rows = list(csv.DictReader(file, skipinitialspace=True))
+        return {name: [float(row[name]) for row in rows] for name in _COLUMNS}
+    except OSError as error:
+        raise ValueError(f"master curve {path}: {error.strerror}") from None
+    except (KeyError, TypeError, ValueError, csv.Error) as error:
+        message = f"master curve {path}: needs numbers in columns {', '.join(_COLUMNS)} ({error})"
+        raise ValueError(message) from None
+
+
+def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice:
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name} must be one of {', '.join(choices)}, got {shown(value)}")
+    return choices[value]
 
 
 def _first_line(error: ValidationError) -> str:
     first = error.errors()[0]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
-    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {first['input']!r}{more}"
+    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {shown(first['input'])}{more}"

@@ -13,7 +13,8 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..case import Case, build_case, read_toml
+from .._text import shown
+from ..case import Case, build_case, errors_in, read_toml
 from ..geometry import CoatedSphere
 from .dimensions import UNITS, Dimension
 from .plan import LoadCase, Plan
@@ -68,20 +69,21 @@ def load_study(path: str | Path) -> Plan:
         Where it cannot be read.
     """
     path = Path(path)
-    document = read_toml(path)
+    with errors_in(path):
+        return _study(read_toml(path), path.parent)
+
+
+def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
-    try:
-        if not isinstance(table, dict) or not table:
-            raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
-        places = [_place(key) for key in table]
-        values = [_values(key, entry) for key, entry in table.items()]
-        dimensions = [
-            Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
-            for name, place, numbers in zip(_names(places), places, values, strict=True)
-        ]
-        return _plan(document, path.parent, places, dimensions)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{path}: {error}") from None
+    if not isinstance(table, dict) or not table:
+        raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
+    places = [_place(key) for key in table]
+    values = [_values(key, entry) for key, entry in table.items()]
+    dimensions = [
+        Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
+        for name, place, numbers in zip(_names(places), places, values, strict=True)
+    ]
+    return _plan(document, folder, places, dimensions)
 
 
 def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension]) -> Plan:
@@ -117,7 +119,9 @@ def _values(key: str, entry: object) -> list[float] | list[int]:
     if isinstance(entry, list) and all(isinstance(v, int | float) and not isinstance(v, bool) for v in entry):
         return entry
     if not isinstance(entry, dict):
-        raise ValueError(f'sweep."{key}" must be a list of numbers or a table with from, to and count, got {entry!r}')
+        raise ValueError(
+            f'sweep."{key}" must be a list of numbers or a table with from, to and count, got {shown(entry)}'
+        )
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
         raise ValueError(f'sweep.{key}: write the whole place in quotes, as "{key}.{next(iter(entry))}"')
     try:
