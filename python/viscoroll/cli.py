@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
+import math
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -14,8 +17,9 @@ from rich.table import Table
 
 from . import ConvergenceError, Result, Status, __version__, paper
 from ._core import Compliance
-from .case import example_text, load_case
-from .result import SCALARS
+from ._text import one_line, shown
+from .case import Case, example_text, load_case
+from .result import SCALARS, SUFFIXES
 from .rolling import solve as solve_rolling
 
 __all__ = ["run"]
@@ -29,12 +33,16 @@ app = typer.Typer(
 )
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130
+_PICTURES = (".png", ".svg", ".pdf")
+_COARSE_ERROR, _COARSE_NODES = 0.3, 10
 _messages = Console(stderr=True)
 _output = Console()
 
 
 def run() -> None:
     """Run the command line: exit code 2 for bad input, 1 where no answer was found, 130 on Ctrl-C."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # where Ω cannot be written, "?" will do; stderr writes escapes
     try:
         app()
     except OSError as error:
@@ -45,11 +53,17 @@ def run() -> None:
         _fail(str(error), _FAILED)
     except ImportError as error:
         _fail(f"this needs {error.name}: pip install 'viscoroll[cli,plot,files,studies]'", _INVALID)
+    except MemoryError:
+        _fail("the memory does not suffice for this case: give a coarser mesh, or a larger accuracy", _INVALID)
 
 
 def _fail(message: str, code: int) -> NoReturn:
-    _messages.print(f"viscoroll: {message}", markup=False, highlight=False, soft_wrap=True)
+    _print_message(f"viscoroll: {message}")
     sys.exit(code)
+
+
+def _print_message(message: str) -> None:
+    _messages.print(one_line(message), markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 def _print_version(wanted: bool) -> None:
@@ -75,16 +89,18 @@ def solve(
     save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
 ) -> None:
     """Solve the load case of a file and report torque, penetration, pressure and power balance."""
+    _check_target("--plot", plot, _PICTURES)
+    _check_target("--save", save, SUFFIXES)
     loaded = load_case(case)
     with _progress_bar() as bar:
         task = bar.add_task("starting", total=1.0)
         result = loaded.solve(progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction))
     if as_json:
-        typer.echo(json.dumps(result.scalars(), indent=2))
+        typer.echo(_json(result.scalars()))
     else:
         _output.print(_result_table(result))
-    if result.status is not Status.CONVERGED:
-        _messages.print(f"warning: {_STATUS_TEXT[result.status]}", highlight=False, soft_wrap=True)
+    for warning in _warnings(loaded, result):
+        _print_message(f"warning: {warning}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
     if save is not None:
@@ -100,19 +116,20 @@ def sweep(
     from .studies.file import load_study
     from .studies.study import run_plan
 
+    _check_target("--output", output, (".nc",))
     path = study.with_suffix(".nc") if output is None else output
     try:
         dataset = run_plan(load_study(study), cache=path, progress=_messages.is_terminal)
     except KeyboardInterrupt:
         _fail(f"stopped; the same command goes on from {path}.partial", _STOPPED)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
-        _messages.print(f"warning: a point failed: {message}", markup=False, highlight=False, soft_wrap=True)
+        _print_message(f"warning: a point failed: {message}")
     for status, text in _STATUS_TEXT.items():
         if count := int((dataset.status == status.name).sum()):
-            _messages.print(f"warning: {count} points: {text}", markup=False, highlight=False, soft_wrap=True)
+            _print_message(f"warning: {count} points: {text}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
-    _output.print(summary, markup=False, highlight=False, soft_wrap=True)
+    _output.print(summary, markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 @app.command()
@@ -122,13 +139,14 @@ def plot(
     variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
+    _check_target("--output", output, _PICTURES)
     import xarray
 
     from .plot import plot_study
 
     path = study.with_suffix(".png") if output is None else output
     plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
-    _output.print(f"{variable} drawn to {path}", markup=False, highlight=False, soft_wrap=True)
+    _output.print(f"{variable} drawn to {path}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 @app.command()
@@ -144,6 +162,7 @@ def demo(
     plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
 ) -> None:
     """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2, beside the printed torques."""
+    _check_target("--plot", plot, _PICTURES)
     ball = paper.ball()
     torques: dict[tuple[int, int], float] = {}
     with _progress_bar() as bar:
@@ -165,13 +184,45 @@ def demo(
     _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
     _output.print(_result_table(chosen))
     chosen.plot().savefig(plot, dpi=150)
-    _output.print(f"contact pressure drawn to {plot}", highlight=False, soft_wrap=True)
+    _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
 }
+
+
+def _check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> None:
+    """Refuse a file that could not be written, before a long solve."""
+    if path is None:
+        return
+    if path.suffix.lower() not in suffixes:
+        allowed = " or ".join(filter(None, [", ".join(suffixes[:-1]), suffixes[-1]]))
+        raise ValueError(f"{option} must end in {allowed}, got {shown(str(path))}")
+    if path.is_dir() or not path.parent.is_dir():
+        raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
+
+
+def _json(scalars: dict[str, float | int | str | None]) -> str:
+    """Return valid JSON, which has no numbers for infinite and undefined values: they are null."""
+    finite = {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in scalars.items()
+    }
+    return json.dumps(finite, indent=2, allow_nan=False)
+
+
+def _warnings(case: Case, result: Result) -> Iterator[str]:
+    if result.status is not Status.CONVERGED:
+        yield _STATUS_TEXT[result.status]
+    nodes = int(result.contact.sum())
+    if not result.error_estimate <= _COARSE_ERROR or nodes < _COARSE_NODES:
+        advice = "ask for a better accuracy" if case.mesh is None else "refine it, or leave it out"
+        yield (
+            f"the mesh is too coarse: {nodes} nodes in contact (good from {_COARSE_NODES}), error estimate "
+            f"{result.error_estimate:.2g} (good up to {_COARSE_ERROR:g}); {advice}"
+        )
 
 
 def _progress_bar() -> Progress:

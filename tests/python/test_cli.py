@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 import subprocess
@@ -10,7 +11,10 @@ import sys
 import numpy as np
 import pytest
 import viscoroll as vr
+from viscoroll import cli
 from viscoroll.case import example_text, load_case
+
+COARSE = "nodes_per_revolution = 100\nmax_order = 100"
 
 
 def run(*arguments, cwd=None, encoding="utf-8"):
@@ -184,11 +188,109 @@ def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message
     assert_refused(done, message)
 
 
+@pytest.mark.parametrize(
+    ("command", "path", "message"),
+    [
+        ("solve case.toml --plot", "x.xyz", "--plot must end in .png, .svg or .pdf, got 'x.xyz'"),
+        ("solve case.toml --plot", "a", "--plot must end in .png, .svg or .pdf, got 'a'"),
+        ("solve case.toml --save", "x.xyz", "--save must end in .csv, .nc, .vtu or .vtk, got 'x.xyz'"),
+        ("solve case.toml --plot", "none/x.png", "--plot must be a file in a folder that exists, got 'none/x.png'"),
+        ("solve case.toml --save", "none/x.csv", "--save must be a file in a folder that exists, got 'none/x.csv'"),
+        ("solve case.toml --save", "folder.csv", "--save must be a file in a folder that exists, got 'folder.csv'"),
+        ("demo --plot", "a", "--plot must end in .png, .svg or .pdf, got 'a'"),
+        ("sweep study.toml --output", "a", "--output must end in .nc, got 'a'"),
+        ("plot study.nc --output", "a", "--output must end in .png, .svg or .pdf, got 'a'"),
+    ],
+)
+def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, command, path, message):
+    (tmp_path / "folder.csv").mkdir()
+    # There is no case, so that a message about the option shows that it is looked at first.
+    assert_refused(run(*command.split(), path, cwd=tmp_path), message)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('[sweep]\n"a\\nb" = [1.0]', r"study.toml: sweep: keys must be places"),
+        ("[sweep]\nload = " + "[" * 20_000 + "]" * 20_000, "study.toml: nested too deeply"),
+        ('[sweep]\n"rolling.load" = 1' + "0" * 5000, "study.toml: not a TOML file: "),
+    ],
+)
+def test_bad_studies_are_one_line(tmp_path, text, message):
+    (tmp_path / "study.toml").write_text(text, encoding="utf-8-sig")
+    assert_refused(run("sweep", "study.toml", cwd=tmp_path), message)
+
+
+def call(monkeypatch, *arguments):
+    """Run the command line in this process."""
+    monkeypatch.setattr(sys, "argv", ["viscoroll", *map(str, arguments)])
+    with pytest.raises(SystemExit) as caught:
+        cli.run()
+    return caught.value.code
+
+
+def test_too_little_memory_is_one_line(case_file, monkeypatch, capsys):
+    def fails(*arguments, **options):
+        raise MemoryError("std::bad_alloc")
+
+    monkeypatch.setattr("viscoroll.case.solve", fails)
+    assert call(monkeypatch, "solve", case_file()) == 2
+    message = "viscoroll: the memory does not suffice for this case: give a coarser mesh, or a larger accuracy\n"
+    assert capsys.readouterr().err == message
+
+
+def test_json_has_no_numbers_that_are_none(case_file, monkeypatch, capsys):
+    mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
+    r = vr.solve(vr.paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
+    r = dataclasses.replace(r, residual=np.nan, creepage=-np.inf)
+    monkeypatch.setattr("viscoroll.case.solve", lambda **options: r)
+    assert call(monkeypatch, "solve", case_file(), "--json") == 0
+    values = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    assert (values["residual"], values["creepage"], values["load"]) == (None, None, 100.0)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_what_the_terminal_cannot_show_is_replaced(case_file, encoding):
+    done = run("solve", case_file(accuracy="0.1"), encoding=encoding)
+    assert done.returncode == 0, done.stderr
+    assert "? = 2.5 rad/s" in done.stdout
+    assert "resisting torque T_r" in done.stdout
+
+
+def test_coarse_meshes_are_a_warning(case_file):
+    path = case_file(load="1e-9", accuracy="#")
+    path.write_text(path.read_text().replace("accuracy = #", COARSE), encoding="utf-8")
+    case = load_case(path)
+    estimate = case.solve().error_estimate
+    assert run("solve", path).stderr == (
+        "warning: the mesh is too coarse: 1 nodes in contact (good from 10), "
+        f"error estimate {estimate:.2g} (good up to 0.3); refine it, or leave it out\n"
+    )
+    assert run("solve", case_file(accuracy="0.1")).stderr == ""
+
+
+@pytest.mark.parametrize("module", ["viscoroll.cli", "typer", "pydantic"])
+def test_ctrl_c_while_importing_is_quiet(module):
+    program = f"""
+import sys
+class Interrupts:
+    def find_spec(self, name, path=None, target=None):
+        if name == {module!r}:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interrupts())
+from viscoroll.__main__ import main
+main()
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
+
+
 def test_missing_files_and_unknown_commands_exit_with_2(tmp_path):
     done = run("solve", tmp_path / "nowhere.toml")
     assert (done.returncode, len(done.stderr.strip().splitlines())) == (2, 1)
     assert "nowhere.toml: No such file or directory" in done.stderr
     assert run("roll").returncode == 2
+    assert_refused(run("solve", "a\nb.toml", cwd=tmp_path), r"viscoroll: a\nb.toml: No such file or directory")
 
 
 def test_help_explains_every_command():
