@@ -41,6 +41,11 @@ class CoatingCompliance {
   CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
                     std::shared_ptr<const std::vector<Table>> tables);
 
+  [[nodiscard]] WindowShape shape() const { return shape_; }
+
+  /// @return displacement along r by unit forces along r: what dominates the vertical compliance [m/N]
+  [[nodiscard]] const Table& radial_table() const { return tables_->front(); }
+
   /// @param[in] force on every node [N]
   /// @return displacement of every node [m]
   [[nodiscard]] VectorField displacement(const VectorField& force) const;

@@ -2,33 +2,73 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+#include <optional>
 #include <string>
 
 #include "contact/dense_lu.hpp"
+#include "contact/krylov.hpp"
+#include "influence/inverse_convolution.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-/// An overclosure below this share of the penetration is round-off.
+/// An overclosure below this share of the penetration is round-off, or what a Krylov solution leaves.
 constexpr double kOverclosureTolerance = 1e-11;
+constexpr double kKrylovOverclosureTolerance = 1e-9;
 
-/// Forces on the nodes in contact that flatten them all, and the penetration that balances the load.
-void press_flat(const NormalContactProblem& problem, const ContactOptions& options, Watch& watch,
-                ContactSolution& state) {
+/// Up to here elimination is quick, and exact to round-off.
+constexpr std::size_t kMostDenseNodes = 600;
+
+constexpr double kKrylovTolerance = 1e-11;  // of relative residuals
+constexpr double kKrylovFailure = 1e-9;     // relative residual that no answer can be built on
+
+/// Press the nodes in contact flat against the plane, in its old position and for a unit of penetration.
+struct FlatForces {
+  Eigen::VectorXd at_rest;
+  Eigen::VectorXd per_penetration;
+};
+
+FlatForces press_by_elimination(const NormalContactProblem& problem, const ContactOptions& options, Watch& watch,
+                                const ContactSolution& state) {
   const auto count = static_cast<Eigen::Index>(state.contact.size());
   Eigen::MatrixXd right_sides(count, 2);
-  right_sides.col(0) = -problem.drop(state.contact).matrix();
+  right_sides.col(0) = (state.penetration - problem.drop(state.contact)).matrix();
   right_sides.col(1).setOnes();
   Eigen::MatrixXd compliance =
       problem.coating.block(state.contact, state.contact, std::array{kDown}, options.threads, watch);
   const Eigen::MatrixXd forces = solve_dense(std::move(compliance), std::move(right_sides), options.threads, watch);
-  state.penetration = (problem.load - forces.col(0).sum()) / forces.col(1).sum();
+  return {.at_rest = forces.col(0), .per_penetration = forces.col(1)};
+}
+
+FlatForces press_by_products(const NormalContactProblem& problem, const InverseConvolution& preconditioner,
+                             Watch& watch, const ContactSolution& state) {
+  const auto solve = [&](const Eigen::VectorXd& lowering, const Eigen::VectorXd& guess) {
+    KrylovSolution solution =
+        solve_krylov(problem.coating, preconditioner, state.contact, lowering, guess, kKrylovTolerance, watch);
+    if (!(solution.error < kKrylovFailure)) {
+      throw ConvergenceError("the contact equations were not solved in " + std::to_string(solution.iterations) +
+                                 " products: the residual is " + text(solution.error),
+                             state.iterations, solution.error);
+    }
+    return std::move(solution.forces);
+  };
+  const Eigen::VectorXd lowering = (state.penetration - problem.drop(state.contact)).matrix();
+  const Eigen::VectorXd before = pressing_force(state)(state.contact).matrix();
+  return {.at_rest = solve(lowering, before),
+          .per_penetration = solve(Eigen::VectorXd::Ones(lowering.size()), Eigen::VectorXd::Zero(lowering.size()))};
+}
+
+/// The penetration that balances the load.
+void balance(const FlatForces& forces, double load, ContactSolution& state) {
+  const double more = (load - forces.at_rest.sum()) / forces.per_penetration.sum();
+  const Eigen::VectorXd pressing = forces.at_rest + more * forces.per_penetration;
+  state.penetration += more;
   state.force.setZero();
-  const Eigen::VectorXd pressing = forces.col(0) + state.penetration * forces.col(1);
-  for (Eigen::Index i = 0; i < count; ++i)
-    state.force(state.contact[static_cast<std::size_t>(i)], kDown) = -pressing[i];
+  for (std::size_t i = 0; i < state.contact.size(); ++i) {
+    state.force(state.contact[i], kDown) = -pressing[static_cast<Eigen::Index>(i)];
+  }
 }
 
 bool drop_tensile(ContactSolution& state) {
@@ -42,8 +82,10 @@ void find_gap(const NormalContactProblem& problem, ContactSolution& state) {
 
 bool add_overclosed(ContactSolution& state) {
   std::vector<Eigen::Index> added;
+  const double tolerance =
+      state.contact.size() <= kMostDenseNodes ? kOverclosureTolerance : kKrylovOverclosureTolerance;
   for (Eigen::Index node = 0; node < state.gap.size(); ++node) {
-    const bool overclosed = state.gap[node] < -kOverclosureTolerance * state.penetration;
+    const bool overclosed = state.gap[node] < -tolerance * state.penetration;
     if (overclosed && state.force(node, kDown) == 0.0) added.push_back(node);
   }
   const auto middle = static_cast<std::ptrdiff_t>(state.contact.size());
@@ -63,12 +105,15 @@ double largest_violation(const ContactSolution& state) {
 ContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
                                      const ContactOptions& options, Watch& watch) {
   ContactSolution state{.force = VectorField::Zero(problem.drop.size(), 3), .contact = std::move(start)};
+  std::optional<InverseConvolution> preconditioner;
   while (state.iterations < options.max_iterations && !state.converged) {
-    if (static_cast<Eigen::Index>(state.contact.size()) > options.max_unknowns) {
-      throw std::length_error(std::to_string(state.contact.size()) + " nodes in contact");
-    }
     ++state.iterations;
-    press_flat(problem, options, watch, state);
+    if (state.contact.size() <= kMostDenseNodes) {
+      balance(press_by_elimination(problem, options, watch, state), problem.load, state);
+    } else {
+      if (!preconditioner) preconditioner.emplace(problem.coating.shape(), problem.coating.radial_table());
+      balance(press_by_products(problem, *preconditioner, watch, state), problem.load, state);
+    }
     if (drop_tensile(state)) {
       if (state.contact.empty()) throw ConvergenceError("no node carries load", state.iterations, 1.0);
       continue;

@@ -30,11 +30,10 @@ double relative_change(double value, double before, double negligible) {
          std::max({std::abs(value), std::abs(before), negligible, std::numeric_limits<double>::min()});
 }
 
-/// Whether the next mesh would ask for more than the dense solver holds.
+/// Whether the next mesh would ask for more orders, or with friction for more unknowns, than are at hand.
 bool is_finest(const Result& result, double friction) {
-  const double unknowns_per_node = friction > 0.0 ? 3.0 : 1.0;
-  const double next = unknowns_per_node * result.refinements.back().contact_nodes * kRefinement * kRefinement;
-  return result.mesh.nodes_per_revolution >= kMaxNodesPerRevolution || next > 0.5 * kMaxUnknowns;
+  const double next = 3.0 * result.refinements.back().contact_nodes * kRefinement * kRefinement;
+  return result.mesh.nodes_per_revolution >= kMaxNodesPerRevolution || (friction > 0.0 && next > 0.5 * kMaxUnknowns);
 }
 
 }  // namespace
