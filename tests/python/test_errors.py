@@ -225,9 +225,10 @@ def test_load_that_the_mesh_cannot_see(paper_ball):
 
 
 def test_too_many_nodes_in_contact(paper_ball):
-    mesh = vr.Mesh(nodes_per_revolution=6000, max_order=3000)
-    with pytest.raises(ValueError, match=r"mesh.nodes_per_revolution must be coarse enough for .*, got 6000 \("):
-        vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh)
+    # With friction the equations are solved by elimination.
+    mesh = vr.Mesh(nodes_per_revolution=3000, max_order=1500)
+    with pytest.raises(ValueError, match=r"mesh.nodes_per_revolution must be coarse enough for .*, got 3000 \("):
+        vr.solve(paper_ball, load=100.0, angular_speed=2.5, friction=0.3, mesh=mesh)
 
 
 def test_master_curve_must_reach_all_harmonics():
