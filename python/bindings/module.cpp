@@ -6,6 +6,7 @@
 PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.doc() = "C++ core of viscoroll; use the package viscoroll instead.";
   m.attr("__version__") = VISCOROLL_VERSION;
+  m.attr("__commit__") = VISCOROLL_COMMIT;
   py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
   bind_inputs(m);
   bind_modal(m);

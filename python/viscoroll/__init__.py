@@ -34,6 +34,7 @@ from .orders import (
 )
 from .result import Refinement, Result
 from .rolling import RollingModel, solve
+from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
     "CoatedSphere",
@@ -42,11 +43,13 @@ __all__ = [
     "Drive",
     "Elastic",
     "Extrapolation",
+    "Fit",
     "FractionalZener",
     "KelvinVoigt",
     "Layer",
     "MasterCurve",
     "Mesh",
+    "Parameter",
     "PatchLoad",
     "Prony",
     "Refinement",
@@ -60,8 +63,12 @@ __all__ = [
     "analytic",
     "centrifugal_displacement",
     "critical_speed",
+    "fit_friction_law",
+    "fit_power_law",
+    "fit_thickness_law",
     "influence_tables",
     "solve",
     "state_matrix",
     "surface_compliance",
+    "sweep",
 ]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __version__: Final[str]
+__commit__: Final[str]
 
 class ConvergenceError(RuntimeError): ...
 

@@ -19,7 +19,7 @@ from .mesh import Mesh
 from .result import Result
 from .rolling import solve
 
-__all__ = ["Case", "example_text", "load_case"]
+__all__ = ["Case", "build_case", "example_text", "load_case", "read_toml"]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -120,21 +120,54 @@ def load_case(path: str | Path) -> Case:
         Where it cannot be read.
     """
     path = Path(path)
+    document = read_toml(path)
     try:
-        file = _File.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: not a TOML file: {error}") from None
-    except ValidationError as error:
-        raise ValueError(f"{path}: {_first_line(error)}") from None
-    try:
-        return _build(file, path.parent)
+        return build_case(document, path.parent)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{path}: {error}") from None
 
 
-def example_text() -> str:
-    """Return the commented example of a case file."""
-    return resources.files(__package__).joinpath("examples/case.toml").read_text(encoding="utf-8")
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return the content of a TOML file.
+
+    Raises
+    ------
+    ValueError
+        Where it is none.
+    OSError
+        Where it cannot be read.
+    """
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: not a TOML file: {error}") from None
+
+
+def build_case(document: dict[str, Any], folder: Path) -> Case:
+    """Return the case that the content of a file describes.
+
+    Parameters
+    ----------
+    document : dict
+        The content.
+    folder : Path
+        Where the files that it names are.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Where the content is not valid.
+    """
+    try:
+        file = _File.model_validate(document)
+    except ValidationError as error:
+        raise ValueError(_first_line(error)) from None
+    return _build(file, folder)
+
+
+def example_text(name: Literal["case", "sweep"] = "case") -> str:
+    """Return the commented example of a case file, or of the table that makes a study of it."""
+    return resources.files(__package__).joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
 
 
 def _build(file: _File, folder: Path) -> Case:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
 from rich.console import Console
@@ -28,7 +28,7 @@ app = typer.Typer(
     help="Rolling resistance of rigid spheres with viscoelastic coatings. SI units throughout.",
 )
 
-_INVALID, _FAILED = 2, 1
+_INVALID, _FAILED, _STOPPED = 2, 1, 130
 _messages = Console(stderr=True)
 _output = Console()
 
@@ -44,10 +44,10 @@ def run() -> None:
     except ConvergenceError as error:
         _fail(str(error), _FAILED)
     except ImportError as error:
-        _fail(f"this needs {error.name}: pip install 'viscoroll[cli,plot,files]'", _INVALID)
+        _fail(f"this needs {error.name}: pip install 'viscoroll[cli,plot,files,studies]'", _INVALID)
 
 
-def _fail(message: str, code: int) -> None:
+def _fail(message: str, code: int) -> NoReturn:
     _messages.print(f"viscoroll: {message}", markup=False, highlight=False, soft_wrap=True)
     sys.exit(code)
 
@@ -92,9 +92,51 @@ def solve(
 
 
 @app.command()
-def example() -> None:
+def sweep(
+    study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
+    output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
+) -> None:
+    """Solve all combinations of the parameters that a file varies; go on where an interrupted study stopped."""
+    from .studies.file import load_study
+    from .studies.study import run_plan
+
+    path = study.with_suffix(".nc") if output is None else output
+    try:
+        dataset = run_plan(load_study(study), cache=path, progress=_messages.is_terminal)
+    except KeyboardInterrupt:
+        _fail(f"stopped; the same command goes on from {path}.partial", _STOPPED)
+    for message in sorted(set(dataset.error.values.ravel()) - {""}):
+        _messages.print(f"warning: a point failed: {message}", markup=False, highlight=False, soft_wrap=True)
+    for status, text in _STATUS_TEXT.items():
+        if count := int((dataset.status == status.name).sum()):
+            _messages.print(f"warning: {count} points: {text}", markup=False, highlight=False, soft_wrap=True)
+    sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
+    summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
+    _output.print(summary, markup=False, highlight=False, soft_wrap=True)
+
+
+@app.command()
+def plot(
+    study: Annotated[Path, typer.Argument(help="Result of `viscoroll sweep` (.nc).")],
+    output: Annotated[Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside it.")] = None,
+    variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
+) -> None:
+    """Draw a result of a study against its first dimension, one curve for each value of the others."""
+    import xarray
+
+    from .plot import plot_study
+
+    path = study.with_suffix(".png") if output is None else output
+    plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
+    _output.print(f"{variable} drawn to {path}", markup=False, highlight=False, soft_wrap=True)
+
+
+@app.command()
+def example(
+    with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
+) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
-    typer.echo(example_text(), nl=False)
+    typer.echo(example_text() + (example_text("sweep") if with_sweep else ""), nl=False)
 
 
 @app.command()

@@ -146,7 +146,7 @@ def test_missing_files_and_unknown_commands_exit_with_2(tmp_path, case_file):
 def test_help_explains_every_command():
     done = run("--help")
     assert done.returncode == 0
-    for command in ("solve", "demo", "example"):
+    for command in ("solve", "sweep", "plot", "demo", "example"):
         assert command in done.stdout
         assert run(command, "--help").returncode == 0
     assert run("--version").stdout == f"viscoroll {vr.__version__}\n"
@@ -163,7 +163,7 @@ def test_accuracy_that_is_not_reached_is_a_warning(case_file):
 def test_import_needs_numpy_alone():
     program = """
 import sys
-for name in ("matplotlib", "xarray", "typer", "rich", "pydantic", "meshio", "scipy"):
+for name in ("matplotlib", "xarray", "typer", "rich", "pydantic", "meshio", "scipy", "tqdm", "netCDF4"):
     sys.modules[name] = None
 import viscoroll as vr
 from viscoroll import paper

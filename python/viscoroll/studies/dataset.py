@@ -1,0 +1,170 @@
+"""The dataset of a study."""
+
+from __future__ import annotations
+
+import datetime
+import json
+import sys
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._core import __commit__, __version__
+from ..result import FIELDS, SCALARS, VECTOR_FIELDS
+from .dimensions import LOAD_CASE, UNITS, label
+from .plan import LoadCase, Plan
+from .run import Outcome
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+__all__ = ["RESERVED", "build_dataset"]
+
+#: What a dataset holds besides `SCALARS` for each point: name, unit, what it is.
+_COUNTS = {
+    "iterations": ("1", "linear systems solved on the last mesh"),
+    "residual": ("1", "largest violation of the contact conditions"),
+    "contact_nodes": ("1", "nodes in contact"),
+    "nodes_per_revolution": ("1", "nodes per revolution"),
+    "max_order": ("1", "truncation order N_t"),
+}
+
+_TEXTS = {"status": "how the solve ended", "error": "why the point failed"}
+
+#: Names that parameters of a ball cannot have.
+RESERVED = frozenset({*SCALARS, *_COUNTS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
+
+
+def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset:
+    """Return all results of a plan over its dimensions; points without an outcome, and failed ones, are NaN.
+
+    Parameters
+    ----------
+    plan : Plan
+        The points.
+    outcomes : mapping of int to Outcome
+        What became of them.
+    """
+    import xarray
+
+    names = [dimension.name for dimension in plan.dimensions]
+    coordinates = {d.name: ([d.name], d.labels(), _attributes(d.unit, _spelled(d.name))) for d in plan.dimensions}
+    fixed: dict[str, Any] = {
+        name: ([], value, _attributes(UNITS.get(name), _spelled(name)))
+        for name, value in plan.fixed.items()
+        if isinstance(value, int | float) and not isinstance(value, bool)
+    }
+    table = [outcomes.get(i, Outcome()) for i in range(len(plan.cases))]
+    variables: dict[str, Any] = {}
+    for name, (unit, description) in (SCALARS | _COUNTS).items():
+        column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
+        variables[name] = (names, np.array(column, dtype=np.float64), _attributes(unit, description))
+    variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
+    variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
+    variables = {
+        name: (dims, values.reshape(plan.shape), attrs)
+        for name, (dims, values, attrs) in variables.items()
+        if name not in coordinates and name not in fixed
+    }
+    if plan.fields:
+        angles, fields = _fields(plan, table)
+        coordinates |= angles
+        variables |= fields
+    return xarray.Dataset(variables, coordinates | fixed, attrs=_provenance(plan))
+
+
+def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return coordinates and fields, each window in the middle of the largest, with NaN around it."""
+    windows = [next(iter(outcome.fields.values())).shape[-2:] for outcome in table if outcome.fields]
+    # Every window reaches as far before the lowest point as behind it, or one node farther: it has node count // 2.
+    rows, columns = (max((window[axis] for window in windows), default=1) for axis in (0, 1))
+    names = [dimension.name for dimension in plan.dimensions]
+    coordinates = _angles(table, rows, columns)
+    variables: dict[str, Any] = {}
+    for name in plan.fields:
+        is_vector = name in VECTOR_FIELDS
+        unit, description = (VECTOR_FIELDS if is_vector else FIELDS)[name]
+        values = np.full((len(table), *((2,) if is_vector else ()), rows, columns), np.nan)
+        for i, outcome in enumerate(table):
+            if outcome.fields:
+                _place(values[i], outcome.fields[name])
+        dims = [*names, *(["direction"] if is_vector else []), "phi", "theta"]
+        variables[name] = (dims, values.reshape(*plan.shape, *values.shape[1:]), _attributes(unit, description))
+        if is_vector:
+            coordinates["direction"] = (["direction"], np.array(["x", "z"], dtype=object))
+    return coordinates, variables
+
+
+def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
+    """Angles of the nodes where all points have one spacing, else their numbers from the lowest point."""
+    spacings = {outcome.scalars["nodes_per_revolution"] for outcome in table if outcome.fields}
+    numbers = {"phi": np.arange(rows) - rows // 2, "theta": np.arange(columns) - columns // 2}
+    if len(spacings) != 1:
+        return {name: ([name], n, _attributes("1", "nodes from the lowest point")) for name, n in numbers.items()}
+    spacing = 2.0 * np.pi / float(spacings.pop() or np.nan)
+    return {name: ([name], 0.5 * np.pi + spacing * n, _attributes("rad", name)) for name, n in numbers.items()}
+
+
+def _place(whole: NDArray[np.float64], part: NDArray[np.float64]) -> None:
+    first = [n // 2 - m // 2 for n, m in zip(whole.shape[-2:], part.shape[-2:], strict=True)]
+    whole[..., first[0] : first[0] + part.shape[-2], first[1] : first[1] + part.shape[-1]] = part
+
+
+def _provenance(plan: Plan) -> dict[str, str]:
+    balls = plan.balls()
+    materials = dict.fromkeys(_clean(layer.shear_modulus) for ball in balls for layer in ball.layers)
+    attributes = {
+        "title": "rolling resistance of a coated sphere",
+        "source": f"viscoroll {__version__}",
+        "version": __version__,
+        "commit": __commit__,
+        "python": sys.version.split()[0],
+        "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "mesh": _mesh_text(plan),
+        "material": _joined(list(materials)),
+        "ball": _joined([f"core_radius={ball.core_radius!r}, layers={_clean(ball.layers)}" for ball in balls]),
+    }
+    varied = {dimension.name for dimension in plan.dimensions}
+    for name in sorted(LOAD_CASE - {"mesh"} - varied):
+        if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
+            attributes[name] = label(plan.fixed[name])
+    return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
+
+
+def _mesh_text(plan: Plan) -> str:
+    meshes = {case.arguments.get("mesh") for case in plan.cases if isinstance(case, LoadCase)}
+    if len(meshes) > 1:
+        return "of each point: nodes_per_revolution, max_order"
+    mesh = next(iter(meshes), None)
+    if mesh is None:
+        return "chosen for each point: nodes_per_revolution, max_order"
+    return f"{mesh.nodes_per_revolution} nodes per revolution, orders to {mesh.max_order}"
+
+
+def _joined(texts: list[str], *, most: int = 8) -> str:
+    more = f"; and {len(texts) - most} more" if len(texts) > most else ""
+    return "; ".join(texts[:most]) + more
+
+
+def _clean(value: object) -> str:
+    """Text of a value without addresses in memory."""
+    text = repr(value)
+    return text if " at 0x" not in text else " ".join(p for p in text.replace(">", "").split() if "0x" not in p)
+
+
+def _attributes(unit: str | None, description: str) -> dict[str, str]:
+    return ({"units": unit} if unit is not None else {}) | {"long_name": description}
+
+
+def _spelled(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _texts(values: list[Any]) -> NDArray[np.object_]:
+    return np.array(values, dtype=object)
+
+
+def _texts_of(name: str) -> dict[str, str]:
+    return {"long_name": _TEXTS[name]}

@@ -1,0 +1,225 @@
+"""Laws of the resisting torque, fitted by least squares, with confidence intervals."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .least_squares import Fit, fit_law
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["fit_friction_law", "fit_power_law", "fit_thickness_law"]
+
+
+def fit_power_law(load: ArrayLike, torque: ArrayLike, *, confidence: float = 0.95) -> Fit:
+    """Fit T = a P^b to the resisting torque as a function of load.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0, at least three.
+    torque : array_like
+        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+    confidence : float, default 0.95
+        Of the intervals [-], in (0, 1).
+
+    Returns
+    -------
+    Fit
+        Parameters a [N^(1-b) m] and b [-].
+
+    Raises
+    ------
+    ValueError
+        For values out of range, too few points, and data that do not determine the parameters.
+    ConvergenceError
+        Where the least-squares iteration does not converge.
+
+    References
+    ----------
+    Section 14.4 and table 3 of G.-P. Zéhil and H. P. Gavin, "Rolling resistance of a rigid sphere with viscoelastic
+    coatings".
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> load = np.array([10.0, 20.0, 50.0, 100.0])
+    >>> fit = fit_power_law(load, 5e-5 * load**1.4)
+    >>> round(fit.parameters["b"].value, 6)
+    1.4
+    """
+    x, y = _data("load", "N", load, torque, parameters=2)
+    slope, intercept = np.polyfit(np.log(x), np.log(y), 1)
+    units = {"a": "N^(1-b) m", "b": "1"}
+    return fit_law("T = a P^b", _power, x, y, np.array([math.exp(intercept), slope]), units, confidence)
+
+
+def fit_thickness_law(thickness: ArrayLike, torque: ArrayLike, *, confidence: float = 0.95) -> Fit:
+    """Fit T = a tanh(b h^c) to the resisting torque as a function of the thickness of the coating.
+
+    Parameters
+    ----------
+    thickness : array_like
+        h [m], > 0, at least four.
+    torque : array_like
+        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+    confidence : float, default 0.95
+        Of the intervals [-], in (0, 1).
+
+    Returns
+    -------
+    Fit
+        Parameters a [N m], b [m^-c] and c [-].
+
+    Raises
+    ------
+    ValueError, ConvergenceError
+        As of `fit_power_law`.
+
+    References
+    ----------
+    Section 14.5 and table 4 of G.-P. Zéhil and H. P. Gavin, "Rolling resistance of a rigid sphere with viscoelastic
+    coatings".
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> thickness = np.linspace(1e-3, 10e-3, 8)
+    >>> fit = fit_thickness_law(thickness, 0.06 * np.tanh(60.0 * thickness**0.83))
+    >>> round(fit.parameters["c"].value, 6)
+    0.83
+    """
+    x, y = _data("thickness", "m", thickness, torque, parameters=3)
+    # For a given a, artanh(T / a) = b h^c is a power law, a straight line in logarithms.
+    starts = []
+    for a in y.max() * (1.0 + np.geomspace(1e-3, 10.0, 24)):
+        c, log_b = np.polyfit(np.log(x), np.log(np.arctanh(y / a)), 1)
+        starts.append(np.array([a, math.exp(log_b), c]))
+    start = min(starts, key=lambda p: float(np.sum((_saturating(x, *p) - y) ** 2)))
+    return fit_law("T = a tanh(b h^c)", _saturating, x, y, start, {"a": "N m", "b": "m^-c", "c": "1"}, confidence)
+
+
+def fit_friction_law(
+    friction: ArrayLike,
+    torque: ArrayLike,
+    *,
+    frictionless_torque: float | None = None,
+    boundary_layer_width: float = 0.1,
+    confidence: float = 0.95,
+) -> Fit:
+    """Fit the matched exponentials (60)-(63) to the resisting torque as a function of friction.
+
+    T = a_i (1 + b_i (1 - exp(-μ/(ε c_i)))) + a_o (1 + b_o exp(-μ/c_o)) - δ with δ = a_i (1 + b_i) = a_o (1 + b_o);
+    a_i = T(μ = 0) is given and ε is the width of the boundary layer at small friction.
+
+    Parameters
+    ----------
+    friction : array_like
+        μ [-], ≥ 0, at least five above 0.
+    torque : array_like
+        T_r [N m], > 0, of the same shape; NaN (a failed point) is left out.
+    frictionless_torque : float, optional
+        a_i [N m], > 0; by default the mean of `torque` at μ = 0, which must then be among the points.
+    boundary_layer_width : float, default 0.1
+        ε [-], > 0. It scales c_i and nothing else.
+    confidence : float, default 0.95
+        Of the intervals [-], in (0, 1). a_i counts as exact.
+
+    Returns
+    -------
+    Fit
+        Parameters a_o [N m], b_o [-], c_o [-] and c_i [-].
+
+    Raises
+    ------
+    ValueError, ConvergenceError
+        As of `fit_power_law`.
+
+    References
+    ----------
+    Section 14.3 of G.-P. Zéhil and H. P. Gavin, "Rolling resistance of a rigid sphere with viscoelastic coatings".
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> friction = np.array([0.0, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 2.0])
+    >>> torque = 0.010 + 0.001 * np.exp(-friction / 0.5) - 0.0005 * np.exp(-friction / 0.03)
+    >>> fit = fit_friction_law(friction, torque)
+    >>> round(fit.parameters["c_i"].value, 6)
+    0.3
+    """
+    if not boundary_layer_width > 0.0:
+        raise ValueError(f"boundary_layer_width must be > 0, got {boundary_layer_width!r}")
+    x, y = _data("friction", "", friction, torque, parameters=0, zero=True)
+    if frictionless_torque is None:
+        if not (x == 0.0).any():
+            raise ValueError("frictionless_torque must be given where no friction is 0, got None")
+        frictionless_torque = float(y[x == 0.0].mean())
+    if not frictionless_torque > 0.0:
+        raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
+    # At μ = 0 the law holds whatever its parameters are: such points say nothing about them.
+    x, y = _data("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
+    model = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
+    law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
+    units = {"a_o": "N m", "b_o": "1", "c_o": "1", "c_i": "1"}
+    return fit_law(law, model, x, y, model.start(x, y), units, confidence)
+
+
+def _power(x: Floats, a: float, b: float) -> Floats:
+    return np.asarray(a * x**b)
+
+
+def _saturating(x: Floats, a: float, b: float, c: float) -> Floats:
+    return np.asarray(a * np.tanh(b * x**c))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _FrictionLaw:
+    """Equation (63) with b_i eliminated by (62)."""
+
+    frictionless_torque: float
+    width: float
+
+    def __call__(self, x: Floats, a_o: float, b_o: float, c_o: float, c_i: float) -> Floats:
+        rise = a_o * (1.0 + b_o) - self.frictionless_torque  # a_i b_i
+        return np.asarray(a_o + a_o * b_o * np.exp(-x / c_o) - rise * np.exp(-x / (self.width * c_i)))
+
+    def start(self, x: Floats, y: Floats) -> Floats:
+        """Return the best parameters for c_o and c_i on a grid, where a_o and a_o b_o enter linearly."""
+        best, start = math.inf, np.ones(4)
+        for inner in np.geomspace(0.3 * x.min(), 0.5 * x.max(), 16):
+            for outer in np.geomspace(2.0 * inner, 5.0 * x.max(), 16):
+                decay = np.exp(-x / inner)
+                columns = np.stack([1.0 - decay, np.exp(-x / outer) - decay], axis=1)
+                (a, ab), *_ = np.linalg.lstsq(columns, y - self.frictionless_torque * decay, rcond=None)
+                error = float(np.sum((columns @ [a, ab] + self.frictionless_torque * decay - y) ** 2))
+                if error < best and a > 0.0:
+                    best, start = error, np.array([a, ab / a, outer, inner / self.width])
+        return start
+
+
+def _data(
+    name: str, unit: str, x: ArrayLike, torque: ArrayLike, *, parameters: int, zero: bool = False
+) -> tuple[Floats, Floats]:
+    """Return the points that did not fail, checked."""
+    first, second = np.asarray(x, dtype=np.float64).ravel(), np.asarray(torque, dtype=np.float64).ravel()
+    if np.shape(x) != np.shape(torque):
+        raise ValueError(f"torque must have the shape of {name}, {np.shape(x)}, got {np.shape(torque)}")
+    kept = ~np.isnan(second)
+    first, second = first[kept], second[kept]
+    good = np.isfinite(first) & ((first >= 0.0) if zero else (first > 0.0))
+    if not good.all():
+        bound = ">= 0" if zero else "> 0"
+        raise ValueError(f"{name} must be {bound}{f' {unit}' if unit else ''}, got {first[~good][0]:g}")
+    if not (np.isfinite(second) & (second > 0.0)).all():
+        raise ValueError(f"torque must be > 0 N m, got {second[~(second > 0.0) | np.isinf(second)][0]:g}")
+    if (count := len(np.unique(first))) <= parameters:
+        raise ValueError(f"{name} must have more different values than parameters ({parameters}), got {count}")
+    return first, second

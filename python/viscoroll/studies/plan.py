@@ -1,0 +1,224 @@
+"""The points of a study, and how they are grouped into tasks that share what they can."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .._core import __commit__, __version__
+from ..geometry import CoatedSphere
+from ..materials import ShearModulus
+from .dimensions import LOAD_CASE, Dimension, split
+
+__all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
+
+#: What points with one influence table have in common, besides the ball.
+_SHARED = ("angular_speed", "mesh", "compliance", "patch_load")
+
+#: Harmonics up to which Python functions of frequency are compared where no mesh is given: the finest that is chosen.
+_HIGHEST_HARMONIC = 8000
+
+#: Longest text that the identity of a study holds in full.
+_LONGEST_TEXT = 160
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LoadCase:
+    """One point: a ball, and arguments of `viscoroll.solve`."""
+
+    ball: CoatedSphere
+    arguments: dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """Points that share a ball and all that decides the influence table, for one worker."""
+
+    indices: tuple[int, ...]
+    ball: CoatedSphere
+    shared: dict[str, Any]
+    cases: tuple[dict[str, Any], ...]
+    fields: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """All points of a study, the last dimension fastest.
+
+    Attributes
+    ----------
+    dimensions : tuple of Dimension
+        What varies.
+    fixed : dict
+        Parameters that do not.
+    cases : tuple of LoadCase or str
+        For each point what to solve, or why there is nothing to solve.
+    fields : tuple of str
+        Fields that are kept for each point.
+
+    Raises
+    ------
+    ValueError
+        Where no point can be solved, with the reason of the first.
+    """
+
+    dimensions: tuple[Dimension, ...]
+    fixed: dict[str, Any]
+    cases: tuple[LoadCase | str, ...]
+    fields: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse plans without anything to solve."""
+        if all(isinstance(case, str) for case in self.cases):
+            raise ValueError(f"every point fails, the first with {self.cases[0]}")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values of each dimension."""
+        return tuple(len(dimension.values) for dimension in self.dimensions)
+
+    def balls(self) -> list[CoatedSphere]:
+        """Return every ball once."""
+        return list({id(case.ball): case.ball for case in self.cases if isinstance(case, LoadCase)}.values())
+
+    def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
+        """Return tasks of at most `largest` points that solve the points of `indices`."""
+        groups: dict[Any, list[int]] = {}
+        for i in indices:
+            case = self.cases[i]
+            if isinstance(case, LoadCase):
+                key = (id(case.ball), *(case.arguments.get(name) for name in _SHARED))
+                groups.setdefault(key, []).append(i)
+        # Every so many points to a task, and not a run of them: they tend to become harder along a dimension.
+        parts = {key: -(-len(group) // largest) for key, group in groups.items()}
+        return [self._task(group[k :: parts[key]]) for key, group in groups.items() for k in range(parts[key])]
+
+    def _task(self, indices: Sequence[int]) -> Task:
+        cases = [case for i in indices if isinstance(case := self.cases[i], LoadCase)]
+        first = cases[0]
+        return Task(
+            indices=tuple(indices),
+            ball=first.ball,
+            shared={name: first.arguments[name] for name in _SHARED if name in first.arguments},
+            cases=tuple({k: v for k, v in case.arguments.items() if k not in _SHARED} for case in cases),
+            fields=self.fields,
+        )
+
+    def identity(self) -> dict[str, str]:
+        """Return all inputs by name as text, long ones by their hash: two studies with the same text are the same."""
+        parameters = {dimension.name: repr(dimension.values) for dimension in self.dimensions}
+        parameters |= {name: repr(value) for name, value in self.fixed.items()}
+        return {
+            "viscoroll": f"{__version__}, commit {__commit__}",
+            "dimensions": ", ".join(dimension.name for dimension in self.dimensions),
+            "fields": ", ".join(self.fields),
+            **{
+                name: _shortened(text) for name, text in parameters.items() if name in LOAD_CASE or " at 0x" not in text
+            },
+            "balls": _shortened("; ".join(self._ball_texts())),
+        }
+
+    def _ball_texts(self) -> Iterator[str]:
+        rolled: dict[int, set[tuple[float, int]]] = {id(ball): set() for ball in self.balls()}
+        for case in self.cases:
+            if isinstance(case, LoadCase):
+                mesh = case.arguments.get("mesh")
+                highest = _HIGHEST_HARMONIC if mesh is None else mesh.max_order
+                rolled[id(case.ball)].add((case.arguments["angular_speed"], highest))
+        numbers = {key: i for i, key in enumerate(rolled)}
+        yield repr([numbers[id(case.ball)] if isinstance(case, LoadCase) else case for case in self.cases])
+        for ball in self.balls():
+            yield repr(ball.core_radius)
+            for layer in ball.layers:
+                properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
+                yield f"{properties!r} {_modulus_text(layer.shear_modulus, rolled[id(ball)])}"
+
+
+def plan_sweep(
+    ball: CoatedSphere | Callable[..., CoatedSphere], parameters: dict[str, object], *, fields: tuple[str, ...]
+) -> Plan:
+    """Plan a study of the product of all one-dimensional `parameters`.
+
+    Raises
+    ------
+    TypeError
+        For parameters that neither `viscoroll.solve` nor the factory has, and for missing ones.
+    """
+    divided = {name: split(name, value) for name, value in parameters.items()}
+    dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
+    fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
+    build = _Balls(ball)
+    build.check(sorted(parameters.keys() - LOAD_CASE))
+    cases = []
+    for point in itertools.product(*(enumerate(dimension.values) for dimension in dimensions)):
+        chosen = {dimension.name: item for dimension, item in zip(dimensions, point, strict=True)}
+        varied = {name: value for name, (_, value) in chosen.items()}
+        key = tuple(i for name, (i, _) in chosen.items() if name not in LOAD_CASE)
+        made = build(key, {k: v for k, v in (fixed | varied).items() if k not in LOAD_CASE})
+        arguments = {k: v for k, v in (fixed | varied).items() if k in LOAD_CASE}
+        cases.append(made if isinstance(made, str) else LoadCase(ball=made, arguments=arguments))
+    return Plan(dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields)
+
+
+@dataclass(frozen=True, slots=True)
+class _Balls:
+    """The ball of each point, made once for all points that share its parameters."""
+
+    source: CoatedSphere | Callable[..., CoatedSphere]
+    made: dict[tuple[int, ...], CoatedSphere | str] = field(default_factory=dict)
+
+    def check(self, names: Sequence[str]) -> None:
+        if isinstance(self.source, CoatedSphere):
+            if names:
+                raise TypeError(
+                    f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
+                    "the ball"
+                )
+            return
+        if not callable(self.source):
+            raise TypeError(
+                f"ball must be a viscoroll.CoatedSphere or a function that returns one, got {self.source!r}"
+            )
+        try:
+            inspect.signature(self.source).bind(**dict.fromkeys(names))
+        except TypeError as error:
+            raise TypeError(f"ball, called with {', '.join(names) or 'no parameter'}: {error}") from None
+
+    def __call__(self, key: tuple[int, ...], parameters: dict[str, Any]) -> CoatedSphere | str:
+        """Return the ball, or the message of the exception that its parameters raise."""
+        if isinstance(self.source, CoatedSphere):
+            return self.source
+        if key not in self.made:
+            try:
+                ball = self.source(**parameters)
+            except Exception as error:
+                self.made[key] = f"{type(error).__name__}: {error}"
+            else:
+                if not isinstance(ball, CoatedSphere):
+                    raise TypeError(f"ball must return a viscoroll.CoatedSphere, got {ball!r}")
+                self.made[key] = ball
+        return self.made[key]
+
+
+def _modulus_text(modulus: object, rolled: set[tuple[float, int]]) -> str:
+    """Text of a modulus: a Python function by its values at some 60 harmonics of each speed and highest order."""
+    if isinstance(modulus, ShearModulus) or not callable(modulus):
+        return repr(modulus)
+    harmonics = [(speed, np.unique(np.geomspace(1.0, highest, 64).round())) for speed, highest in sorted(rolled)]
+    frequencies = np.concatenate([[0.0], *(speed * orders for speed, orders in harmonics)])
+    try:
+        return repr(np.asarray(modulus(frequencies)).tolist())
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+
+
+def _shortened(text: str) -> str:
+    if len(text) <= _LONGEST_TEXT:
+        return text
+    return f"{text[:60]}... sha256:{hashlib.sha256(text.encode()).hexdigest()}"

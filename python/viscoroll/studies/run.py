@@ -1,0 +1,193 @@
+"""Solving the tasks of a study on threads of this process, or with any executor."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..geometry import CoatedSphere
+from ..rolling import solve
+from .plan import Plan, Task
+
+__all__ = ["Outcome", "cores", "run", "solve_group"]
+
+#: Points of a task for an executor, at most: what is lost of each worker where this process is killed.
+_LARGEST_TASK = 8
+
+#: Least number of tasks for each core, and for an executor, whose workers cannot be counted, in all. More would end
+#: closer together, but share less.
+_TASKS_PER_CORE = 2
+_TASKS_OF_AN_EXECUTOR = 32
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Outcome:
+    """What became of one point.
+
+    Attributes
+    ----------
+    scalars : dict
+        Scalar results by name, in SI units; empty where the point failed.
+    fields : dict
+        Arrays by name, of shape (..., nodes in φ, nodes in θ).
+    error : str
+        Why the point failed, or the empty text.
+    """
+
+    scalars: Mapping[str, float | int | str | None] = field(default_factory=dict)
+    fields: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    error: str = ""
+
+
+def solve_group(
+    ball: CoatedSphere,
+    shared: Mapping[str, Any],
+    cases: Sequence[Mapping[str, Any]],
+    *,
+    fields: Sequence[str] = (),
+    threads: int = 1,
+    progress: Callable[[str, float], object] | None = None,
+    record: Callable[[int, Outcome], object] | None = None,
+) -> list[Outcome]:
+    """Solve points that share a ball and an influence table, one after the other.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        The ball of all points.
+    shared : mapping
+        Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, patch load.
+    cases : sequence of mapping
+        The other arguments of each point.
+    fields : sequence of str, default ()
+        Fields to keep.
+    threads : int, default 1
+        Number of threads of each solve.
+    progress : callable, optional
+        Called as progress(stage, fraction) about every 20 ms; what it raises ends the solve.
+    record : callable, optional
+        Called as record(position, outcome) after each point.
+
+    Returns
+    -------
+    list of Outcome
+        One for each of `cases`, with the message of the exception where the point failed.
+
+    Raises
+    ------
+    MemoryError, CancelledError
+        These say nothing of the point, and end the group.
+    """
+    outcomes = []
+    for position, case in enumerate(cases):
+        try:
+            result = solve(ball, **shared, **case, threads=threads, progress=progress)
+        except (MemoryError, CancelledError):
+            raise
+        except Exception as error:
+            outcome = Outcome(error=f"{type(error).__name__}: {error}")
+        else:
+            kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
+            outcome = Outcome(scalars=result.scalars(), fields=kept)
+        outcomes.append(outcome)
+        if record is not None:
+            record(position, outcome)
+    return outcomes
+
+
+def run(
+    plan: Plan, indices: Sequence[int], *, record: Callable[[int, Outcome], object], executor: Executor | None = None
+) -> None:
+    """Solve points of a plan.
+
+    Parameters
+    ----------
+    plan : Plan
+        All points.
+    indices : sequence of int
+        Those to solve.
+    record : callable
+        Called as record(index, outcome), from any thread of this process, as soon as an outcome is here.
+    executor : Executor, optional
+        Where to solve; on threads of this process where it is left out.
+
+    Raises
+    ------
+    Exception
+        What `record` or a worker raised, after all other tasks have ended: a broken pool, an unsendable argument.
+    KeyboardInterrupt
+        On Ctrl-C, after tasks that wait have been canceled.
+    """
+    if executor is None:
+        _run_on_threads(plan, indices, record)
+        return
+    tasks = plan.tasks(indices, largest=min(_LARGEST_TASK, -(-len(indices) // _TASKS_OF_AN_EXECUTOR)))
+
+    def record_all(task: Task, outcomes: Sequence[Outcome]) -> None:
+        for index, outcome in zip(task.indices, outcomes, strict=True):
+            record(index, outcome)
+
+    _collect({executor.submit(_solve_task, task): task for task in tasks}, record_all)
+
+
+def cores() -> int:
+    """Return the number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, Outcome], object]) -> None:
+    stop = threading.Event()
+
+    def check(*_: object) -> None:
+        if stop.is_set():
+            raise CancelledError
+
+    def work(task: Task) -> None:
+        def keep(position: int, outcome: Outcome) -> None:
+            record(task.indices[position], outcome)
+            check()
+
+        solve_group(
+            task.ball, task.shared, task.cases, fields=task.fields, threads=threads, progress=check, record=keep
+        )
+
+    tasks = plan.tasks(indices, largest=-(-len(indices) // (_TASKS_PER_CORE * cores())))
+    threads = max(1, cores() // max(1, len(tasks)))
+    with ThreadPoolExecutor(cores()) as pool:
+        try:
+            _collect({pool.submit(work, task): task for task in tasks}, lambda *_: None)
+        finally:
+            stop.set()
+
+
+def _solve_task(task: Task) -> list[Outcome]:
+    return solve_group(task.ball, task.shared, task.cases, fields=task.fields)
+
+
+def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:
+    """Record what the tasks return as they end, and raise the first exception of one of them at the end."""
+    errors: list[BaseException] = []
+    waiting = dict(futures)
+    try:
+        for future in as_completed(futures):
+            if (error := future.exception()) is None:
+                record(futures[future], future.result())
+            else:
+                errors.append(error)
+            del waiting[future]
+    except BaseException:
+        for future in waiting:
+            future.cancel()
+        for future, task in waiting.items():
+            if future.done() and not future.cancelled() and future.exception() is None:
+                record(task, future.result())
+        raise
+    if errors:
+        raise errors[0]

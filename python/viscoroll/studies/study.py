@@ -1,0 +1,168 @@
+"""Parameter studies."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable
+from concurrent.futures import Executor
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..geometry import CoatedSphere
+from ..result import FIELDS, VECTOR_FIELDS
+from .cache import Journal, as_cache_path, journal_path, read_study, write_study
+from .dataset import RESERVED, build_dataset
+from .dimensions import LOAD_CASE
+from .plan import LoadCase, Plan, plan_sweep
+from .run import Outcome, run
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["run_plan", "sweep"]
+
+
+def sweep(
+    ball: CoatedSphere | Callable[..., CoatedSphere],
+    *,
+    executor: Executor | None = None,
+    cache: str | Path | None = None,
+    progress: bool = True,
+    fields: Iterable[str] = (),
+    **parameters: Any,
+) -> xarray.Dataset:
+    """Solve all combinations of parameters.
+
+    Every parameter given as a one-dimensional sequence becomes a dimension of the result, in the order given; the
+    others are the same for all points. A study that was interrupted goes on where it stopped if it is called again with
+    the same `cache`.
+
+    Parameters
+    ----------
+    ball : CoatedSphere or callable
+        The ball of all points, or a function that returns it, called as ball(name=value, ...) with all parameters that
+        are not of `viscoroll.solve`.
+    executor : concurrent.futures.Executor, optional
+        Where to solve: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``. By default on
+        threads of this process, one solve on each core. The result does not depend on it.
+    cache : path-like, optional
+        A file .nc. Points are kept beside it, in a file with the suffix .partial, as soon as they are solved; the file
+        itself is written when all are. With an executor, the points of a task (at most eight) are kept together.
+    progress : bool, default True
+        Show a bar with an estimate of the time left.
+    fields : iterable of str, default ()
+        Fields of `Result` to keep for each point, on the largest window, centered at the lowest point, with NaN outside
+        a point's own window.
+    **parameters : float, object, or sequence of them
+        Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], friction [-], drive, mesh, accuracy [-],
+        compliance, patch_load, slip_kinematics, max_iterations. All other names are of the function `ball`.
+
+    Returns
+    -------
+    xarray.Dataset
+        All scalar results with units, and the fields asked for. Where a point failed its results are NaN, its `status`
+        is "FAILED" and `error` holds the message. Attributes hold version, commit, mesh, ball and materials.
+
+    Raises
+    ------
+    ValueError
+        For a cache made with other inputs (the message names them), repeated values, and unknown fields.
+    TypeError
+        For missing or unknown parameters, and for values of another type.
+    ImportError
+        Without the extra `viscoroll[studies]`.
+    KeyboardInterrupt
+        On Ctrl-C; the cache keeps what was solved.
+
+    Notes
+    -----
+    A Python function of frequency as material is recognized in a cache by its values at some 60 harmonics of each
+    speed. What a point raises is kept as its result, and not tried again; delete the cache to do so. An exception that
+    is not of a point (a broken pool, something that cannot be sent to another process) is raised when the other points
+    are solved.
+
+    Examples
+    --------
+    >>> import viscoroll as vr
+    >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> def coated(thickness):
+    ...     layer = vr.Layer(thickness=thickness, shear_modulus=rubber, poisson_ratio=0.5, density=1000.0)
+    ...     return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> mesh = vr.Mesh(nodes_per_revolution=100, max_order=150)
+    >>> study = vr.sweep(
+    ...     coated, thickness=[1e-3, 2e-3], load=[50.0, 100.0], angular_speed=2.5, mesh=mesh, progress=False
+    ... )
+    >>> study.resisting_torque.dims
+    ('thickness', 'load')
+    """
+    kept = _checked_fields(fields)
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise TypeError(f"executor must be a concurrent.futures.Executor or None, got {executor!r}")
+    _check_names(parameters)
+    plan = plan_sweep(ball, parameters, fields=kept)
+    return run_plan(plan, executor=executor, cache=cache, progress=progress)
+
+
+def run_plan(
+    plan: Plan, *, executor: Executor | None = None, cache: str | Path | None = None, progress: bool = True
+) -> xarray.Dataset:
+    """Solve all points of a plan that the cache does not hold. Parameters as of `sweep`."""
+    path = None if cache is None else as_cache_path(cache)
+    if path is not None and (known := read_study(path, plan.identity())) is not None:
+        journal_path(path).unlink(missing_ok=True)
+        return known
+    with ExitStack() as stack:
+        journal = None if path is None else stack.enter_context(Journal(journal_path(path), plan.identity()))
+        recorder = _Recorder(plan, journal)
+        missing = [i for i in range(len(plan.cases)) if i not in recorder.outcomes]
+        stack.callback(recorder.show(len(plan.cases), shown=progress))
+        run(plan, missing, record=recorder, executor=executor)
+        dataset = build_dataset(plan, recorder.outcomes)
+        if path is not None:
+            write_study(path, dataset)
+    return dataset
+
+
+class _Recorder:
+    """Takes the outcome of each point, from any thread, into memory, journal and progress bar."""
+
+    def __init__(self, plan: Plan, journal: Journal | None) -> None:
+        self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}
+        self._journal = journal
+        self._lock = threading.Lock()
+        if journal is not None:
+            self.outcomes |= journal.outcomes
+
+    def show(self, total: int, *, shown: bool) -> Callable[[], None]:
+        """Start the progress bar, and return what ends it."""
+        from tqdm.auto import tqdm
+
+        self._bar = tqdm(total=total, initial=len(self.outcomes), unit="point", disable=not shown)
+        close: Callable[[], None] = self._bar.close
+        return close
+
+    def __call__(self, index: int, outcome: Outcome) -> None:
+        with self._lock:
+            if self._journal is not None:
+                self._journal.append(index, outcome)
+            self.outcomes[index] = outcome
+            self._bar.update()
+
+
+def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
+    known = (*FIELDS, *VECTOR_FIELDS)
+    kept = (fields,) if isinstance(fields, str) else tuple(fields)
+    for name in kept:
+        if name not in known:
+            raise ValueError(f"fields must be of {', '.join(known)}, got {name!r}")
+    return tuple(name for name in known if name in kept)
+
+
+def _check_names(parameters: dict[str, Any]) -> None:
+    if missing := sorted({"load", "angular_speed"} - parameters.keys()):
+        raise TypeError(f"sweep needs {' and '.join(missing)}")
+    if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
+        raise ValueError(f"accuracy must be left out where a mesh is given, got {parameters['accuracy']!r}")
+    if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):
+        raise ValueError(f"parameters must have other names than results, got {', '.join(taken)}")
