@@ -15,7 +15,7 @@ from ..mesh import Mesh
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_csv", "write_files"]
+__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_csv", "write_files", "write_verdicts"]
 
 S = TypeVar("S")
 T = TypeVar("T")
@@ -149,3 +149,13 @@ def write_csv(path: Path, table: Table) -> None:
         writer = csv.writer(file)
         writer.writerow(table)
         writer.writerows(zip(*table.values(), strict=True))
+
+
+def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:
+    """Write the verdicts on each item as a table in Markdown."""
+    lines = ["| | the paper | found | |", "|---|---|---|---|"]
+    for name, rows in verdicts.items():
+        for place, verdict in enumerate(rows):
+            judged = "agrees" if verdict.agrees else "**disagrees**"
+            lines.append(f"| {name if place == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -49,7 +49,7 @@ def prony(instantaneous: float, weights: Sequence[float], times: Sequence[float]
     modulus = np.full(omega.shape, 1.0 - sum(weights), complex)
     for g, tau in zip(weights, times, strict=True):
         modulus += g * (omega**2 * tau**2 + 1j * omega * tau) / (1.0 + omega**2 * tau**2)
-    return instantaneous * modulus
+    return np.asarray(instantaneous * modulus, complex)
 
 
 def shorthand(layer: Layer, angular_speed: float, m: Floats, radius: float) -> tuple[Any, ...]:
@@ -95,13 +95,14 @@ def exponential(matrix: Complexes) -> Complexes:
     balanced = matrix * units / units[:, None]
     norm = np.abs(balanced).sum(axis=-1).max()
     squarings = max(0, int(np.ceil(np.log2(norm))) + 1)
-    term = result = np.broadcast_to(np.eye(6, dtype=complex), matrix.shape)
+    term: Complexes = np.broadcast_to(np.eye(6, dtype=complex), matrix.shape)
+    result = term
     for k in range(1, 19):
         term = term @ (balanced / 2.0**squarings) / k
         result = result + term
     for _ in range(squarings):
         result = result @ result
-    return result * units[:, None] / units
+    return np.asarray(result * units[:, None] / units, complex)
 
 
 def sub_intervals(
@@ -121,7 +122,7 @@ def product_compliance(
     for layer in layers:
         for factor in sub_intervals(layer, angular_speed, m, n, count):
             transition = factor @ transition
-    return transition[..., :3, 3:] @ np.linalg.inv(transition[..., 3:, 3:])
+    return np.asarray(transition[..., :3, 3:] @ np.linalg.inv(transition[..., 3:, 3:]), complex)
 
 
 def surface_compliance(
