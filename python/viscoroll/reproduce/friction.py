@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
+from .._core import ConvergenceError
 from ..rolling import RollingModel
 from ..studies.fits import fit_friction_law
 from .item import Runner, Table, Verdict
@@ -44,19 +45,21 @@ class Figure9:
     torques: Floats
     driving_torques: Floats
     slip_shares: Floats
-    fit: Fit
+    fit: Fit | None
 
     def tables(self) -> dict[str, Table]:
         """One row for each coefficient, and the fit's parameters."""
+        columns = {
+            "friction [1]": self.frictions.tolist(),
+            "torque [N m]": self.torques.tolist(),
+            "driving_torque [N m]": self.driving_torques.tolist(),
+            "slip_share_of_power [1]": self.slip_shares.tolist(),
+        }
+        if self.fit is None:
+            return {"": columns}
         parameters = self.fit.parameters
         return {
-            "": {
-                "friction [1]": self.frictions.tolist(),
-                "torque [N m]": self.torques.tolist(),
-                "driving_torque [N m]": self.driving_torques.tolist(),
-                "slip_share_of_power [1]": self.slip_shares.tolist(),
-                "fit [N m]": self.fit.predict(self.frictions).tolist(),
-            },
+            "": columns | {"fit [N m]": self.fit.predict(self.frictions).tolist()},
             "-fit": {
                 "parameter": list(parameters),
                 "unit": [p.unit for p in parameters.values()],
@@ -70,10 +73,11 @@ class Figure9:
         """Torque with its fit, beside the paper's bounds; both torques and the boundary layer in logarithms."""
         figure = Figure(figsize=(12.0, 4.8), layout="constrained")
         torque, ratio = figure.subplots(1, 2, width_ratios=[1.2, 1.0])
-        fine = np.linspace(0.0, self.frictions[-1], 1000)
-        low, high = self.fit.confidence_band(fine)
-        torque.fill_between(fine, low * 1e3, high * 1e3, color="tab:blue", alpha=0.25)
-        torque.plot(fine, self.fit.predict(fine) * 1e3, color="tab:blue", label="fit (60)-(63)")
+        if self.fit is not None:
+            fine = np.linspace(0.0, self.frictions[-1], 1000)
+            low, high = self.fit.confidence_band(fine)
+            torque.fill_between(fine, low * 1e3, high * 1e3, color="tab:blue", alpha=0.25)
+            torque.plot(fine, self.fit.predict(fine) * 1e3, color="tab:blue", label="fit (60)-(63)")
         torque.plot(self.frictions, self.torques * 1e3, "o", color="tab:blue", markersize=4, label="$T_r$")
         floor = self.torques[0] * (1.0 - _FALL)
         torque.axhline(floor * 1e3, color="k", linestyle="--", linewidth=1.0, label="paper: falls by 8.5 % at most")
@@ -106,8 +110,6 @@ class Figure9:
         peak = float(self.frictions[self.torques.argmax()])
         height = float(self.torques.max() / self.torques[0] - 1.0)
         spread, fall = (_spread_and_fall(self.torques), _spread_and_fall(self.driving_torques))
-        inner, outer = self.fit.parameters["c_i"], self.fit.parameters["c_o"]
-        worst = float(np.abs(self.fit.predict(self.frictions) / self.torques - 1.0).max())
         return [
             Verdict(
                 statement="peak within the boundary layer, μ ≤ 0.1",
@@ -124,6 +126,20 @@ class Figure9:
                 found=f"by {spread[1]:.1%} (driving torque {fall[1]:.1%})",
                 agrees=spread[1] <= _FALL + 0.0005,
             ),
+            *self._fit_verdicts(),
+        ]
+
+    def _fit_verdicts(self) -> list[Verdict]:
+        if self.fit is None:
+            found = "the torques do not determine its parameters: both scales are the same"
+            return [Verdict(statement="fitted by (60)-(63)", found=found, agrees=False)]
+        worst = float(np.abs(self.fit.predict(self.frictions) / self.torques - 1.0).max())
+        inner, outer = self.fit.parameters["c_i"], self.fit.parameters["c_o"]
+        scales = (
+            f"ε c_i = {inner.value * _WIDTH:.2f} in [{inner.lower * _WIDTH:.2f}, {inner.upper * _WIDTH:.2f}]",
+            f"c_o = {outer.value:.2f} in [{outer.lower:.2f}, {outer.upper:.2f}]",
+        )
+        return [
             Verdict(
                 statement="fitted by (60)-(63)",
                 found=f"within {worst:.1%}, r² = {self.fit.r_squared:.4f}",
@@ -131,8 +147,7 @@ class Figure9:
             ),
             Verdict(
                 statement="its inner scale is much smaller than its outer one",
-                found=f"ε c_i = {inner.value * _WIDTH:.2f} "
-                f"in [{inner.lower * _WIDTH:.2f}, {inner.upper * _WIDTH:.2f}], c_o = {outer.value:.2f} in [{outer.lower:.2f}, {outer.upper:.2f}]",
+                found=", ".join(scales),
                 agrees=inner.value * _WIDTH < 0.3 * outer.value,
             ),
         ]
@@ -141,6 +156,14 @@ class Figure9:
 def _spread_and_fall(torques: Floats) -> tuple[float, float]:
     """Relative to the largest torque, and to that without friction, which comes first."""
     return float(1.0 - torques.min() / torques.max()), float(1.0 - torques.min() / torques[0])
+
+
+def _fit(frictions: Floats, torques: Floats) -> Fit | None:
+    """Fit (60)-(63), if the torques determine its parameters."""
+    try:
+        return fit_friction_law(frictions, torques)
+    except (ValueError, ConvergenceError):
+        return None
 
 
 def compute_figure9(runner: Runner) -> Figure9:
@@ -159,5 +182,5 @@ def compute_figure9(runner: Runner) -> Figure9:
         torques=torques,
         driving_torques=np.array([result.driving_torque for result in results]),
         slip_shares=np.array([result.slip_power / result.dissipated_power for result in results]),
-        fit=fit_friction_law(frictions[fitted], torques[fitted]),
+        fit=_fit(frictions[fitted], torques[fitted]),
     )

@@ -87,8 +87,8 @@ class Figure7:
             Verdict(
                 statement='"deepest penetration" roughly at 0.3 rad/s',
                 found=f"penetration is largest at {deepest:.2g} rad/s and falls from there; "
-                f"it is the torque that is largest nearby, at {most:.2g} rad/s ({share:.1%} of that at 0.3 rad/s)",
-                agrees=abs(np.log2(deepest / _DEEPEST)) < 1.0,
+                f"it is the torque that is largest nearby, at {most:.2g} rad/s (at 0.3 rad/s {share:.1%} of that)",
+                agrees=bool(abs(np.log2(deepest / _DEEPEST)) < 1.0),
             ),
         ]
 

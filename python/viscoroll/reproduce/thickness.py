@@ -1,4 +1,4 @@
-"""Table 4 and figure 11: the resisting torque against the thickness of the coating."""
+"""Figure 11: the resisting torque against the thickness of the coating."""
 
 from __future__ import annotations
 
@@ -22,17 +22,16 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Figure11", "Table4", "compute_figure11", "compute_table4"]
+__all__ = ["LOADS", "Figure11", "ThicknessSweep", "compute_figure11", "printed_curve", "thickness_sweep"]
 
 _OUTER_RADIUS = 21e-3
-_LOADS = tuple(paper.TABLE_4)
+#: Loads [N] of table 4 and figure 11.
+LOADS = tuple(paper.TABLE_4)
 #: Thicknesses [m]; the paper says from where to where, not which.
 _THICKNESSES = np.array([0.1, 0.25, 0.5, 0.75, *np.arange(1.0, 10.1, 0.5)]) * 1e-3
 _COARSE = np.array([0.1, 0.5, 1.0, 2.0, 4.0, 7.0, 10.0]) * 1e-3
 #: Coatings up to these thicknesses [m] are solved again with so many times the nodes.
 _REFINED = {0.25e-3: 4, 2e-3: 2}
-#: Where the curves of table 4 are compared [m], and how far they may be apart [-].
-_RANGE, _TOLERANCE = (1e-3, 10e-3), 0.03
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +64,7 @@ class Figure11:
         """One row for each thickness."""
         data = self.data
         columns = {"thickness [m]": data.thicknesses.tolist()}
-        for load in _LOADS:
+        for load in LOADS:
             low, high = data.fits[load].confidence_band(data.thicknesses)
             head = f"P_{load:g}N [N m]"
             columns |= {
@@ -83,7 +82,7 @@ class Figure11:
         figure = Figure(figsize=(12.0, 5.0), layout="constrained")
         axes = figure.subplots(1, 2)
         data, fine = self.data, np.geomspace(0.1e-3, 10e-3, 300)
-        for place, load in enumerate(_LOADS):
+        for place, load in enumerate(LOADS):
             color = f"C{place}"
             low, high = data.fits[load].confidence_band(fine)
             axes[0].fill_between(fine * 1e3, low * 1e3, high * 1e3, color=color, alpha=0.25)
@@ -106,7 +105,7 @@ class Figure11:
         axes[1].plot([], [], "ko", markersize=4)
         axes[0].set(xlabel="thickness $h$ [mm]", ylabel="$T_r$ [mN m]", xlim=0, ylim=0)
         axes[1].set(xlabel="thickness $h$ [mm]", xscale="log", yscale="log", title="thin coatings", xlim=(0.08, 2.5))
-        axes[1].set_ylim(0.5 * data.refined[_LOADS[0]][0] * 1e3, 1.5 * data.refined[_LOADS[-1]][data.thin][-1] * 1e3)
+        axes[1].set_ylim(0.5 * data.refined[LOADS[0]][0] * 1e3, 1.5 * data.refined[LOADS[-1]][data.thin][-1] * 1e3)
         axes[0].legend(fontsize="small")
         axes[1].legend(axes[1].get_lines()[-2:], ["mesh refined", f"$Δ$ = π/{data.nodes // 2}"], fontsize="small")
         return figure
@@ -131,107 +130,14 @@ class Figure11:
         ]
 
 
-@dataclass(frozen=True, slots=True)
-class Table4:
-    """Parameters of the fits, and the curves they give beside the paper's."""
-
-    data: ThicknessSweep
-
-    def deviations(self, thicknesses: Floats, *, refined: bool = False) -> dict[float, Floats]:
-        """Relative deviations of the fitted curves from the printed ones, by load [N]."""
-        fits = self.data.refined_fits if refined else self.data.fits
-        return {load: fits[load].predict(thicknesses) / printed_curve(load, thicknesses) - 1.0 for load in _LOADS}
-
-    def tables(self) -> dict[str, Table]:
-        """Parameters, and the deviations of the curves."""
-        rows = [(load, name) for load in _LOADS for name in "abc"]
-        parameters = [self.data.fits[load].parameters[name] for load, name in rows]
-        fine = np.geomspace(0.1e-3, 10e-3, 41)
-        curves = {"thickness [m]": fine.tolist()}
-        for refined in (False, True):
-            for load, deviation in self.deviations(fine, refined=refined).items():
-                curves[f"deviation{'_refined' if refined else ''}_P_{load:g}N [1]"] = deviation.tolist()
-        return {
-            "": {
-                "load [N]": [load for load, _ in rows],
-                "parameter (a in N m, b in m^-c, c in 1)": [name for _, name in rows],
-                "value": [p.value for p in parameters],
-                "lower": [p.lower for p in parameters],
-                "upper": [p.upper for p in parameters],
-                "value_refined": [self.data.refined_fits[load].parameters[name].value for load, name in rows],
-                "printed_lower": [paper.TABLE_4[load][name][0] for load, name in rows],
-                "printed_upper": [paper.TABLE_4[load][name][1] for load, name in rows],
-            },
-            "-curves": curves,
-        }
-
-    def draw(self) -> Figure:
-        """Deviations of the fitted curves, and of the torques themselves, from the paper's curves."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
-        fine = np.geomspace(0.1e-3, 10e-3, 300)
-        data = self.data
-        for axes, refined in zip(figure.subplots(1, 2, sharey=True), (False, True), strict=True):
-            torques = data.refined if refined else data.torques
-            for place, (load, deviation) in enumerate(self.deviations(fine, refined=refined).items()):
-                axes.semilogx(fine * 1e3, deviation * 100.0, color=f"C{place}", label=f"{load:g} N")
-                points = torques[load] / printed_curve(load, data.thicknesses) - 1.0
-                axes.plot(data.thicknesses * 1e3, points * 100.0, ".", color=f"C{place}")
-            axes.fill_between(np.array(_RANGE) * 1e3, -3.0, 3.0, color="0.5", alpha=0.2)
-            axes.axhline(0.0, color="0.5", linewidth=0.8)
-            axes.set(title="thin coatings refined" if refined else f"$Δ$ = π/{self.data.nodes // 2} throughout")
-            axes.set(xlabel="thickness $h$ [mm]")
-            axes.set_xticks([0.1, 0.2, 0.5, 1, 2, 5, 10], ["0.1", "0.2", "0.5", "1", "2", "5", "10"])
-        figure.axes[0].set_ylabel("deviation from the paper's curve [%]")
-        figure.axes[0].legend(fontsize="small", title="lines: fits; points: torques", title_fontsize="small")
-        return figure
-
-    def verdicts(self) -> list[Verdict]:
-        """Judge curves and parameters, and say what is mesh."""
-        data, ends = self.data, np.geomspace(*_RANGE, 200)
-        worst = max(float(np.abs(deviation).max()) for deviation in self.deviations(ends).values())
-        inside = [
-            paper.TABLE_4[load][name][0] <= fit.parameters[name].value <= paper.TABLE_4[load][name][1]
-            for load, fit in data.fits.items()
-            for name in "abc"
-        ]
-        thin = data.thicknesses < 0.9e-3
-        mesh, off = (
-            max(float(np.abs(a[load] / b[load] - 1.0)[thin].max()) for load in _LOADS)
-            for a, b in (
-                (data.torques, data.refined),
-                (data.refined, {load: printed_curve(load, data.thicknesses) for load in _LOADS}),
-            )
-        )
-        own = max(
-            float(np.abs(data.fits[p].predict(data.thicknesses) / data.torques[p] - 1)[thin].max()) for p in _LOADS
-        )
-        return [
-            Verdict(
-                statement="curves of table 4, h from 1 to 10 mm",
-                found=f"within {worst:.1%}",
-                agrees=worst <= _TOLERANCE,
-            ),
-            Verdict(
-                statement="95 % intervals of a, b, c",
-                found=f"{sum(inside)} of {len(inside)} inside (the paper's choice of thicknesses is not known)",
-                agrees=all(inside),
-            ),
-            Verdict(
-                statement="curves of table 4, h < 1 mm",
-                found=f"refined torques up to {off:.0%} off; the mesh π/{data.nodes // 2} up to {mesh:.0%} "
-                f"off the refined torques, our own fit up to {own:.0%} off the torques fitted",
-                agrees=off <= _TOLERANCE,
-            ),
-        ]
-
-
 def printed_curve(load: float, thickness: Floats) -> Floats:
     """Torque [N m] of table 4 with the middles of its intervals."""
     a, b, c = (sum(paper.TABLE_4[load][name]) / 2.0 for name in "abc")
     return np.asarray(a * np.tanh(b * thickness**c))
 
 
-def _thickness_sweep(runner: Runner) -> ThicknessSweep:
+def thickness_sweep(runner: Runner) -> ThicknessSweep:
+    """Solve coatings of 0.1 to 10 mm with four loads, thin ones also on finer meshes, and fit section 14.5's law."""
     thicknesses = _COARSE if runner.coarse else _THICKNESSES
 
     def torques(point: tuple[float, int]) -> list[float]:
@@ -241,7 +147,7 @@ def _thickness_sweep(runner: Runner) -> ThicknessSweep:
         mesh = Mesh(nodes_per_revolution=nodes * factor, max_order=3 * nodes * factor // 2 if factor > 1 else order)
         ball = paper.ball(thickness=h, core_radius=_OUTER_RADIUS - h)
         model = RollingModel(ball, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, threads=1)
-        return [model.solve(load=p, compliance=Compliance.RADIAL, threads=1).resisting_torque for p in _LOADS]
+        return [model.solve(load=p, compliance=Compliance.RADIAL, threads=1).resisting_torque for p in LOADS]
 
     points = [(float(h), 1) for h in thicknesses]
     points += [(h, factor) for h, _ in points if (factor := _refinement(h)) > 1]
@@ -251,10 +157,10 @@ def _thickness_sweep(runner: Runner) -> ThicknessSweep:
     return ThicknessSweep(
         nodes=runner.mesh.nodes_per_revolution,
         thicknesses=thicknesses,
-        torques=dict(zip(_LOADS, rough, strict=True)),
-        refined=dict(zip(_LOADS, finer, strict=True)),
-        fits={load: fit_thickness_law(thicknesses, t) for load, t in zip(_LOADS, rough, strict=True)},
-        refined_fits={load: fit_thickness_law(thicknesses, t) for load, t in zip(_LOADS, finer, strict=True)},
+        torques=dict(zip(LOADS, rough, strict=True)),
+        refined=dict(zip(LOADS, finer, strict=True)),
+        fits={load: fit_thickness_law(thicknesses, t) for load, t in zip(LOADS, rough, strict=True)},
+        refined_fits={load: fit_thickness_law(thicknesses, t) for load, t in zip(LOADS, finer, strict=True)},
     )
 
 
@@ -263,11 +169,6 @@ def _refinement(thickness: float) -> int:
     return next((factor for limit, factor in _REFINED.items() if thickness <= limit * (1.0 + 1e-9)), 1)
 
 
-def compute_table4(runner: Runner) -> Table4:
-    """Fit the law of section 14.5 to coatings of 0.1 to 10 mm, once more with thin ones refined."""
-    return Table4(runner.shared(_thickness_sweep))
-
-
 def compute_figure11(runner: Runner) -> Figure11:
-    """Solve coatings of 0.1 to 10 mm with four loads, thin ones also on finer meshes."""
-    return Figure11(runner.shared(_thickness_sweep))
+    """Draw coatings of 0.1 to 10 mm with four loads, thin ones also on finer meshes."""
+    return Figure11(runner.shared(thickness_sweep))
