@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Comparison", "compare_torques", "parse_speeds"]
 
+_LABELS = {"low_speed": "low speed", "greenwood_tabor": "Greenwood and Tabor (64)", "persson": "Persson"}
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
@@ -72,8 +74,8 @@ class Comparison:
             label="solver, radial compliance",
         )
         for place, (name, (torque, holds)) in enumerate(self.forms.items()):
-            color, label = f"C{place}", name.replace("_", " ")
-            axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, not valid")
+            color, label = f"C{place}", _LABELS.get(name, name)
+            axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its validity")
             if holds.any():
                 axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
         axes.set(xscale="log", yscale="log", xlabel="rolling speed $Ω$ [rad/s]", ylabel="resisting torque $T_r$ [N m]")
