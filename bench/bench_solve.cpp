@@ -2,7 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 #include "cases.hpp"
 
@@ -61,6 +64,59 @@ void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
+/// Friction from a cold start at Omega = 0.2 rad/s (section 14.3 of the paper), one coefficient; the error is the power
+/// balance.
+void friction(benchmark::State& state, double coefficient, int nodes) {
+  const CoatedSphere sphere = cases::paper_sphere();
+  const Options options = options_for({nodes, nodes}, Compliance::vertical);
+  Result result;
+  for (auto _ : state) {
+    result = solve(sphere, {.load = 100.0, .angular_speed = 0.2, .friction = coefficient}, options);
+  }
+  state.counters["error"] = result.power_balance_error;
+  state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+}
+
+/// Sixteen coefficients from 0.01 to 2 on one set of tables; the error is the largest power balance.
+void friction_sweep(benchmark::State& state) {
+  double error = 0.0;
+  for (auto _ : state) {
+    const RollingModel model(cases::paper_sphere(), 0.2, {500, 500});
+    for (int i = 0; i < 16; ++i) {
+      const double coefficient = 0.01 * std::pow(200.0, i / 15.0);
+      const Result result = model.solve({.load = 100.0, .angular_speed = 0.2, .friction = coefficient});
+      error = std::max(error, result.power_balance_error);
+    }
+  }
+  state.counters["error"] = error;
+}
+
+/// 200 speeds from 0.05 to 25 rad/s by ten loads from 10 to 100 N at pi/250, a speed to a thread; the error is that of
+/// the paper's example, which is one of them.
+void speed_sweep(benchmark::State& state) {
+  constexpr int kExample = 125;  // number of the example's speed
+  const CoatedSphere sphere = cases::paper_sphere();
+  const Options options{.compliance = Compliance::radial, .threads = 1};
+  std::atomic<int> next{0};
+  double torque = 0.0;
+  const auto work = [&] {
+    for (int i = next++; i < 200; i = next++) {
+      const double speed = 2.5 * std::pow(500.0, (i - kExample) / 199.0);
+      const RollingModel model(sphere, speed, {500, 500}, 1);
+      for (int load = 10; load <= 100; load += 10) {
+        const Result result = model.solve({.load = 1.0 * load, .angular_speed = speed}, options);
+        if (i == kExample && load == 100) torque = result.resisting_torque;
+      }
+    }
+  };
+  for (auto _ : state) {
+    next = 0;
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+  }
+  state.counters["error"] = relative_error(torque, 11.348e-3);
+}
+
 constexpr auto kUnit = benchmark::kMillisecond;
 
 BENCHMARK_CAPTURE(paper_example, pi_250_N_500, 500, 500, Compliance::radial, 11.348e-3)->Unit(kUnit)->UseRealTime();
@@ -74,6 +130,11 @@ BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers())->Unit(k
 BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3))
     ->Unit(kUnit)
     ->UseRealTime();
+BENCHMARK_CAPTURE(friction, mu_03_pi_250, 0.3, 500)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(friction, mu_001_pi_250, 0.01, 500)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(friction, mu_03_pi_400, 0.3, 800)->Unit(kUnit)->UseRealTime();
+BENCHMARK(friction_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK(speed_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK_CAPTURE(to_accuracy, one_percent, 0.01, Compliance::radial, 11.38e-3)->Unit(kUnit)->UseRealTime();
 
 }  // namespace

@@ -89,13 +89,18 @@ void bind_inputs(py::module_& m) {
            }),
            py::kw_only(), py::arg("thickness"), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
            py::arg("bulk_modulus").none(true), py::arg("density"));
+  py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum", "What lies within the innermost layer.")
+      .value("RIGID", InnerBoundary::rigid, "a rigid core, bonded to the layer")
+      .value("HOLLOW", InnerBoundary::hollow, "nothing: the layer's inner surface is free")
+      .value("SOLID", InnerBoundary::solid, "nothing: the layer reaches the center")
+      .finalize();
   py::classh<CoatedSphere>(m, "CoatedSphere")
-      .def(py::init([](double core_radius, std::vector<Layer> layers) {
-             CoatedSphere sphere{core_radius, std::move(layers)};
+      .def(py::init([](double core_radius, std::vector<Layer> layers, InnerBoundary inner_boundary) {
+             CoatedSphere sphere{core_radius, std::move(layers), inner_boundary};
              validate(sphere);
              return sphere;
            }),
-           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
   py::classh<Mesh>(m, "Mesh")
       .def(py::init([](int nodes_per_revolution, int max_order) {
              const Mesh mesh{nodes_per_revolution, max_order};

@@ -12,7 +12,16 @@ All quantities are in SI units; angles are in radians and all moduli are shear m
 """
 
 from . import analytic
-from ._core import Compliance, ConvergenceError, Extrapolation, PatchLoad, SlipKinematics, Status, __version__
+from ._core import (
+    Compliance,
+    ConvergenceError,
+    Extrapolation,
+    InnerBoundary,
+    PatchLoad,
+    SlipKinematics,
+    Status,
+    __version__,
+)
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .materials import (
@@ -45,6 +54,7 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "InnerBoundary",
     "KelvinVoigt",
     "Layer",
     "MasterCurve",

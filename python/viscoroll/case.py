@@ -12,7 +12,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from . import materials
-from ._core import Compliance, Extrapolation, PatchLoad, SlipKinematics
+from ._core import Compliance, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .mesh import Mesh
@@ -46,7 +46,8 @@ class _Layer(_Table):
 
 
 class _Ball(_Table):
-    core_radius: float
+    core_radius: float = 0.0
+    inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
     layers: list[_Layer]
 
 
@@ -182,6 +183,7 @@ def _build(file: _File, folder: Path) -> Case:
     return Case(
         ball=CoatedSphere(
             core_radius=file.ball.core_radius,
+            inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
             layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(file.ball.layers)],
         ),
         load=file.rolling.load,

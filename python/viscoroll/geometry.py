@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from . import _core
-from ._arrays import as_float
+from ._arrays import as_float, require_type
+from ._core import InnerBoundary
 from .materials import ShearModulusLike, to_core
 
 __all__ = ["CoatedSphere", "Layer"]
@@ -61,14 +62,17 @@ class Layer:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CoatedSphere:
-    """A rigid sphere with layers bonded to it and to one another.
+    """Layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
     ----------
     core_radius : float
-        [m], > 0.
+        Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
     layers : sequence of Layer
-        From the core outwards, at least one.
+        From the center outwards, at least one.
+    inner_boundary : InnerBoundary, default InnerBoundary.RIGID
+        What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
+        core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
 
     Examples
     --------
@@ -78,8 +82,9 @@ class CoatedSphere:
     0.022
     """
 
-    core_radius: float
+    core_radius: float = 0.0
     layers: Sequence[Layer]
+    inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
     def __post_init__(self) -> None:
         """Freeze the list of layers and check the parameters."""
@@ -88,6 +93,7 @@ class CoatedSphere:
             if not isinstance(layer, Layer):
                 raise TypeError(f"layers[{j}] must be a viscoroll.Layer, got {layer!r}")
         object.__setattr__(self, "layers", layers)
+        require_type("inner_boundary", self.inner_boundary, InnerBoundary)
         self._to_core()
 
     @property
@@ -102,5 +108,7 @@ class CoatedSphere:
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
-            core_radius=as_float("core_radius", self.core_radius), layers=[layer._to_core() for layer in self.layers]
+            core_radius=as_float("core_radius", self.core_radius),
+            layers=[layer._to_core() for layer in self.layers],
+            inner_boundary=self.inner_boundary,
         )

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "cases.hpp"
@@ -29,6 +30,44 @@ TEST(Solve, ManyThreadsSolveAtOnce) {
   const double expected = torque();
   std::vector<std::jthread> threads;
   for (int t = 0; t < 8; ++t) threads.emplace_back([&] { EXPECT_EQ(torque(), expected); });
+}
+
+TEST(Solve, FrictionDoesNotDependOnTheNumberOfThreads) {
+  const LoadCase sideways{.load = 100.0,
+                          .angular_speed = 0.2,
+                          .friction = 0.2,
+                          .drive = DriveCreepage{.creepage = 0.02, .lateral_creepage = 0.01}};
+  const LoadCase towed{.load = 100.0, .angular_speed = 0.2, .friction = 0.2, .drive = DriveTorque{0.0}};
+  for (const LoadCase& load_case : {sideways, towed}) {
+    Options options = kCoarse;
+    options.threads = 1;
+    const Result one = solve(cases::paper_sphere(), load_case, options);
+    options.threads = 3;
+    const Result three = solve(cases::paper_sphere(), load_case, options);
+    EXPECT_EQ(one.pressure, three.pressure);
+    EXPECT_EQ(one.shear_traction, three.shear_traction);
+    EXPECT_LT(one.residual, 1e-8);
+  }
+}
+
+TEST(RollingModel, ThreadsShareIt) {
+  const RollingModel model(cases::unlike_layers(), 2.5, *kCoarse.mesh);
+  // Each load needs wider tables than the one before.
+  const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
+  std::vector<std::jthread> threads;
+  for (const double load : loads) {
+    threads.emplace_back([&model, load] {
+      const LoadCase load_case{.load = load, .angular_speed = 2.5, .friction = 0.1};
+      const Result alone = solve(cases::unlike_layers(), load_case, kCoarse);
+      const Result shared = model.solve(load_case);
+      EXPECT_NEAR(shared.resisting_torque, alone.resisting_torque, 1e-10 * alone.resisting_torque);
+    });
+  }
+}
+
+TEST(RollingModel, RefusesAnotherSpeed) {
+  const RollingModel model(cases::paper_sphere(), 2.5, *kCoarse.mesh);
+  EXPECT_THROW(std::ignore = model.solve({.load = 1.0, .angular_speed = 2.0}), std::invalid_argument);
 }
 
 TEST(Solve, StopsOnRequest) {

@@ -70,7 +70,7 @@ def test_the_papers_product_overflows_where_the_recursion_does_not():
     assert np.isfinite(vr.surface_compliance(ball_of([(layer, RUBBER)]), 2.5, 1500, 0)).all()
 
 
-def exact_compliance(layers, angular_speed, m, n, digits=50):
+def exact_compliance(layers, angular_speed, m, n, digits=50, hollow=False):
     """Surface compliance without inertia to `digits` digits: the matrix exponential of each layer in ln r.
 
     Material deeper than exp(-70 / k) is left out (its effect is below exp(-140)), and the working precision covers the
@@ -105,7 +105,10 @@ def exact_compliance(layers, angular_speed, m, n, digits=50):
                 ]
             )
             t = mpmath.expm(matrix * mpmath.log(outer / inner), method="taylor")
-            y = (t[:3, :3] * y + t[:3, 3:]) * mpmath.inverse(t[3:, :3] * y + t[3:, 3:])
+            if hollow and inner == layer.inner and layer is layers[0][0]:
+                y = t[:3, :3] * mpmath.inverse(t[3:, :3])
+            else:
+                y = (t[:3, :3] * y + t[:3, 3:]) * mpmath.inverse(t[3:, :3] * y + t[3:, 3:])
         return np.array((y * outermost).tolist(), dtype=complex)
 
 
@@ -219,3 +222,62 @@ def test_shapes_broadcast(paper_ball):
     assert vr.surface_compliance(paper_ball, 2.5, 3, 4).shape == (3, 3)
     assert vr.surface_compliance(paper_ball, 2.5, np.arange(4)[:, None], np.arange(5)).shape == (4, 5, 3, 3)
     assert vr.surface_compliance(paper_ball, 2.5, np.zeros(0, int), 1).shape == (0, 3, 3)
+
+
+@pytest.mark.parametrize("thickness", [1e-2, 0.3, 0.9])
+@pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.5])
+def test_hollow_ball_agrees_with_fifty_digits(thickness, poisson_ratio):
+    layers = [(reference_layer(1.0 - thickness, 1.0, RUBBER, poisson_ratio, 0.0), RUBBER)]
+    solid_core = ball_of(layers)
+    ball = vr.CoatedSphere(
+        core_radius=1.0 - thickness, layers=solid_core.layers, inner_boundary=vr.InnerBoundary.HOLLOW
+    )
+    for m, n in [(0, 1), (1, 0), (2, 1), (3, -5), (40, 7), (300, 300)]:
+        expected = exact_compliance(layers, 2.5, m, n, hollow=True)
+        compliance = vr.surface_compliance(ball, 2.5, m, n)
+        # A thin shell bends far more easily than it stretches: digits are lost by their ratio.
+        assert np.abs(compliance - expected).max() < 1e-9 / thickness * np.abs(expected).max()
+        if thickness * math.hypot(m, n) > 40.0:  # out of reach of the inner surface
+            np.testing.assert_allclose(compliance, vr.surface_compliance(solid_core, 2.5, m, n), rtol=1e-12)
+
+
+def regular_compliance(poisson_ratio, mu, m, n):
+    """Compliance of a homogeneous solid ball of radius 1: the three solutions r^s with the largest exponents."""
+    layer = vr.Layer(thickness=1.0, shear_modulus=vr.Elastic(modulus=mu), poisson_ratio=poisson_ratio)
+    exponents, solutions = np.linalg.eig(vr.state_matrix(layer, 1.0, 1.0, m, n))
+    regular = solutions[:, np.argsort(exponents.real)[3:]]
+    return regular[:3] @ np.linalg.inv(regular[3:])
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.5])
+def test_solid_ball_keeps_the_regular_solutions(poisson_ratio):
+    mu, radius = 2e6, 0.7
+    layer = vr.Layer(thickness=radius, shear_modulus=vr.Elastic(modulus=mu), poisson_ratio=poisson_ratio)
+    ball = vr.CoatedSphere(layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    for m, n in [(0, 1), (1, 0), (1, 1), (2, 1), (3, -5), (40, 7)]:
+        expected = radius * regular_compliance(poisson_ratio, mu, m, n)
+        compliance = vr.surface_compliance(ball, 1.0, m, n)
+        np.testing.assert_allclose(compliance, expected, rtol=0.0, atol=1e-9 * np.abs(expected).max())
+    # Order (0, 0): uniform swelling u_r = r sigma / 3K, and no mean rotation.
+    bulk = 2.0 * mu * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio)) if poisson_ratio < 0.5 else np.inf
+    np.testing.assert_allclose(
+        vr.surface_compliance(ball, 1.0, 0, 0), np.diag([radius / (3.0 * bulk), 0.0, 0.0]), rtol=1e-12, atol=1e-22
+    )
+
+
+def test_solid_ball_is_the_limit_of_small_cores():
+    rubber = vr.KelvinVoigt(modulus=1e6, viscosity=1e3)
+    solid = vr.CoatedSphere(
+        layers=[vr.Layer(thickness=20e-3, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)],
+        inner_boundary=vr.InnerBoundary.SOLID,
+    )
+    core = vr.CoatedSphere(
+        core_radius=2e-5,
+        layers=[vr.Layer(thickness=20e-3 - 2e-5, shear_modulus=rubber, poisson_ratio=0.3, density=1000.0)],
+    )
+    m, n = np.array([5, 10, 0, 3]), np.array([0, 7, 4, 1])
+    np.testing.assert_allclose(
+        vr.surface_compliance(solid, 5.0, m, n), vr.surface_compliance(core, 5.0, m, n), rtol=1e-6, atol=1e-15
+    )
+    assert vr.centrifugal_displacement(solid, 5.0) == pytest.approx(vr.centrifugal_displacement(core, 5.0), rel=1e-6)
+    assert vr.critical_speed(solid) == vr.critical_speed(core)

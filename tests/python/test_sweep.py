@@ -34,11 +34,11 @@ def solves(monkeypatch):
     """Collect the loads of all points solved in this process."""
     loads = []
 
-    def solve(ball, **arguments):
-        loads.append(arguments["load"])
-        return vr.solve(ball, **arguments)
+    def solve_point(solver, **case):
+        loads.append(case["load"])
+        return solver(**case)
 
-    monkeypatch.setattr(running, "solve", solve)
+    monkeypatch.setattr(running, "solve_point", solve_point)
     return loads
 
 
@@ -206,17 +206,17 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
 
 
 def test_an_error_of_the_machine_is_not_the_points(tmp_path, monkeypatch, paper_ball, solves):
-    counting = running.solve
+    counting = running.solve_point
 
-    def exhausted(ball, **arguments):
-        if arguments["load"] == 50.0:
+    def exhausted(solver, **case):
+        if case["load"] == 50.0:
             raise MemoryError
-        return counting(ball, **arguments)
+        return counting(solver, **case)
 
-    monkeypatch.setattr(running, "solve", exhausted)
+    monkeypatch.setattr(running, "solve_point", exhausted)
     with pytest.raises(MemoryError):
         sweep(paper_ball, load=LOADS, cache=tmp_path / "study.nc")
-    monkeypatch.setattr(running, "solve", counting)
+    monkeypatch.setattr(running, "solve_point", counting)
     assert not sweep(paper_ball, load=LOADS, cache=tmp_path / "study.nc").resisting_torque.isnull().any()
     assert sorted(solves) == LOADS
 
@@ -269,12 +269,12 @@ from viscoroll import paper
 from viscoroll.studies import run
 left = iter(range(7))
 
-def solve(ball, **arguments):
+def solve_point(solver, **case):
     if next(left, None) is None:
         threading.Event().wait()  # in the middle of a point, until killed
-    return vr.solve(ball, **arguments)
+    return solver(**case)
 
-run.solve = solve
+run.solve_point = solve_point
 mesh = vr.Mesh(nodes_per_revolution=100, max_order=50)
 vr.sweep(paper.ball, load={loads}, thickness=1e-3, angular_speed=2.5, mesh=mesh, cache={str(path)!r}, progress=False)
 """

@@ -20,10 +20,19 @@ struct Layer {
   double density = 0.0;                 ///< [kg/m^3], >= 0; 0 leaves inertia out
 };
 
-/// @brief A rigid sphere with layers bonded to it and to one another.
+/// @brief What lies within the innermost layer.
+enum class InnerBoundary {
+  rigid,   ///< a rigid core, bonded to the layer
+  hollow,  ///< nothing: the layer's inner surface is free
+  solid,   ///< nothing: the layer reaches the center
+};
+
+/// @brief Layers bonded to one another, and to a rigid core if there is one. Without a core, the coating's mean
+/// rotation about the center is taken to be zero, for no other can be told from turning the sphere.
 struct CoatedSphere {
-  double core_radius = 0.0;   ///< [m], > 0
-  std::vector<Layer> layers;  ///< from the core outwards, at least one
+  double core_radius = 0.0;                             ///< of the core or the cavity [m], > 0; 0 for a solid ball
+  std::vector<Layer> layers;                            ///< from the center outwards, at least one
+  InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< what lies within
 };
 
 /// @return outer radius r_o [m]

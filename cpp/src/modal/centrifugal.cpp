@@ -48,16 +48,21 @@ double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
     const Eigen::Matrix2d elastic{{-2.0 + 4.0 * b, b / mu}, {4.0 * mu * (3.0 - 4.0 * b), 1.0 - 4.0 * b}};
-    const double extent = std::log(medium.outer_radius / medium.inner_radius);
+    // In a solid ball the irregular solution, r^-3 of the regular one, dies out from this depth.
+    const double inner = std::max(medium.inner_radius, 1e-6 * medium.outer_radius);
+    const double extent = std::log(medium.outer_radius / inner);
+    bool free = medium.within == InnerBoundary::hollow;  // inner surface of the first step
     const int steps = static_cast<int>(std::ceil(extent / 0.2));
     const double x = std::expm1(extent / steps);
     for (int step = 0; step < steps; ++step) {
-      const double radius = medium.inner_radius * std::exp(extent * step / steps);
+      const double radius = inner * std::exp(extent * step / steps);
       const double q = medium.inertia * radius * radius / stress_unit;
-      const State unit_stress = advance(elastic, q, 0.0, {compliance, 1.0}, x);
+      const State start = free ? State{1.0, 0.0} : State{compliance, 1.0};
+      const State unit_stress = advance(elastic, q, 0.0, start, x);
       const State loaded = advance(elastic, q, radius, {offset, 0.0}, x);
       compliance = unit_stress(0) / unit_stress(1);
       offset = loaded(0) - compliance * loaded(1);
+      free = false;
     }
   }
   return offset;

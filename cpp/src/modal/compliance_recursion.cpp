@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace viscoroll::detail {
 namespace {
@@ -61,13 +62,30 @@ States<Scalar> advance(const LayerEquations<Scalar>& elastic, const Eigen::Matri
   return sum;
 }
 
+/// Solutions that the innermost layer starts with at `inner`: three stresses on what carries it, or three displacements
+/// of a free surface. A solid ball starts like one on a tiny core: what is not regular at the center dies out.
+template <class Scalar>
+States<Scalar> starting_states(const Medium<Scalar>& medium, double inner, double order) {
+  States<Scalar> states = States<Scalar>::Zero();
+  states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
+  if (medium.within == InnerBoundary::hollow && inner == medium.inner_radius) {
+    const Eigen::Index free = order > 0.0 ? 3 : 1;  // order (0, 0) leaves rotations of the whole coating free
+    for (Eigen::Index i = 0; i < free; ++i) std::swap(states(i, i), states(i, i + 3));
+  }
+  return states;
+}
+
 /// Carry Y, in units of 1 / stress_unit, through all layers; `visit` sees it after every step and may stop by false.
 template <class Scalar, class Visit>
 Matrix3<Scalar> carry(std::span<const Medium<Scalar>> media, double m, double n, double stress_unit, Visit visit) {
   const double order = std::hypot(m, n);
   const double surface = media.back().outer_radius;
-  const double deepest = surface * std::exp(-kDepth / std::max(order, 1e-300));
+  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
+  // whose two solutions differ by the third power of the radius.
+  const bool held = media.front().within == InnerBoundary::rigid;
+  const double deepest = surface * std::exp(-kDepth / std::max(order, held ? 1e-300 : 0.5));
   Matrix3<Scalar> compliance = Matrix3<Scalar>::Zero();
+  bool started = false;
   for (Medium<Scalar> medium : media) {
     if (medium.outer_radius <= deepest) continue;
     const double inner = std::max(medium.inner_radius, deepest);
@@ -80,9 +98,12 @@ Matrix3<Scalar> carry(std::span<const Medium<Scalar>> media, double m, double n,
     for (int step = 0; step < steps; ++step) {
       const double radius = inner * std::exp(extent * step / steps);
       const Eigen::Matrix3d inertia = medium.inertia * radius * radius / stress_unit * inertia_matrix(m);
-      States<Scalar> states;
-      states.template leftCols<3>() = compliance.transpose().array();
-      states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
+      States<Scalar> states = starting_states(medium, inner, order);
+      if (started) {
+        states.template leftCols<3>() = compliance.transpose().array();
+        states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
+      }
+      started = true;
       states = advance<Scalar>(elastic, inertia, states, x);
       // Rows are states: Y^T = F^-T D^T.
       const Matrix3<Scalar> displacement = states.template leftCols<3>().matrix();
@@ -91,6 +112,7 @@ Matrix3<Scalar> carry(std::span<const Medium<Scalar>> media, double m, double n,
       if (!visit(compliance)) return compliance;
     }
   }
+  if (!held && order == 0.0) compliance.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
   return compliance;
 }
 

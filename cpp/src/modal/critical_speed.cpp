@@ -34,7 +34,8 @@ std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double 
                      .outer_radius = radius,
                      .mu = mu,
                      .b = shear_ratio(layer, mu),
-                     .inertia = layer.density});
+                     .inertia = layer.density,
+                     .within = inner == sphere.core_radius ? sphere.inner_boundary : InnerBoundary::rigid});
   }
   return media;
 }
@@ -111,7 +112,8 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
                        .outer_radius = radius + layer.thickness,
                        .mu = mu,
                        .b = shear_ratio(layer, mu),
-                       .inertia = layer.density * angular_speed * angular_speed});
+                       .inertia = layer.density * angular_speed * angular_speed,
+                       .within = j == 0 ? sphere.inner_boundary : InnerBoundary::rigid});
       radius += layer.thickness;
     }
     const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds

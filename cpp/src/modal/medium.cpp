@@ -39,6 +39,7 @@ std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) 
                      .b = shear_ratio(layer, mu),
                      .inertia = layer.density * angular_speed_ * angular_speed_});
   }
+  media.front().within = sphere_.inner_boundary;
   return media;
 }
 

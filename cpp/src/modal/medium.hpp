@@ -18,6 +18,8 @@ struct Medium {
   Scalar mu;            ///< shear modulus [Pa]
   Scalar b;             ///< mu / (lambda + 2 mu), see `shear_ratio`
   double inertia;       ///< rho Omega^2 [Pa/m^2]
+  /// What lies within it: `rigid` stands for whatever carries it, the layer below included.
+  InnerBoundary within = InnerBoundary::rigid;
 };
 
 /// @brief Ratio b of the shear modulus to the confined modulus, mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) =

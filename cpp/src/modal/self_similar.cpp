@@ -47,7 +47,8 @@ std::optional<std::vector<Medium<double>>> scaled_media(const HarmonicCoating& c
                      .outer_radius = at_rest[l].outer_radius,
                      .mu = *ratio,
                      .b = at_rest[l].b.real(),
-                     .inertia = share / (coating.outer_radius() * coating.outer_radius())});
+                     .inertia = share / (coating.outer_radius() * coating.outer_radius()),
+                     .within = at_rest[l].within});
   }
   return media;
 }

@@ -35,7 +35,11 @@ void validate(const Layer& layer, std::string_view prefix) {
 }
 
 void validate(const CoatedSphere& sphere) {
-  detail::require_positive("core_radius", sphere.core_radius, "m");
+  if (sphere.inner_boundary == InnerBoundary::solid) {
+    if (sphere.core_radius != 0.0) detail::reject("core_radius", "0 m in a solid ball", sphere.core_radius);
+  } else {
+    detail::require_positive("core_radius", sphere.core_radius, "m");
+  }
   if (sphere.layers.empty()) detail::reject("layers", "a list of at least one layer", "none");
   for (std::size_t j = 0; j < sphere.layers.size(); ++j) {
     validate(sphere.layers[j], "layers[" + std::to_string(j) + "].");

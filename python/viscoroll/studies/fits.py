@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .least_squares import Fit, fit_law
+from .least_squares import Fit, Parameter, fit_law
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 __all__ = ["fit_friction_law", "fit_power_law", "fit_thickness_law"]
+
+#: Least ratio c_o / (ε c_i) of the two scales of the friction law: it is a law of a thin boundary layer.
+_LEAST_RATIO = 1.5
 
 
 def fit_power_law(load: ArrayLike, torque: ArrayLike, *, confidence: float = 0.95) -> Fit:
@@ -135,7 +138,8 @@ def fit_friction_law(
     Returns
     -------
     Fit
-        Parameters a_o [N m], b_o [-], c_o [-] and c_i [-].
+        Parameters a_o [N m], b_o [-], c_o [-] and c_i [-]. The two scales c_o and ε c_i are kept apart by a factor of
+        1.5: where the data ask for less, c_o is tied to c_i by it, and the law says so.
 
     Raises
     ------
@@ -166,10 +170,35 @@ def fit_friction_law(
         raise ValueError(f"frictionless_torque must be > 0 N m, got {frictionless_torque!r}")
     # At μ = 0 the law holds whatever its parameters are: such points say nothing about them.
     x, y = _data("friction", "", x[x > 0.0], y[x > 0.0], parameters=4)
-    model = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
     law = f"matched exponentials (60)-(63), a_i = {frictionless_torque:.6g} N m, ε = {boundary_layer_width:g}"
+    separated = _FrictionLaw(frictionless_torque=frictionless_torque, width=boundary_layer_width)
+    start = separated.start(x, y)
     units = {"a_o": "N m", "b_o": "1", "c_o": "1", "c_i": "1"}
-    return fit_law(law, model, x, y, model.start(x, y), units, confidence)
+    try:
+        fit = fit_law(law, separated, x, y, start, units, confidence)
+        if fit.parameters["c_o"].value >= _LEAST_RATIO * boundary_layer_width * fit.parameters["c_i"].value:
+            return fit
+    except ValueError:  # the data do not tell the two scales from each other
+        pass
+    return _fit_at_least_ratio(separated, x, y, start, law, confidence)
+
+
+def _fit_at_least_ratio(law_of: _FrictionLaw, x: Floats, y: Floats, start: Floats, law: str, confidence: float) -> Fit:
+    """Fit with c_o = 1.5 ε c_i, where a free c_o would run into ε c_i, and b_o away."""
+    ratio = _LEAST_RATIO * law_of.width
+
+    def tied(x: Floats, a_o: float, b_o: float, c_i: float) -> Floats:
+        return law_of(x, a_o, b_o, ratio * c_i, c_i)
+
+    units = {"a_o": "N m", "b_o": "1", "c_i": "1"}
+    fit = fit_law(f"{law}, c_o = {_LEAST_RATIO:g} ε c_i", tied, x, y, start[[0, 1, 3]], units, confidence)
+    inner = fit.parameters["c_i"]
+    outer = Parameter(value=ratio * inner.value, lower=ratio * inner.lower, upper=ratio * inner.upper, unit="1")
+    # From three free parameters to the four of the law.
+    spread = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, ratio], [0.0, 0.0, 1.0]])
+    parameters = {"a_o": fit.parameters["a_o"], "b_o": fit.parameters["b_o"], "c_o": outer, "c_i": inner}
+    covariance = spread @ fit.covariance @ spread.T
+    return replace(fit, parameters=parameters, covariance=covariance, _model=law_of)
 
 
 def _power(x: Floats, a: float, b: float) -> Floats:

@@ -105,8 +105,10 @@ class Plan:
         return Task(
             indices=tuple(indices),
             ball=first.ball,
-            shared={name: first.arguments[name] for name in _SHARED if name in first.arguments},
-            cases=tuple({k: v for k, v in case.arguments.items() if k not in _SHARED} for case in cases),
+            shared={name: first.arguments[name] for name in _SHARED if first.arguments.get(name) is not None},
+            cases=tuple(
+                {k: v for k, v in case.arguments.items() if k not in _SHARED and v is not None} for case in cases
+            ),
             fields=self.fields,
         )
 
@@ -134,7 +136,7 @@ class Plan:
         numbers = {key: i for i, key in enumerate(rolled)}
         yield repr([numbers[id(case.ball)] if isinstance(case, LoadCase) else case for case in self.cases])
         for ball in self.balls():
-            yield repr(ball.core_radius)
+            yield f"{ball.inner_boundary.name} {ball.core_radius!r}"
             for layer in ball.layers:
                 properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
                 yield f"{properties!r} {_modulus_text(layer.shear_modulus, rolled[id(ball)])}"

@@ -7,16 +7,18 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import CoatedSphere
-from ..rolling import solve
+from ..result import Result
+from ..rolling import RollingModel, solve
 from .plan import Plan, Task
 
-__all__ = ["Outcome", "cores", "run", "solve_group"]
+__all__ = ["Outcome", "cores", "run", "solve_group", "solve_point"]
 
 #: Points of a task for an executor, at most: what is lost of each worker where this process is killed.
 _LARGEST_TASK = 8
@@ -56,7 +58,7 @@ def solve_group(
     progress: Callable[[str, float], object] | None = None,
     record: Callable[[int, Outcome], object] | None = None,
 ) -> list[Outcome]:
-    """Solve points that share a ball and an influence table, one after the other.
+    """Solve points that share a ball, a speed and a mesh, one after the other, on one `RollingModel`.
 
     Parameters
     ----------
@@ -85,10 +87,12 @@ def solve_group(
     MemoryError, CancelledError
         These say nothing of the point, and end the group.
     """
+    solver: Callable[..., Result] | None = None
     outcomes = []
     for position, case in enumerate(cases):
         try:
-            result = solve(ball, **shared, **case, threads=threads, progress=progress)
+            solver = solver or _solver(ball, shared, cases, threads=threads, progress=progress)
+            result = solve_point(solver, **case)
         except (MemoryError, CancelledError):
             raise
         except Exception as error:
@@ -100,6 +104,22 @@ def solve_group(
         if record is not None:
             record(position, outcome)
     return outcomes
+
+
+def solve_point(solver: Callable[..., Result], **case: Any) -> Result:
+    """Solve one point: `solver` knows what it shares with others, `case` is the rest."""
+    return solver(**case)
+
+
+def _solver(
+    ball: CoatedSphere, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
+) -> Callable[..., Result]:
+    """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
+    if "mesh" not in shared or any("accuracy" in case for case in cases):
+        return partial(solve, ball, **shared, **options)
+    model = RollingModel(ball, angular_speed=shared["angular_speed"], mesh=shared["mesh"], **options)
+    rest = {name: value for name, value in shared.items() if name not in ("angular_speed", "mesh")}
+    return partial(model.solve, **rest, **options)
 
 
 def run(
