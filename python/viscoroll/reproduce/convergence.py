@@ -90,12 +90,12 @@ class Table2:
         found = [
             Verdict(
                 statement=f"{len(x)} torques",
-                found=f"all within {x.max():.2%}",
+                found=f"all within {x.max() * 100.0:.2f} %",
                 agrees=bool(x.max() <= TOLERANCE["x"]),
             ),
             Verdict(
                 statement=f"{len(x)} torques, with its own lever arm (arc length)",
-                found=f"all within {arc.max():.2%}, {int((arc <= 1e-3).sum())} within 0.1 %",
+                found=f"all within {arc.max() * 100.0:.2f} %, {int((arc <= 1e-3).sum())} within 0.1 %",
                 agrees=bool(arc.max() <= TOLERANCE["arc"]),
             ),
             self._spread("all within 10 % of each other", 0, 0.10),
@@ -109,7 +109,7 @@ class Table2:
         for table in (self.by_x, paper.TABLE_2):
             torques = [table[key] for key in self.by_x if key[0] >= nodes]
             spreads.append(1.0 - min(torques) / max(torques))
-        found = f"within {spreads[0]:.2%} (the printed entries: {spreads[1]:.2%})"
+        found = f"within {spreads[0] * 100.0:.2f} % (the printed entries: {spreads[1] * 100.0:.2f} %)"
         return Verdict(statement=statement, found=found, agrees=round(spreads[0], 3) <= bound)
 
 

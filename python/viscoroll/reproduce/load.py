@@ -87,7 +87,7 @@ class Figure10:
         return [
             Verdict(
                 statement="well fitted by power laws",
-                found=f"within {residual:.1%} from 20 N on",
+                found=f"within {residual * 100.0:.1f} % from 20 N on",
                 agrees=residual < 0.05,
             ),
             Verdict(statement="exponents larger than 4/3", found=values, agrees=min(thin, thick) > 4.0 / 3.0),

@@ -100,7 +100,7 @@ class Table4:
         return [
             Verdict(
                 statement="curves of table 4, h from 1 to 10 mm",
-                found=f"within {worst:.1%}",
+                found=f"within {worst * 100.0:.1f} %",
                 agrees=worst <= _TOLERANCE,
             ),
             Verdict(
@@ -110,8 +110,8 @@ class Table4:
             ),
             Verdict(
                 statement="curves of table 4, h < 1 mm",
-                found=f"refined torques up to {off:.0%} off; the mesh π/{data.nodes // 2} up to {mesh:.0%} "
-                f"off the refined torques, our own fit up to {own:.0%} off the torques fitted",
+                found=f"refined torques up to {off * 100.0:.0f} % off; "
+                f"the mesh π/{data.nodes // 2} up to {mesh * 100.0:.0f} % off the refined torques, our own fit up to {own * 100.0:.0f} % off its torques",
                 agrees=off <= _TOLERANCE,
             ),
         ]

@@ -81,13 +81,14 @@ class Figure7:
         return [
             Verdict(
                 statement=f"{printed * 1e3:.2f} mN m at 2.5 rad/s (table 2; the points of figure 7 are not printed)",
-                found=f"{self.torques[at] * 1e3:.2f} mN m, {off:+.2%}",
+                found=f"{self.torques[at] * 1e3:.2f} mN m, {off * 100.0:+.2f} %",
                 agrees=abs(off) <= 0.005,
             ),
             Verdict(
                 statement='"deepest penetration" roughly at 0.3 rad/s',
                 found=f"penetration is largest at {deepest:.2g} rad/s and falls from there; "
-                f"it is the torque that is largest nearby, at {most:.2g} rad/s (at 0.3 rad/s {share:.1%} of that)",
+                f"it is the torque that is largest nearby, at {most:.2g} rad/s "
+                f"(at 0.3 rad/s {share * 100.0:.1f} % of that)",
                 agrees=bool(abs(np.log2(deepest / _DEEPEST)) < 1.0),
             ),
         ]
@@ -140,8 +141,8 @@ class Figure12:
             ),
             Verdict(
                 statement="resistance falls towards 0 at low and at high speed",
-                found=f"at most {slow:.0%} of the peak at {self.speeds[0]:g} rad/s "
-                f"and {fast:.0%} at {self.speeds[-1]:g} rad/s",
+                found=f"at most {slow * 100.0:.0f} % of the peak at {self.speeds[0]:g} rad/s "
+                f"and {fast * 100.0:.0f} % at {self.speeds[-1]:g} rad/s",
                 agrees=max(slow, fast) < 0.7,
             ),
         ]

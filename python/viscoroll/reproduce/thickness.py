@@ -119,7 +119,7 @@ class Figure11:
             Verdict(
                 statement="torque increases with thickness towards a limit",
                 found=f"{'it rises throughout' if rising else 'not throughout'}, from 7 to 10 mm still by "
-                f"{min(growth):.0%} (25 N) to {max(growth):.0%} (100 N)",
+                f"{min(growth) * 100.0:.0f} % (25 N) to {max(growth) * 100.0:.0f} % (100 N)",
                 agrees=rising,
             ),
             Verdict(
