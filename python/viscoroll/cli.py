@@ -7,11 +7,13 @@ import json
 import math
 import sys
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
@@ -21,6 +23,11 @@ from ._text import one_line, shown
 from .case import Case, example_text, load_case
 from .result import SCALARS, SUFFIXES
 from .rolling import solve as solve_rolling
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from .reproduce import Verdict
 
 __all__ = ["run"]
 
@@ -158,6 +165,74 @@ def example(
 
 
 @app.command()
+def reproduce(
+    items: Annotated[
+        list[str] | None, typer.Argument(metavar="[ITEM]...", help="table2, figure12, …; by default all.")
+    ] = None,
+    output: Annotated[Path, typer.Option(help="Folder for pictures and numbers.")] = Path("reproduced"),
+    coarse: Annotated[
+        bool, typer.Option("--coarse", help="A coarse mesh and few points: seconds, not minutes.")
+    ] = False,
+) -> None:
+    """Compute and draw tables and figures of the paper, and judge them by what it says."""
+    import_module("scipy")  # wanted by some items: say so before the others are solved
+    from .reproduce import ITEMS, Runner, write_files, write_verdicts
+
+    if unknown := sorted(set(items or ()) - set(ITEMS)):
+        raise ValueError(f"item must be one of {', '.join(ITEMS)}, got {unknown[0]!r}")
+    output.mkdir(parents=True, exist_ok=True)
+    verdicts: dict[str, list[Verdict]] = {}
+    with _progress_bar() as bar:
+        task = bar.add_task("starting")
+        runner = Runner(coarse=coarse, report=lambda done, total: bar.update(task, completed=done, total=max(total, 1)))
+        for name in [name for name in ITEMS if not items or name in items]:
+            item = ITEMS[name]
+            bar.update(task, description=f"{name}: {item.title}")
+            outcome = item.compute(runner)
+            write_files(item, outcome, output)
+            verdicts[name] = outcome.verdicts()
+    write_verdicts(output / "verdicts.md", verdicts)
+    _output.print(_verdict_table(verdicts))
+    _output.print(f"pictures, numbers and verdicts.md in {output}", markup=False, highlight=False, soft_wrap=True)
+
+
+@app.command()
+def compare(
+    case: Annotated[Path, typer.Argument(help="Case file in TOML; its friction and compliance do not count.")],
+    speeds: Annotated[
+        str | None, typer.Option(help="From..to in rad/s, as 0.05..25; by default around that of the case.")
+    ] = None,
+    output: Annotated[Path, typer.Option(help="Picture (.png, .svg, .pdf), with a .csv beside it.")] = Path(
+        "compare.png"
+    ),
+    points: Annotated[int, typer.Option(help="Number of speeds.", min=2)] = 25,
+) -> None:
+    """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has."""
+    from .compare import compare_torques, parse_speeds
+
+    loaded = load_case(case)
+    with _progress_bar() as bar:
+        task = bar.add_task("speeds", total=points)
+        comparison = compare_torques(
+            loaded,
+            speeds=None if speeds is None else parse_speeds(speeds),
+            points=points,
+            report=lambda done, total: bar.update(task, completed=done, total=total),
+        )
+    comparison.draw().savefig(output, dpi=150)
+    comparison.write_csv(output.with_suffix(".csv"))
+    for status, count in comparison.unsettled().items():
+        _messages.print(f"warning: {count} speeds: {_STATUS_TEXT[status]}", highlight=False, soft_wrap=True)
+    names = ", ".join(comparison.forms) or "no closed form suits this ball"
+    _output.print(
+        f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}",
+        markup=False,
+        highlight=False,
+        soft_wrap=True,
+    )
+
+
+@app.command()
 def demo(
     plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
 ) -> None:
@@ -246,6 +321,18 @@ def _result_table(result: Result) -> Table:
     mesh = result.mesh
     table.add_row("mesh", f"{mesh.nodes_per_revolution} x {mesh.max_order}", "nodes per revolution x orders")
     table.add_row("status", result.status.name, f"after {result.iterations} iterations")
+    return table
+
+
+def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
+    table = Table(title="The paper, reproduced", title_justify="left")
+    for head in ("item", "the paper", "found", "verdict"):
+        table.add_column(head, overflow="fold")
+    for name, rows in verdicts.items():
+        for place, verdict in enumerate(rows):
+            judged = "[green]agrees[/]" if verdict.agrees else "[red]disagrees[/]"
+            cells = (name if place == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
+            table.add_row(*cells, end_section=place == len(rows) - 1)
     return table
 
 

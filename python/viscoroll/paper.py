@@ -9,7 +9,7 @@ from .geometry import CoatedSphere, Layer
 from .materials import StandardLinearSolid
 from .mesh import Mesh
 
-__all__ = ["ANGULAR_SPEED", "LOAD", "TABLE_2", "ball", "table_2_meshes"]
+__all__ = ["ANGULAR_SPEED", "LOAD", "TABLE_2", "TABLE_3", "TABLE_4", "ball", "table_2_meshes"]
 
 #: P of section 14 [N].
 LOAD = 100.0
@@ -37,6 +37,21 @@ TABLE_2: dict[tuple[int, int], float] = {
     }.items()
     for order, torque in zip(_ORDERS, torques, strict=True)
     if torque is not None
+}
+
+#: Table 3: ends of the 95 % intervals of a_p [N^(1-b) m] and b_p [-] of T_r = a_p P^b_p, by thickness h [m]. The two
+#: columns, headed "H = 1 mm" and "H = 5 mm", stand here swapped: so the power laws meet table 2 at 100 N and 1 mm.
+TABLE_3: dict[float, dict[str, tuple[float, float]]] = {
+    5e-3: {"a": (4.766e-5, 5.037e-5), "b": (1.418, 1.430)},
+    1e-3: {"a": (2.097e-5, 2.321e-5), "b": (1.344, 1.368)},
+}
+
+#: Table 4: ends of the 95 % intervals of a_h [N m], b_h [m^-c] and c_h [-] of T_r = a_h tanh(b_h h^c_h), by load [N].
+TABLE_4: dict[float, dict[str, tuple[float, float]]] = {
+    25.0: {"a": (0.670e-2, 0.677e-2), "b": (69.702, 78.446), "c": (0.809, 0.827)},
+    50.0: {"a": (1.997e-2, 2.018e-2), "b": (64.898, 71.332), "c": (0.821, 0.835)},
+    75.0: {"a": (3.770e-2, 3.811e-2), "b": (61.842, 67.310), "c": (0.827, 0.840)},
+    100.0: {"a": (5.895e-2, 5.972e-2), "b": (58.431, 64.205), "c": (0.828, 0.842)},
 }
 
 

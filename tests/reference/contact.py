@@ -3,34 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from viscoroll.reproduce.plain import solve_normal_contact
 
 from .boundary import flat_patch
 
-
-def solve_normal_contact(vertical_compliance, profile, load):
-    """Find forces F_W < 0 and the height H that satisfy (50), with nothing tensile and nothing overclosed.
-
-    `profile` is the undeformed depth r_o sin(theta) sin(phi) of the nodes below the center.
-    """
-    contact = np.ones(profile.size, bool)
-    while True:
-        nodes = np.flatnonzero(contact)
-        system = np.zeros((nodes.size + 1, nodes.size + 1))
-        system[:-1, :-1] = vertical_compliance[np.ix_(nodes, nodes)]
-        system[:-1, -1] = -1.0
-        system[-1, :-1] = 1.0
-        unknowns = np.linalg.solve(system, -np.append(profile[nodes], load))
-        force = np.zeros(profile.size)
-        force[nodes], height = unknowns[:-1], unknowns[-1]
-        tensile = force > 0.0
-        if tensile.any():
-            contact &= ~tensile
-            continue
-        overclosure = vertical_compliance @ force + profile - height
-        overclosed = (overclosure > 1e-12 * height) & ~contact
-        if not overclosed.any():
-            return force, height
-        contact |= overclosed
+__all__ = ["dissipated_power", "resisting_torque", "solve_normal_contact"]
 
 
 def resisting_torque(force, radius, phi, theta):

@@ -1,122 +1,26 @@
 """Sections 7 and 8: from complex moduli to the surface compliance of single orders (m, n).
 
-Arrays of orders come first in every shape: m, n of shape (...) give matrices of shape (..., 6, 6) or (..., 3, 3).
+They live in the package, which draws figure 4 with them.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from viscoroll.reproduce.plain import (
+    Layer,
+    extrapolated_compliance,
+    product_compliance,
+    prony,
+    sub_intervals,
+    surface_compliance,
+    system_matrix,
+)
 
-import numpy as np
-
-
-@dataclass
-class Layer:
-    """One layer: radii [m], shear modulus mu(omega) [Pa], Poisson's ratio [-], density [kg/m^3]."""
-
-    inner: float
-    outer: float
-    shear_modulus: object
-    poisson_ratio: float
-    density: float = 0.0
-
-
-def prony(instantaneous, weights, times, omega):
-    """Equation (65): mu* = G0 (g_inf + sum_k g_k (w^2 tau^2 + i w tau) / (1 + w^2 tau^2))."""
-    omega = np.asarray(omega, float)
-    modulus = np.full(omega.shape, 1.0 - sum(weights), complex)
-    for g, tau in zip(weights, times, strict=True):
-        modulus += g * (omega**2 * tau**2 + 1j * omega * tau) / (1.0 + omega**2 * tau**2)
-    return instantaneous * modulus
-
-
-def shorthand(layer, angular_speed, m, radius):
-    """Equations (24), multiplied out so that Poisson's ratio 1/2 (an infinite Lame lambda) is no special case.
-
-    With a = lambda / (lambda + 2 mu) and b = mu / (lambda + 2 mu): S1 = b / mu, S2 = a / r, S3 = b / r,
-    S4 = mu (3a + 2b) / r^2, S5 = mu (a + b) / r^2.
-    """
-    nu = layer.poisson_ratio
-    omega = m * angular_speed
-    mu = np.where(omega < 0, np.conj(layer.shear_modulus(abs(omega))), layer.shear_modulus(abs(omega)))
-    a = nu / (1.0 - nu)
-    b = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu))
-    return mu, b / mu, a / radius, b / radius, mu * (3 * a + 2 * b) / radius**2, mu * (a + b) / radius**2
-
-
-def system_matrix(layer, angular_speed, m, n, radius):
-    """Equation (26): dq/dr = A(r) q with q = (u_r, u_phi, u_theta, sigma_rr, sigma_rphi, sigma_rtheta)."""
-    m, n = np.broadcast_arrays(np.asarray(m, float), np.asarray(n, float))
-    mu, s1, s2, s3, s4, s5 = shorthand(layer, angular_speed, m, radius)
-    inertia = layer.density * angular_speed**2
-    s6 = 4 * s4 - inertia * (1 + m**2)
-    s7 = 2j * m * (s4 - inertia)
-    s8 = 4 * m**2 * s5 + n**2 * mu / radius**2 - inertia * (1 + m**2)
-    s9 = 4 * n**2 * s5 + m**2 * mu / radius**2 - inertia * m**2
-    r = radius
-    zero, one = np.zeros(m.shape), np.ones(m.shape)
-    rows = [
-        [-2 * s2 * one, -1j * m * s2, -1j * n * s2, s1, zero, zero],
-        [-1j * m / r, one / r, zero, zero, 1 / mu, zero],
-        [-1j * n / r, zero, one / r, zero, zero, 1 / mu],
-        [s6, s7, 2j * n * s4, -4 * s3 * one, -1j * m / r, -1j * n / r],
-        [-s7, s8, m * n * s4, -1j * m * s2, -3 * one / r, zero],
-        [-2j * n * s4, m * n * s4, s9, -1j * n * s2, zero, -3 * one / r],
-    ]
-    return np.stack([np.stack([entry + 0j * one for entry in row], axis=-1) for row in rows], axis=-2)
-
-
-def exponential(matrix):
-    """Return exp(matrix) by scaling and squaring of its Taylor series, with displacement and stress in like units."""
-    unit = np.sqrt(np.abs(matrix[..., 3:, :3]).max() / np.abs(matrix[..., :3, 3:]).max())
-    units = np.repeat([1.0, unit], 3)
-    balanced = matrix * units / units[:, None]
-    norm = np.abs(balanced).sum(axis=-1).max()
-    squarings = max(0, int(np.ceil(np.log2(norm))) + 1)
-    term = result = np.broadcast_to(np.eye(6, dtype=complex), matrix.shape)
-    for k in range(1, 19):
-        term = term @ (balanced / 2.0**squarings) / k
-        result = result + term
-    for _ in range(squarings):
-        result = result @ result
-    return result * units[:, None] / units
-
-
-def sub_intervals(layer, angular_speed, m, n, count, alpha=0.5):
-    """Factors of equation (32) in one layer: exp(dr A(r_i + (k - alpha) dr)) for k = 1 ... count."""
-    step = (layer.outer - layer.inner) / count
-    for k in range(1, count + 1):
-        yield exponential(step * system_matrix(layer, angular_speed, m, n, layer.inner + (k - alpha) * step))
-
-
-def product_compliance(layers, angular_speed, m, n, count):
-    """Follow (31), (32) and (34) to the letter: T12 T22^-1 of the whole product, which overflows for thick coatings."""
-    transition = np.eye(6, dtype=complex)
-    for layer in layers:
-        for factor in sub_intervals(layer, angular_speed, m, n, count):
-            transition = factor @ transition
-    return transition[..., :3, 3:] @ np.linalg.inv(transition[..., 3:, 3:])
-
-
-def surface_compliance(layers, angular_speed, m, n, count):
-    """Apply equation (31) sub-interval by sub-interval: the same compliance, but nothing overflows.
-
-    With d = Y f at the inner side of a sub-interval, d = (T11 Y + T12)(T21 Y + T22)^-1 f at its outer side.
-    """
-    y = np.zeros((*np.broadcast_shapes(np.shape(m), np.shape(n)), 3, 3), complex)
-    for layer in layers:
-        for t in sub_intervals(layer, angular_speed, m, n, count):
-            y = (t[..., :3, :3] @ y + t[..., :3, 3:]) @ np.linalg.inv(t[..., 3:, :3] @ y + t[..., 3:, 3:])
-    return y
-
-
-def extrapolated_compliance(layers, angular_speed, m, n, counts=(8, 16, 32)):
-    """Limit of `surface_compliance` for many sub-intervals: with alpha = 1/2 its error has even powers of dr alone."""
-    table = [surface_compliance(layers, angular_speed, m, n, count) for count in counts]
-    for level in range(1, len(counts)):
-        ratios = [(counts[i + level] / counts[i]) ** 2 for i in range(len(counts) - level)]
-        table = [
-            (ratio * fine - coarse) / (ratio - 1.0)
-            for ratio, coarse, fine in zip(ratios, table, table[1:], strict=False)
-        ]
-    return table[0]
+__all__ = [
+    "Layer",
+    "extrapolated_compliance",
+    "product_compliance",
+    "prony",
+    "sub_intervals",
+    "surface_compliance",
+    "system_matrix",
+]

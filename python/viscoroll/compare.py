@@ -1,0 +1,168 @@
+"""Torque against speed by the solver and by closed forms (the extras `viscoroll[cli,plot]`)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ._core import Compliance, Status
+from .analytic import applicable
+from .drive import Drive
+from .orders import critical_speed
+from .reproduce.item import Runner, write_csv
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from .case import Case
+    from .result import Result
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Comparison", "compare_torques", "parse_speeds"]
+
+_LABELS = {"low_speed": "low speed", "greenwood_tabor": "Greenwood and Tabor (64)", "persson": "Persson"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Comparison:
+    """Torques [N m] against Ω [rad/s].
+
+    Attributes
+    ----------
+    case : Case
+        Ball, load and mesh or accuracy.
+    speeds, torques : ndarray
+        Ω [rad/s], and T_r of the solver [N m].
+    errors : ndarray
+        The solver's error estimates [-].
+    statuses : list of Status
+        How each solve ended.
+    forms : dict of str to (ndarray, ndarray of bool)
+        Torque of each closed form [N m], and where it holds.
+    """
+
+    case: Case
+    speeds: Floats
+    torques: Floats
+    errors: Floats
+    statuses: list[Status]
+    forms: dict[str, tuple[Floats, NDArray[np.bool_]]]
+
+    def unsettled(self) -> dict[Status, int]:
+        """Count the speeds at which the solver ended otherwise than converged."""
+        return dict(Counter(status for status in self.statuses if status is not Status.CONVERGED))
+
+    def draw(self) -> Figure:
+        """Draw all torques; closed forms are dashed where they do not hold."""
+        figure = Figure(figsize=(8.4, 5.2), layout="constrained")
+        axes = figure.subplots()
+        axes.errorbar(
+            self.speeds,
+            self.torques,
+            yerr=self.errors * self.torques,
+            fmt="ko-",
+            markersize=3.5,
+            linewidth=1.0,
+            label="solver, radial compliance",
+        )
+        for place, (name, (torque, holds)) in enumerate(self.forms.items()):
+            color, label = f"C{place}", _LABELS.get(name, name)
+            axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its validity")
+            if holds.any():
+                axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
+        axes.set(xscale="log", yscale="log", xlabel="rolling speed $Ω$ [rad/s]", ylabel="resisting torque $T_r$ [N m]")
+        axes.set_ylim(0.3 * self.torques.min(), 5.0 * self.torques.max())
+        axes.set_title(f"$P$ = {self.case.load:g} N")
+        axes.legend(fontsize="small")
+        return figure
+
+    def write_csv(self, path: Path) -> None:
+        """Write one row for each speed."""
+        columns: dict[str, list[object]] = {
+            "angular_speed [rad/s]": self.speeds.tolist(),
+            "torque [N m]": self.torques.tolist(),
+            "error_estimate [1]": self.errors.tolist(),
+            "status": [status.name for status in self.statuses],
+        }
+        for name, (torque, holds) in self.forms.items():
+            columns[f"{name} [N m]"] = torque.tolist()
+            columns[f"{name}_holds"] = holds.tolist()
+        write_csv(path, columns)
+
+
+def parse_speeds(text: str) -> tuple[float, float]:
+    """Read a range of speeds, as 0.05..25 [rad/s].
+
+    Raises
+    ------
+    ValueError
+        For anything else, and unless 0 < from < to < ∞.
+    """
+    first, found, last = text.partition("..")
+    try:
+        low, high = float(first), float(last)
+    except ValueError:
+        low = high = 0.0
+    if not (found and 0.0 < low < high < np.inf):
+        raise ValueError(f"speeds must be from..to with 0 < from < to in rad/s, got {text!r}")
+    return low, high
+
+
+def compare_torques(
+    case: Case,
+    *,
+    speeds: tuple[float, float] | None = None,
+    points: int = 25,
+    report: Callable[[int, int], object] | None = None,
+) -> Comparison:
+    """Solve a case at speeds of equal ratios, without friction and with the radial compliance; evaluate closed forms.
+
+    With the vertical compliance the moment of the pressure is not the power lost per speed, which closed forms give.
+
+    Parameters
+    ----------
+    case : Case
+        Its friction, drive and compliance do not count.
+    speeds : (float, float), optional
+        First and last Ω [rad/s]; by default from a thirtieth to ten times that of the case, below the critical one.
+    points : int, default 25
+        Number of speeds, ≥ 2.
+    report : callable, optional
+        Called as report(done, total).
+
+    Raises
+    ------
+    ValueError, ConvergenceError
+        As of `viscoroll.solve`.
+    """
+    low, high = speeds or (
+        case.angular_speed / 30.0,
+        min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.ball), case.angular_speed)),
+    )
+    omega = np.geomspace(low, high, points)
+    radial = replace(case, friction=0.0, drive=Drive(force=0.0), compliance=Compliance.RADIAL)
+
+    def point(speed: float) -> Result:
+        return replace(radial, angular_speed=speed).solve(threads=1)
+
+    results = Runner(report=report).map(point, omega.tolist())
+    forms = {
+        name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
+        for name, form in applicable(case.ball).items()
+    }
+    return Comparison(
+        case=case,
+        speeds=omega,
+        torques=np.array([result.resisting_torque for result in results]),
+        errors=np.array([result.error_estimate for result in results]),
+        statuses=[result.status for result in results],
+        forms=forms,
+    )

@@ -1,0 +1,161 @@
+"""What every table and figure has in common: where it is computed, what it hands back, and its files."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from ..mesh import Mesh
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_csv", "write_files", "write_verdicts"]
+
+S = TypeVar("S")
+T = TypeVar("T")
+
+#: Columns of a CSV file by their heads, which hold the units.
+Table = Mapping[str, Sequence[Any]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verdict:
+    """One statement of the paper beside what was computed.
+
+    Attributes
+    ----------
+    statement : str
+        What the paper prints.
+    found : str
+        What was computed, with numbers.
+    agrees : bool
+        Whether the two agree.
+    """
+
+    statement: str
+    found: str
+    agrees: bool
+
+    def __str__(self) -> str:
+        """Return one line."""
+        return f"{'agrees' if self.agrees else 'DISAGREES'}: {self.statement}: {self.found}"
+
+
+class Outcome(Protocol):
+    """Numbers of a table or figure."""
+
+    def tables(self) -> Mapping[str, Table]:
+        """Return CSV files by what is added to the item's name; '' is the main one."""
+
+    def draw(self) -> Figure:
+        """Draw the numbers."""
+
+    def verdicts(self) -> list[Verdict]:
+        """Judge them by what the paper says."""
+
+
+class Runner:
+    """Where items are computed: the resolution, and threads with one solve on each.
+
+    Parameters
+    ----------
+    coarse : bool, default False
+        A coarse mesh and few points, to try everything out in seconds; else the paper's Δ = π/250 and N_t = 500.
+    workers : int, optional
+        Number of threads; by default one for each core.
+    report : callable, optional
+        Called as report(done, total) with the number of solves.
+    """
+
+    def __init__(
+        self,
+        *,
+        coarse: bool = False,
+        workers: int | None = None,
+        report: Callable[[int, int], object] | None = None,
+    ) -> None:
+        self.coarse = coarse
+        nodes, order = (300, 300) if coarse else (500, 500)
+        self.mesh = Mesh(nodes_per_revolution=nodes, max_order=order)
+        self._workers = workers or os.cpu_count() or 1
+        self._report = report
+        self._done = self._total = 0
+        self._memory: dict[Callable[[Runner], Any], Any] = {}
+
+    def map(self, function: Callable[[S], T], points: Iterable[S]) -> list[T]:
+        """Call the function with every point, on threads; return the values in order."""
+        points = list(points)
+        self._total += len(points)
+        executor = ThreadPoolExecutor(self._workers)
+        try:
+            futures = [executor.submit(function, point) for point in points]
+            for _ in as_completed(futures):
+                self._done += 1
+                if self._report is not None:
+                    self._report(self._done, self._total)
+            return [future.result() for future in futures]
+        finally:
+            executor.shutdown(cancel_futures=True)
+
+    def shared(self, compute: Callable[[Runner], T]) -> T:
+        """Return what `compute` makes of this runner, computed once: some items draw the same numbers."""
+        if compute not in self._memory:
+            self._memory[compute] = compute(self)
+        value: T = self._memory[compute]
+        return value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Item:
+    """A table or figure of the paper.
+
+    Attributes
+    ----------
+    name : str
+        As on the command line: table2, figure12, …
+    title : str
+        What it shows.
+    compute : callable
+        compute(runner) → Outcome.
+    """
+
+    name: str
+    title: str
+    compute: Callable[[Runner], Outcome]
+
+
+def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
+    """Write pictures (PNG and SVG) and numbers (CSV) of an item to a folder, which must exist."""
+    paths = []
+    figure = outcome.draw()
+    for suffix in ("png", "svg"):
+        paths.append(folder / f"{item.name}.{suffix}")
+        figure.savefig(paths[-1], dpi=150)
+    for addition, table in outcome.tables().items():
+        paths.append(folder / f"{item.name}{addition}.csv")
+        write_csv(paths[-1], table)
+    return paths
+
+
+def write_csv(path: Path, table: Table) -> None:
+    """Write columns of equal lengths."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(table)
+        writer.writerows(zip(*table.values(), strict=True))
+
+
+def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:
+    """Write the verdicts on each item as a table in Markdown."""
+    lines = ["| | the paper | found | |", "|---|---|---|---|"]
+    for name, rows in verdicts.items():
+        for place, verdict in enumerate(rows):
+            judged = "agrees" if verdict.agrees else "**disagrees**"
+            lines.append(f"| {name if place == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
