@@ -303,7 +303,7 @@ def test_help_explains_every_command():
 
 
 def test_accuracy_that_is_not_reached_is_a_warning(case_file):
-    done = run("solve", case_file(angular_speed="0.001", accuracy="0.02", density="0.0"), "--json")
+    done = run("solve", case_file(load="1e-4", accuracy="0.02", density="0.0"), "--json")
     assert done.returncode == 0
     assert json.loads(done.stdout)["status"] == "ACCURACY_NOT_REACHED"
     assert "warning" in done.stderr
