@@ -111,7 +111,8 @@ class Table4:
             Verdict(
                 statement="curves of table 4, h < 1 mm",
                 found=f"refined torques up to {off * 100.0:.0f} % off; "
-                f"the mesh π/{data.nodes // 2} up to {mesh * 100.0:.0f} % off the refined torques, our own fit up to {own * 100.0:.0f} % off its torques",
+                f"the mesh π/{data.nodes // 2} up to {mesh * 100.0:.0f} % off the refined torques, "
+                f"our own fit up to {own * 100.0:.0f} % off its torques",
                 agrees=off <= _TOLERANCE,
             ),
         ]
