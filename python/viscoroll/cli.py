@@ -193,7 +193,9 @@ def reproduce(
             verdicts[name] = outcome.verdicts()
     write_verdicts(output / "verdicts.md", verdicts)
     _output.print(_verdict_table(verdicts))
-    _output.print(f"pictures, numbers and verdicts.md in {output}", markup=False, highlight=False, soft_wrap=True)
+    _output.print(
+        f"pictures, numbers and verdicts.md in {output}", markup=False, emoji=False, highlight=False, soft_wrap=True
+    )
 
 
 @app.command()
@@ -210,6 +212,7 @@ def compare(
     """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has."""
     from .compare import compare_torques, parse_speeds
 
+    _check_target("--output", output, _PICTURES)
     loaded = load_case(case)
     with _progress_bar() as bar:
         task = bar.add_task("speeds", total=points)
@@ -222,11 +225,12 @@ def compare(
     comparison.draw().savefig(output, dpi=150)
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
-        _messages.print(f"warning: {count} speeds: {_STATUS_TEXT[status]}", highlight=False, soft_wrap=True)
+        _print_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
     names = ", ".join(comparison.forms) or "no closed form suits this ball"
     _output.print(
         f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}",
         markup=False,
+        emoji=False,
         highlight=False,
         soft_wrap=True,
     )

@@ -201,6 +201,8 @@ def test_compare_command(coarse_case, tmp_path):
     assert {"low_speed [N m]", "greenwood_tabor [N m]", "persson_holds"} <= set(head)
     assert [float(row[0]) for row in rows] == pytest.approx(np.geomspace(0.1, 10.0, 5))
     assert run("compare", coarse_case, "--speeds", "5").returncode == 2
+    done = run("compare", coarse_case, "--output", tmp_path / "torque.xls")
+    assert (done.returncode, "--output must end in" in done.stderr) == (2, True)
 
 
 def test_closed_forms_that_hold_are_near_the_solver():
