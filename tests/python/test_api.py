@@ -271,7 +271,7 @@ SOLVE = "vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(node
 LONG_CALLS = {
     "tables": SOLVE.format(20000, 30000, ""),
     "many orders to a node": SOLVE.format(64, 200000, ""),
-    "contact": SOLVE.format(2200, 1100, ""),
+    "contact": SOLVE.format(8000, 4000, ""),
     "friction": SOLVE.format(1300, 1300, ", friction=0.1"),
     "single orders": "vr.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))",
 }

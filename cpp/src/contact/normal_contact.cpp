@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "contact/dense_lu.hpp"
 #include "contact/krylov.hpp"
 #include "influence/inverse_convolution.hpp"
-#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -42,23 +43,47 @@ FlatForces press_by_elimination(const NormalContactProblem& problem, const Conta
   return {.at_rest = forces.col(0), .per_penetration = forces.col(1)};
 }
 
-FlatForces press_by_products(const NormalContactProblem& problem, const InverseConvolution& preconditioner,
-                             Watch& watch, const ContactSolution& state) {
+/// The same by products, unless the Krylov method fails: memory so strong that the symbol is far from the matrix.
+std::optional<FlatForces> press_by_products(const NormalContactProblem& problem,
+                                            const InverseConvolution& preconditioner, Watch& watch,
+                                            const ContactSolution& state) {
   const auto solve = [&](const Eigen::VectorXd& lowering, const Eigen::VectorXd& guess) {
-    KrylovSolution solution =
-        solve_krylov(problem.coating, preconditioner, state.contact, lowering, guess, kKrylovTolerance, watch);
-    if (!(solution.error < kKrylovFailure)) {
-      throw ConvergenceError("the contact equations were not solved in " + std::to_string(solution.iterations) +
-                                 " products: the residual is " + text(solution.error),
-                             state.iterations, solution.error);
-    }
-    return std::move(solution.forces);
+    return solve_krylov(problem.coating, preconditioner, state.contact, lowering, guess, kKrylovTolerance, watch);
   };
   const Eigen::VectorXd lowering = (state.penetration - problem.drop(state.contact)).matrix();
-  const Eigen::VectorXd before = pressing_force(state)(state.contact).matrix();
-  return {.at_rest = solve(lowering, before),
-          .per_penetration = solve(Eigen::VectorXd::Ones(lowering.size()), Eigen::VectorXd::Zero(lowering.size()))};
+  KrylovSolution at_rest = solve(lowering, pressing_force(state)(state.contact).matrix());
+  if (!(at_rest.error < kKrylovFailure)) return std::nullopt;
+  const Eigen::Index count = lowering.size();
+  KrylovSolution per_penetration = solve(Eigen::VectorXd::Ones(count), Eigen::VectorXd::Zero(count));
+  if (!(per_penetration.error < kKrylovFailure)) return std::nullopt;
+  return FlatForces{.at_rest = std::move(at_rest.forces), .per_penetration = std::move(per_penetration.forces)};
 }
+
+/// Presses contacts of all sizes.
+class Press {
+ public:
+  Press(const NormalContactProblem& problem, const ContactOptions& options, Watch& watch)
+      : problem_(problem), options_(options), watch_(watch) {}
+
+  [[nodiscard]] FlatForces operator()(const ContactSolution& state) {
+    if (by_products_ && state.contact.size() > kMostDenseNodes) {
+      if (!preconditioner_) preconditioner_.emplace(problem_.coating.shape(), problem_.coating.radial_table());
+      if (auto forces = press_by_products(problem_, *preconditioner_, watch_, state)) return *std::move(forces);
+      by_products_ = false;
+    }
+    if (static_cast<Eigen::Index>(state.contact.size()) > options_.max_unknowns) {
+      throw std::length_error(std::to_string(state.contact.size()) + " nodes in contact, for elimination alone");
+    }
+    return press_by_elimination(problem_, options_, watch_, state);
+  }
+
+ private:
+  const NormalContactProblem& problem_;
+  const ContactOptions& options_;
+  Watch& watch_;
+  bool by_products_ = true;
+  std::optional<InverseConvolution> preconditioner_;
+};
 
 /// The penetration that balances the load.
 void balance(const FlatForces& forces, double load, ContactSolution& state) {
@@ -105,15 +130,10 @@ double largest_violation(const ContactSolution& state) {
 ContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
                                      const ContactOptions& options, Watch& watch) {
   ContactSolution state{.force = VectorField::Zero(problem.drop.size(), 3), .contact = std::move(start)};
-  std::optional<InverseConvolution> preconditioner;
+  Press press(problem, options, watch);
   while (state.iterations < options.max_iterations && !state.converged) {
     ++state.iterations;
-    if (state.contact.size() <= kMostDenseNodes) {
-      balance(press_by_elimination(problem, options, watch, state), problem.load, state);
-    } else {
-      if (!preconditioner) preconditioner.emplace(problem.coating.shape(), problem.coating.radial_table());
-      balance(press_by_products(problem, *preconditioner, watch, state), problem.load, state);
-    }
+    balance(press(state), problem.load, state);
     if (drop_tensile(state)) {
       if (state.contact.empty()) throw ConvergenceError("no node carries load", state.iterations, 1.0);
       continue;

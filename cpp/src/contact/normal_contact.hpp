@@ -22,7 +22,7 @@ struct NormalContactProblem {
 /// @brief Limits of a contact solver.
 struct ContactOptions {
   int max_iterations;         ///< linear systems
-  Eigen::Index max_unknowns;  ///< that a dense matrix may hold, with friction
+  Eigen::Index max_unknowns;  ///< that a dense matrix may hold
   int threads;                ///< 0 for all cores
 };
 
@@ -31,9 +31,9 @@ struct ContactOptions {
 /// @param[in] start nodes that are in contact at first, at least one
 /// @param[in] options limits
 /// @param[in] watch progress and cancellation
-/// Small contacts are solved by elimination, larger ones by products and a Krylov method.
+/// Small contacts are solved by elimination, larger ones by products and a Krylov method unless that fails.
 /// @return state whose residual is the largest overclosure, or opening in contact, per penetration
-/// @throws ConvergenceError where the Krylov method fails
+/// @throws std::length_error where elimination is left with more than `max_unknowns` nodes
 [[nodiscard]] ContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
                                                    const ContactOptions& options, Watch& watch);
 
