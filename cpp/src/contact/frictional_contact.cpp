@@ -118,8 +118,8 @@ class FrictionalContactSolver {
       const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
       ContactSets sets = classify(friction);
-      last_residual_ = state_.residual;
       if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
+      last_residual_ = state_.residual;
       const bool stalled = state_.residual > 0.1 * before_step;
       if (state_.residual < kTolerance || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
@@ -223,7 +223,7 @@ class FrictionalContactSolver {
   Watch& watch_;
   ConditionScales scales_;
   ContactSolution state_;
-  double last_residual_ = 0.0;  // of the last attempt, for the message of a failure
+  double last_residual_ = 1.0;  // the last finite one, for the message of a failure
 };
 
 }  // namespace
