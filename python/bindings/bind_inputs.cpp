@@ -102,12 +102,15 @@ void bind_inputs(py::module_& m) {
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
   py::classh<Mesh>(m, "Mesh")
-      .def(py::init([](int nodes_per_revolution, int max_order) {
-             const Mesh mesh{nodes_per_revolution, max_order};
+      .def(py::init([](int nodes_per_revolution, std::optional<int> max_order,
+                       std::optional<int> theta_nodes_per_revolution) {
+             const Mesh mesh{nodes_per_revolution, max_order, theta_nodes_per_revolution};
              validate(mesh);
              return mesh;
            }),
-           py::kw_only(), py::arg("nodes_per_revolution"), py::arg("max_order"))
+           py::kw_only(), py::arg("nodes_per_revolution"), py::arg("max_order").none(true),
+           py::arg("theta_nodes_per_revolution").none(true))
       .def_readonly("nodes_per_revolution", &Mesh::nodes_per_revolution)
-      .def_readonly("max_order", &Mesh::max_order);
+      .def_readonly("max_order", &Mesh::max_order)
+      .def_readonly("theta_nodes_per_revolution", &Mesh::theta_nodes_per_revolution);
 }

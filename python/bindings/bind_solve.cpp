@@ -110,6 +110,7 @@ void bind_solve(py::module_& m) {
   py::classh<Result>(m, "Result")
       .def_readonly("status", &Result::status)
       .def_readonly("iterations", &Result::iterations)
+      .def_readonly("products", &Result::products)
       .def_readonly("residual", &Result::residual)
       .def_readonly("resisting_torque", &Result::resisting_torque)
       .def_readonly("rolling_resistance_coefficient", &Result::rolling_resistance_coefficient)

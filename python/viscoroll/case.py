@@ -80,6 +80,7 @@ class _Numerics(_Table):
     accuracy: float | None = None
     nodes_per_revolution: int | None = None
     max_order: int | None = None
+    theta_nodes_per_revolution: int | None = None
     compliance: Literal["vertical", "radial"] = "vertical"
     patch_load: Literal["flat", "spherical"] = "flat"
     slip_kinematics: Literal["exact", "flat"] = "exact"
@@ -193,12 +194,16 @@ def example_text(name: Literal["case", "sweep"] = "case") -> str:
 def _build(file: _File, folder: Path) -> Case:
     numerics = file.numerics
     mesh = None
-    if numerics.nodes_per_revolution is not None or numerics.max_order is not None:
-        if numerics.nodes_per_revolution is None or numerics.max_order is None:
-            raise ValueError("numerics.nodes_per_revolution and numerics.max_order must be given together")
+    if numerics.nodes_per_revolution is not None:
         if numerics.accuracy is not None:
             raise ValueError("numerics.accuracy must be left out where a mesh is given")
-        mesh = Mesh(nodes_per_revolution=numerics.nodes_per_revolution, max_order=numerics.max_order)
+        mesh = Mesh(
+            nodes_per_revolution=numerics.nodes_per_revolution,
+            max_order=numerics.max_order,
+            theta_nodes_per_revolution=numerics.theta_nodes_per_revolution,
+        )
+    elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
+        raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
         ball=CoatedSphere(
             core_radius=file.ball.core_radius,

@@ -322,8 +322,7 @@ def _result_table(result: Result) -> Table:
     for name, (unit, description) in SCALARS.items():
         value = getattr(result, name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
-    mesh = result.mesh
-    table.add_row("mesh", f"{mesh.nodes_per_revolution} x {mesh.max_order}", "nodes per revolution x orders")
+    table.add_row("mesh", str(result.mesh))
     table.add_row("status", result.status.name, f"after {result.iterations} iterations")
     return table
 

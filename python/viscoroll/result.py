@@ -58,7 +58,7 @@ class Refinement:
     @classmethod
     def _from_core(cls, step: _core.Refinement) -> Refinement:
         values = {field.name: getattr(step, field.name) for field in fields(cls)}
-        return cls(**values | {"mesh": _mesh_from_core(step.mesh)})
+        return cls(**values | {"mesh": Mesh._from_core(step.mesh)})
 
 
 #: Scalar results: name, unit, what it is.
@@ -118,6 +118,8 @@ class Result:
         How the solve ended.
     iterations : int
         Linear systems solved on the last mesh.
+    products : int
+        Products with the influence tables that solved them, for large contacts; 0 where elimination did.
     residual : float
         Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
         norm of all violations, as forces, relative to the load.
@@ -190,6 +192,7 @@ class Result:
     patch_load: PatchLoad
     status: Status
     iterations: int
+    products: int
     residual: float
     resisting_torque: float
     rolling_resistance_coefficient: float
@@ -236,7 +239,7 @@ class Result:
     def _from_core(cls, solution: _core.Result, **inputs: Any) -> Result:
         names = {field.name for field in fields(cls)} - inputs.keys()
         values = {name: getattr(solution, name) for name in names}
-        values["mesh"] = _mesh_from_core(solution.mesh)
+        values["mesh"] = Mesh._from_core(solution.mesh)
         values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
         for name in ("contact", "stick", "slip"):
             values[name] = getattr(solution, name).view(np.bool_)
@@ -253,13 +256,16 @@ class Result:
             *self._friction_rows(),
             ("power lost in the coating", f"{self.bulk_power:.6g} W"),
             ("error estimate", f"{self.error_estimate:.2g} (power balance {self.power_balance_error:.2g})"),
-            ("mesh", f"{self.mesh.nodes_per_revolution} nodes per revolution, orders to {self.mesh.max_order}"),
+            ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
-            ("status", f"{self.status.name}, {self.iterations} iterations, residual {self.residual:.1e}"),
+            ("status", f"{self.status.name}, {self._effort()}, residual {self.residual:.1e}"),
         ]
         width = max(len(label) for label, _ in rows)
         head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({self.compliance.name} compliance)"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def _effort(self) -> str:
+        return f"{self.iterations} iterations" + (f" with {self.products} products" if self.products else "")
 
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:
@@ -281,9 +287,11 @@ class Result:
             "friction": self.friction,
             "status": self.status.name,
             "iterations": self.iterations,
+            "products": self.products,
             "residual": self.residual,
             "contact_nodes": int(self.contact.sum()),
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
+            "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,
             "max_order": self.mesh.max_order,
             "compliance": self.compliance.name,
             "patch_load": self.patch_load.name,
@@ -305,9 +313,10 @@ class Result:
         """
         import xarray
 
+        spacings = (self.mesh.spacing, self.mesh.theta_spacing)
         angles = {
-            name: 0.5 * np.pi + self.mesh.spacing * (np.arange(count) - count // 2)
-            for name, count in zip(("phi", "theta"), self.pressure.shape, strict=True)
+            name: 0.5 * np.pi + spacing * (np.arange(count) - count // 2)
+            for name, count, spacing in zip(("phi", "theta"), self.pressure.shape, spacings, strict=True)
         }
         coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles.items()}
         variables = {
@@ -403,7 +412,3 @@ class Result:
 
 def _rebuilt(kind: type[Result], values: dict[str, Any]) -> Result:
     return kind(**values)
-
-
-def _mesh_from_core(mesh: _core.Mesh) -> Mesh:
-    return Mesh(nodes_per_revolution=mesh.nodes_per_revolution, max_order=mesh.max_order)

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <ostream>
+#include <vector>
 
 #include "cases.hpp"
 #include "contact/coating_compliance.hpp"
@@ -49,10 +51,10 @@ TEST(Patch, SphericalWeightsGiveTheInverseSine) {
 class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, bool>> {
  protected:
   CoatingTest() {
-    const HarmonicCoating coating(cases::unlike_layers(), 2.5, orders_up_to(mesh_.max_order));
-    const auto spectrum = make_spectrum(coating, 2, watch_);
+    const OrderSum orders(cases::unlike_layers(), 2.5, mesh_, 2, watch_);
     tables_ = std::make_shared<const std::vector<Table>>(
-        synthesize(*spectrum, coating.outer_radius(), mesh_, required_tables(formulation_), 8, 10, 2, watch_));
+        orders.tables(displacement_tables(formulation_), 8, 10, 2, watch_));
+    lost_work_tables_ = orders.tables(lost_work_tables(formulation_), 8, 10, 2, watch_);
   }
 
   /// Forces that vary from node to node, pressing alone where nothing tangential was asked for.
@@ -68,34 +70,41 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
 
   Formulation formulation_{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
   Mesh mesh_{.nodes_per_revolution = 101, .max_order = 130};
-  SurfaceWindow window_{23e-3, 2.0 * 3.141592653589793 / 101, 4, 5};
+  SurfaceGrid grid_{23e-3, phi_spacing(mesh_), theta_spacing(mesh_)};
+  SurfaceWindow window_{grid_, {-4, 4}, {-5, 5}};
   std::shared_ptr<const std::vector<Table>> tables_;
+  std::vector<Table> lost_work_tables_;
   Observer observer_;
   Watch watch_{observer_};
+  Execution execution_{2, watch_};
 };
 
 TEST_P(CoatingTest, FftProductEqualsTheDenseBlock) {
-  const CoatingCompliance coating(formulation_, window_, tables_);
+  const CoatingCompliance coating(formulation_, window_, tables_, execution_);
   std::vector<Eigen::Index> all(static_cast<std::size_t>(window_.shape().size()));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Eigen::Index>(i);
   const VectorField force = forces(1.0);
   const VectorField fast = coating.displacement(force);
-  const Eigen::MatrixXd dense = coating.block(all, all, std::array{kForward, kDown, kSideways}, 2, watch_);
+  const Eigen::MatrixXd dense = coating.block(all, all, std::array{kForward, kDown, kSideways});
   const Eigen::VectorXd expected = dense * force.matrix().reshaped();
   EXPECT_LT((fast.matrix().reshaped() - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 
-  const Eigen::MatrixXd vertical = coating.block(all, all, std::array{kDown}, 2, watch_);
+  const Eigen::MatrixXd vertical = coating.block(all, all, std::array{kDown});
   const auto count = window_.shape().size();
   EXPECT_EQ(vertical, dense.block(count, count, count, count));
+
+  const Eigen::ArrayXd pressing = force.col(kDown);
+  const Eigen::ArrayXd rise = coating.vertical_displacement(pressing);
+  EXPECT_LT((rise - (vertical * pressing.matrix()).array()).abs().maxCoeff(), 1e-13 * rise.abs().maxCoeff());
 }
 
 TEST_P(CoatingTest, ForcesLoseNoEnergyToThePlane) {
   // Passivity: the compliance has a positive symmetric part, and the work lost is never negative.
-  const CoatingCompliance coating(formulation_, window_, tables_);
+  const CoatingCompliance coating(formulation_, window_, tables_, execution_);
   for (int k = 1; k < 40; ++k) {
     const VectorField force = forces(3.7 * k);
     EXPECT_GT((force * coating.displacement(force)).sum(), 0.0);
-    EXPECT_GT(coating.lost_work(force), 0.0);
+    EXPECT_GT(lost_work(formulation_, window_, lost_work_tables_, force, execution_), 0.0);
   }
 }
 
@@ -111,6 +120,71 @@ TEST(Synthesis, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(sum(1), sum(2));
   EXPECT_EQ(sum(1), sum(5));
 }
+
+/// The same orders as `octaves`, one by one: the sum that the octaves abbreviate.
+std::vector<OrderBand> one_by_one(const std::vector<OrderBand>& octaves, int nodes_per_revolution) {
+  const auto& last = octaves.back().orders;
+  const auto count = static_cast<Eigen::Index>(last[last.size() - 1]);
+  // The octaves telescope: their weights add up to the last step, of which the highest orders show the middle.
+  const double middle = 16.0 * nodes_per_revolution;
+  const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(count + 1, 0.0, static_cast<double>(count));
+  Eigen::ArrayXd weights = 2.0 * orders.unaryExpr([&](double order) {
+    return 0.5 * std::erfc((order - middle) * 4.8 / middle);
+  });
+  weights[0] *= 0.5;
+  return {{.orders = orders, .weights = weights, .reach = nodes_per_revolution / 2}};
+}
+
+struct OctaveCase {
+  const char* name;
+  CoatedSphere sphere;
+  double angular_speed;
+  int phi_nodes;
+  int theta_nodes;
+};
+
+void PrintTo(const OctaveCase& c, std::ostream* out) { *out << c.name; }
+
+class OctavesTest : public testing::TestWithParam<OctaveCase> {};
+
+TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
+  const OctaveCase& c = GetParam();
+  const Mesh mesh{.nodes_per_revolution = c.phi_nodes, .theta_nodes_per_revolution = c.theta_nodes};
+  const Observer observer;
+  Watch watch(observer);
+  std::vector<TableRequest> requests;
+  for (const Entry entry : {Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta}) {
+    requests.push_back({.entry = entry});
+    requests.push_back({.entry = entry, .power = true});
+  }
+  requests.push_back({.entry = Entry::rr, .source_shape = 2});
+  const int reach = c.phi_nodes / 3;
+  const auto tables = OrderSum(c.sphere, c.angular_speed, mesh, 2, watch).tables(requests, reach, reach, 2, watch);
+  const OrderSum full(c.sphere, c.angular_speed, mesh, one_by_one(octaves(c.phi_nodes), c.phi_nodes),
+                      one_by_one(octaves(c.theta_nodes), c.theta_nodes), 2, watch);
+  const auto expected = full.tables(requests, reach, reach, 2, watch);
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    const bool power = requests[k].power;
+    double center = 0.0;
+    double error = 0.0;
+    for (int j = -reach; j <= reach; ++j) {
+      for (int l = 0; l <= reach; ++l) {
+        center = std::max(center, std::abs(expected[power ? 1 : 0](j, l)));  // that of r by r
+        error = std::max(error, std::abs(tables[k](j, l) - expected[k](j, l)));
+      }
+    }
+    EXPECT_LT(error, 1e-9 * center) << "table " << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Coatings, OctavesTest,
+    testing::Values(OctaveCase{"Paper", cases::paper_sphere(), 2.5, 64, 64},
+                    OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 64, 40},
+                    OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 64, 64},
+                    OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 64, 64},
+                    OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 40, 40}),
+    [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace viscoroll::detail

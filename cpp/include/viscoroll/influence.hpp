@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "viscoroll/observer.hpp"
@@ -12,11 +13,20 @@ namespace viscoroll {
 
 /// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
 struct Mesh {
-  int nodes_per_revolution = 0;  ///< 2 pi / spacing, >= 16
-  int max_order = 0;             ///< N_t: orders |m|, |n| <= N_t are summed, >= nodes_per_revolution / 2
+  int nodes_per_revolution = 0;  ///< 2 pi / spacing along phi, >= 16
+  /// N_t: the orders |m|, |n| <= N_t are summed, as in the paper, >= half of the nodes. None: the sum over all orders.
+  std::optional<int> max_order;
+  std::optional<int> theta_nodes_per_revolution;  ///< 2 pi / spacing along theta; none: as along phi
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };
+
+/// @return 2 pi / spacing along theta
+[[nodiscard]] int theta_nodes_per_revolution(const Mesh& mesh);
+/// @return angle between neighbors along phi [rad]
+[[nodiscard]] double phi_spacing(const Mesh& mesh);
+/// @return angle between neighbors along theta [rad]
+[[nodiscard]] double theta_spacing(const Mesh& mesh);
 
 /// @brief Check a mesh.
 /// @throws std::invalid_argument naming parameter, value and range
@@ -42,7 +52,7 @@ struct InfluenceTables {
 /// @param[in] sphere rigid core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] mesh spacing and truncation
-/// @param[in] phi_reach,theta_reach largest offsets, in [0, nodes_per_revolution / 2]
+/// @param[in] phi_reach,theta_reach largest offsets, in [0, half of the nodes per revolution along phi or theta]
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @throws std::invalid_argument for bad input

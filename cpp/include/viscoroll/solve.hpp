@@ -95,6 +95,8 @@ struct Refinement {
 struct Result {
   Status status = Status::converged;  ///< how the solve ended
   int iterations = 0;                 ///< linear systems solved on the last mesh
+  /// Products with the influence tables by which they were solved, for large contacts; 0 where elimination was used.
+  int products = 0;
   /// Largest violation of the contact conditions: a gap relative to the penetration without friction; with friction the
   /// norm of all of them, as forces relative to the load [-].
   double residual = 0.0;
@@ -123,7 +125,6 @@ struct Result {
   double centrifugal_displacement = 0.0;  ///< d_R^(c) in the contact condition [m]
 
   Mesh mesh;                           ///< the mesh of this solution
-  double spacing = 0.0;                ///< angle between neighbouring nodes [rad]
   int phi_nodes = 0;                   ///< rows of the fields
   int theta_nodes = 0;                 ///< columns of the fields
   std::vector<double> x;               ///< forward coordinate of the undeformed nodes [m]

@@ -47,24 +47,25 @@ double lost_work_sign(std::size_t receiver, std::size_t source) {
 /// Finds the tables of a formulation, whose loaded fields are numbered component * shapes + shape.
 class Terms {
  public:
-  explicit Terms(const Formulation& formulation)
-      : formulation_(formulation), requests_(required_tables(formulation)), shapes_(shapes(formulation)) {}
+  explicit Terms(const Formulation& formulation) : formulation_(formulation), shapes_(shapes(formulation)) {}
 
   [[nodiscard]] std::vector<ConvolutionTerm> displacement() const {
+    const auto requests = displacement_tables(formulation_);
     std::vector<ConvolutionTerm> terms;
     for_component_pairs([&](std::size_t p, std::size_t q, SignedEntry c) {
       for (std::size_t source = 0; source < shapes_; ++source) {
-        terms.push_back({p, index_of(displacement_request(c.entry, source)), q * shapes_ + source, c.sign});
+        terms.push_back({p, index_of(displacement_request(c.entry, source), requests), q * shapes_ + source, c.sign});
       }
     });
     return terms;
   }
 
   [[nodiscard]] std::vector<ConvolutionTerm> lost_work() const {
+    const auto requests = lost_work_tables(formulation_);
     std::vector<ConvolutionTerm> terms;
     for_component_pairs([&](std::size_t p, std::size_t q, SignedEntry c) {
       for (const auto& [receiver, source] : shape_pairs(formulation_)) {
-        terms.push_back({p * shapes_ + receiver, index_of(lost_work_request(c.entry, receiver, source)),
+        terms.push_back({p * shapes_ + receiver, index_of(lost_work_request(c.entry, receiver, source), requests),
                          q * shapes_ + source, c.sign * lost_work_sign(receiver, source)});
       }
     });
@@ -79,16 +80,15 @@ class Terms {
     }
   }
 
-  [[nodiscard]] std::size_t index_of(const TableRequest& request) const {
-    return static_cast<std::size_t>(std::find(requests_.begin(), requests_.end(), request) - requests_.begin());
+  [[nodiscard]] static std::size_t index_of(const TableRequest& request, const std::vector<TableRequest>& requests) {
+    return static_cast<std::size_t>(std::find(requests.begin(), requests.end(), request) - requests.begin());
   }
 
   Formulation formulation_;
-  std::vector<TableRequest> requests_;
   std::size_t shapes_;
 };
 
-std::vector<std::array<Eigen::ArrayXd, 3>> directions(const Formulation& formulation, const SurfaceWindow& window) {
+std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation, const SurfaceWindow& window) {
   using Eigen::ArrayXd;
   std::vector<std::array<ArrayXd, 3>> directions(components(formulation));
   if (formulation.compliance == Compliance::radial) {
@@ -110,64 +110,97 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
   std::vector<Eigen::ArrayXd> weights;
   for (std::size_t shape = 0; shape < shapes(formulation); ++shape) {
     weights.emplace_back(window.theta().unaryExpr(
-        [&](double theta) { return spherical_patch_weights(theta, window.spacing())[shape]; }));
+        [&](double theta) { return spherical_patch_weights(theta, window.grid().theta_spacing)[shape]; }));
   }
   return weights;
 }
 
+template <class Function>
+void for_entries(const Formulation& formulation, const Function& function) {
+  for (std::size_t p = 0; p < components(formulation); ++p) {
+    for (std::size_t q = p; q < components(formulation); ++q) function(entry_of(p, q).entry);
+  }
+}
+
 }  // namespace
 
-std::vector<TableRequest> required_tables(const Formulation& formulation) {
+std::vector<TableRequest> displacement_tables(const Formulation& formulation) {
   std::vector<TableRequest> requests;
-  for (std::size_t p = 0; p < components(formulation); ++p) {
-    for (std::size_t q = p; q < components(formulation); ++q) {
-      const Entry entry = entry_of(p, q).entry;
-      for (std::size_t source = 0; source < shapes(formulation); ++source) {
-        requests.push_back(displacement_request(entry, source));
-      }
-      for (const auto& [receiver, source] : shape_pairs(formulation)) {
-        if (receiver <= source) requests.push_back(lost_work_request(entry, receiver, source));
-      }
+  for_entries(formulation, [&](Entry entry) {
+    for (std::size_t source = 0; source < shapes(formulation); ++source) {
+      requests.push_back(displacement_request(entry, source));
     }
-  }
+  });
   return requests;
 }
 
-CoatingCompliance::CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
-                                     std::shared_ptr<const std::vector<Table>> tables)
-    : shape_(window.shape()),
-      tables_(std::move(tables)),
-      displacement_terms_(Terms(formulation).displacement()),
-      directions_(directions(formulation, window)),
-      weights_(patch_weights(formulation, window)),
-      displacements_(shape_, *tables_, displacement_terms_),
-      lost_work_(shape_, *tables_, Terms(formulation).lost_work()) {}
+std::vector<TableRequest> lost_work_tables(const Formulation& formulation) {
+  std::vector<TableRequest> requests;
+  for_entries(formulation, [&](Entry entry) {
+    for (const auto& [receiver, source] : shape_pairs(formulation)) {
+      if (receiver <= source) requests.push_back(lost_work_request(entry, receiver, source));
+    }
+  });
+  return requests;
+}
 
-Eigen::ArrayXXd CoatingCompliance::load_components(const VectorField& force) const {
-  Eigen::ArrayXXd loads(shape_.size(), static_cast<Eigen::Index>(directions_.size() * weights_.size()));
+LoadComponents::LoadComponents(const Formulation& formulation, const SurfaceWindow& window)
+    : directions(load_directions(formulation, window)), weights(patch_weights(formulation, window)) {}
+
+Eigen::ArrayXXd LoadComponents::of(const VectorField& force) const {
+  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(directions.size() * weights.size()));
   Eigen::Index field = 0;
-  for (const auto& direction : directions_) {
+  for (const auto& direction : directions) {
     const Eigen::ArrayXd component =
         direction[0] * force.col(0) + direction[1] * force.col(1) + direction[2] * force.col(2);
-    for (const Eigen::ArrayXd& weight : weights_) loads.col(field++) = weight * component;
+    for (const Eigen::ArrayXd& weight : weights) loads.col(field++) = weight * component;
   }
   return loads;
 }
 
+CoatingCompliance::CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
+                                     std::shared_ptr<const std::vector<Table>> tables, const Execution& execution)
+    : shape_(window.shape()),
+      tables_(std::move(tables)),
+      displacement_terms_(Terms(formulation).displacement()),
+      components_(formulation, window),
+      displacements_(shape_, *tables_, displacement_terms_, execution.threads, execution.watch),
+      execution_(execution) {}
+
 VectorField CoatingCompliance::displacement(const VectorField& force) const {
-  const Eigen::ArrayXXd components = displacements_.apply(load_components(force));
+  const Eigen::ArrayXXd components =
+      displacements_.apply(components_.of(force), execution_.threads, execution_.watch);
   VectorField result = VectorField::Zero(shape_.size(), 3);
-  for (std::size_t p = 0; p < directions_.size(); ++p) {
+  for (std::size_t p = 0; p < components_.directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += directions_[p][axis] * components.col(static_cast<Eigen::Index>(p));
+      result.col(axis) += components_.directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
     }
   }
   return result;
 }
 
-double CoatingCompliance::lost_work(const VectorField& force) const {
-  const Eigen::ArrayXXd loads = load_components(force);
-  return (loads * lost_work_.apply(loads)).sum();
+Eigen::ArrayXd CoatingCompliance::vertical_displacement(const Eigen::ArrayXd& pressing) const {
+  const auto& directions = components_.directions;
+  const auto& weights = components_.weights;
+  Eigen::ArrayXXd loads(pressing.size(), static_cast<Eigen::Index>(directions.size() * weights.size()));
+  Eigen::Index field = 0;
+  for (const auto& direction : directions) {
+    for (const Eigen::ArrayXd& weight : weights) loads.col(field++) = weight * direction[kDown] * pressing;
+  }
+  const Eigen::ArrayXXd moved = displacements_.apply(loads, execution_.threads, execution_.watch);
+  Eigen::ArrayXd result = directions[0][kDown] * moved.col(0);
+  for (std::size_t p = 1; p < directions.size(); ++p) {
+    result += directions[p][kDown] * moved.col(static_cast<Eigen::Index>(p));
+  }
+  return result;
+}
+
+double lost_work(const Formulation& formulation, const SurfaceWindow& window, const std::vector<Table>& tables,
+                 const VectorField& force, const Execution& execution) {
+  const Convolution product(window.shape(), tables, Terms(formulation).lost_work(), execution.threads,
+                            execution.watch);
+  const Eigen::ArrayXXd loads = LoadComponents(formulation, window).of(force);
+  return (loads * product.apply(loads, execution.threads, execution.watch)).sum();
 }
 
 Eigen::ArrayXXd CoatingCompliance::moved_components(std::span<const Eigen::Index> targets, Eigen::Index source,
@@ -176,10 +209,10 @@ Eigen::ArrayXXd CoatingCompliance::moved_components(std::span<const Eigen::Index
   const auto source_phi = static_cast<int>(source / shape_.theta_nodes);
   const auto source_theta = static_cast<int>(source % shape_.theta_nodes);
   Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(targets.size()),
-                                                static_cast<Eigen::Index>(directions_.size()) * axis_count);
+                                                static_cast<Eigen::Index>(components_.directions.size()) * axis_count);
   for (const ConvolutionTerm& term : displacement_terms_) {
-    const auto& direction = directions_[term.operand / weights_.size()];
-    const double weight = term.sign * weights_[term.operand % weights_.size()][source];
+    const auto& direction = components_.directions[term.operand / components_.weights.size()];
+    const double weight = term.sign * components_.weights[term.operand % components_.weights.size()][source];
     Eigen::Array3d loads = Eigen::Array3d::Zero();
     for (Eigen::Index b = 0; b < axis_count; ++b) loads[b] = weight * direction[axes[b]][source];
     if ((loads == 0.0).all()) continue;
@@ -195,19 +228,19 @@ Eigen::ArrayXXd CoatingCompliance::moved_components(std::span<const Eigen::Index
 }
 
 Eigen::MatrixXd CoatingCompliance::block(std::span<const Eigen::Index> targets, std::span<const Eigen::Index> sources,
-                                         std::span<const Axis> axes, int threads, Watch& watch) const {
+                                         std::span<const Axis> axes) const {
   const auto rows = static_cast<Eigen::Index>(targets.size());
   const auto columns = static_cast<Eigen::Index>(sources.size());
   const auto axis_count = static_cast<Eigen::Index>(axes.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows * axis_count, columns * axis_count);
-  parallel_for(sources.size(), threads, watch, "assembling the compliance", [&](std::size_t source, const Worker&) {
+  parallel_for(sources.size(), execution_.threads, execution_.watch, "assembling the compliance", [&](std::size_t source, const Worker&) {
     const Eigen::ArrayXXd moved = moved_components(targets, sources[source], axes);
     for (Eigen::Index b = 0; b < axis_count; ++b) {
       auto column = matrix.col(b * columns + static_cast<Eigen::Index>(source));
-      for (std::size_t p = 0; p < directions_.size(); ++p) {
+      for (std::size_t p = 0; p < components_.directions.size(); ++p) {
         const auto component = moved.col(static_cast<Eigen::Index>(p) * axis_count + b);
         for (Eigen::Index a = 0; a < axis_count; ++a) {
-          column.segment(a * rows, rows).array() += directions_[p][axes[a]](targets) * component;
+          column.segment(a * rows, rows).array() += components_.directions[p][axes[a]](targets) * component;
         }
       }
     }

@@ -4,12 +4,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "contact/surface_window.hpp"
 #include "influence/convolution.hpp"
+#include "influence/synthesis.hpp"
 #include "parallel.hpp"
 #include "viscoroll/solve.hpp"
 
@@ -26,22 +28,46 @@ struct Formulation {
   Compliance compliance;
   PatchLoad patch_load;
   bool tangential;  ///< whether forces along the plane occur
+
+  friend bool operator==(const Formulation&, const Formulation&) = default;
 };
 
-/// @brief Tables that the compliance of a formulation is made of.
-[[nodiscard]] std::vector<TableRequest> required_tables(const Formulation& formulation);
+/// @brief Forces along x, y and z as loads along r, phi and theta by patch shape.
+struct LoadComponents {
+  LoadComponents(const Formulation& formulation, const SurfaceWindow& window);
+
+  /// @return a column for each component and shape, numbered component * shapes + shape
+  [[nodiscard]] Eigen::ArrayXXd of(const VectorField& force) const;
+
+  std::vector<std::array<Eigen::ArrayXd, 3>> directions;  ///< [component][axis]
+  std::vector<Eigen::ArrayXd> weights;                    ///< of the patch shapes
+};
+
+/// @brief Tables that the displacements of a formulation are made of, that of r by r first.
+[[nodiscard]] std::vector<TableRequest> displacement_tables(const Formulation& formulation);
+
+/// @brief Tables that the work lost in the coating is made of.
+[[nodiscard]] std::vector<TableRequest> lost_work_tables(const Formulation& formulation);
+
+/// @brief Who computes, and who may stop it.
+struct Execution {
+  int threads;                          ///< 0 for all cores
+  std::reference_wrapper<Watch> watch;  ///< progress and cancellation
+};
 
 /// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
 /// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta.
 class CoatingCompliance {
  public:
-  /// @param[in] formulation as for `required_tables`
+  /// @param[in] formulation as for `displacement_tables`
   /// @param[in] window nodes
-  /// @param[in] tables for the requests of `required_tables`, reaching across the window
+  /// @param[in] tables for the requests of `displacement_tables`, reaching across the window
+  /// @param[in] execution of this and of all products
   CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
-                    std::shared_ptr<const std::vector<Table>> tables);
+                    std::shared_ptr<const std::vector<Table>> tables, const Execution& execution);
 
   [[nodiscard]] WindowShape shape() const { return shape_; }
+  [[nodiscard]] const Execution& execution() const { return execution_; }
 
   /// @return displacement along r by unit forces along r: what dominates the vertical compliance [m/N]
   [[nodiscard]] const Table& radial_table() const { return tables_->front(); }
@@ -50,24 +76,19 @@ class CoatingCompliance {
   /// @return displacement of every node [m]
   [[nodiscard]] VectorField displacement(const VectorField& force) const;
 
-  /// @brief Work lost per radian of turning [N m]: the sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s),
-  /// theory.md section 5. It uses neither the geometry of the contact nor the displacements.
-  [[nodiscard]] double lost_work(const VectorField& force) const;
+  /// @param[in] pressing force on every node, upwards [N]
+  /// @return upward displacement of every node [m], at a third of the cost
+  [[nodiscard]] Eigen::ArrayXd vertical_displacement(const Eigen::ArrayXd& pressing) const;
 
   /// @brief Part of the matrix.
   /// @param[in] targets displaced nodes
   /// @param[in] sources loaded nodes
   /// @param[in] axes of displacements and forces, one or all three
-  /// @param[in] threads number of threads, 0 for all cores
-  /// @param[in] watch progress and cancellation
   /// @return [m/N], row a * targets.size() + t, column b * sources.size() + s for the a-th and b-th axis
   [[nodiscard]] Eigen::MatrixXd block(std::span<const Eigen::Index> targets, std::span<const Eigen::Index> sources,
-                                      std::span<const Axis> axes, int threads, Watch& watch) const;
+                                      std::span<const Axis> axes) const;
 
  private:
-  /// Forces by component and patch shape, a column for each.
-  [[nodiscard]] Eigen::ArrayXXd load_components(const VectorField& force) const;
-
   /// Displacements (r, phi, theta) by unit forces on one node, column component * axes.size() + axis of the force.
   [[nodiscard]] Eigen::ArrayXXd moved_components(std::span<const Eigen::Index> targets, Eigen::Index source,
                                                  std::span<const Axis> axes) const;
@@ -75,10 +96,19 @@ class CoatingCompliance {
   WindowShape shape_;
   std::shared_ptr<const std::vector<Table>> tables_;
   std::vector<ConvolutionTerm> displacement_terms_;        // from loaded components to displaced components
-  std::vector<std::array<Eigen::ArrayXd, 3>> directions_;  // [component][axis]
-  std::vector<Eigen::ArrayXd> weights_;                    // of the patch shapes
+  LoadComponents components_;
   Convolution displacements_;
-  Convolution lost_work_;
+  Execution execution_;
 };
+
+/// @brief Work lost per radian of turning [N m]: the sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s),
+/// theory.md section 5. It uses neither the geometry of the contact nor the displacements.
+/// @param[in] formulation as for `lost_work_tables`
+/// @param[in] window nodes
+/// @param[in] tables for the requests of `lost_work_tables`, reaching across the window
+/// @param[in] force on every node [N]
+/// @param[in] execution of the product
+[[nodiscard]] double lost_work(const Formulation& formulation, const SurfaceWindow& window,
+                               const std::vector<Table>& tables, const VectorField& force, const Execution& execution);
 
 }  // namespace viscoroll::detail

@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 /// @brief Forces and where they act.
 struct ContactSolution {
   VectorField force;                  ///< on the coating at every node [N]: the pressing one along y is <= 0
-  VectorField displacement;           ///< of every node [m]
+  VectorField displacement;           ///< of every node [m]; empty where nobody has asked for it yet
   Eigen::ArrayXd gap;                 ///< of every node to the plane [m]
   std::vector<Eigen::Index> contact;  ///< nodes in contact
   double penetration = 0.0;           ///< of the lowest undeformed node below the plane [m]
@@ -23,6 +23,7 @@ struct ContactSolution {
   std::optional<double> speed_ratio;  ///< V_s / (Omega r_o) [-]; undetermined without friction, unless given
 
   int iterations = 0;      ///< linear systems solved
+  int products = 0;        ///< of the compliance with a field, where systems were solved without their matrix
   bool converged = false;  ///< every condition holds
   double residual = 0.0;   ///< largest violation of the conditions [-], see the solver
 };

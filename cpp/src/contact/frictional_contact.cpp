@@ -61,8 +61,8 @@ class CycleBreaker {
 class FrictionalContactSolver {
  public:
   FrictionalContactSolver(const FrictionalContactProblem& problem, const ContactSolution& start,
-                          const ContactOptions& options, Watch& watch)
-      : problem_(problem), options_(options), watch_(watch), scales_(condition_scales(problem, watch)), state_(start) {
+                          const ContactOptions& options)
+      : problem_(problem), options_(options), scales_(condition_scales(problem)), state_(start) {
     const auto* given = std::get_if<DriveCreepage>(&problem.drive);
     state_.speed_ratio = 1.0 + (given != nullptr ? given->creepage : 0.0);
     state_.converged = false;
@@ -129,7 +129,7 @@ class FrictionalContactSolver {
       ++state_.iterations;
       const ContactSolution before = state_;
       const bool freed = breaker.free_undecided(sets);
-      take_newton_step(problem_, friction, scales_, sets, options_, watch_, state_);
+      take_newton_step(problem_, friction, scales_, sets, options_, state_);
       if (step >= kFreeSteps && !freed) shorten_step(friction, before);
     }
   }
@@ -220,7 +220,6 @@ class FrictionalContactSolver {
 
   const FrictionalContactProblem& problem_;
   const ContactOptions& options_;
-  Watch& watch_;
   ConditionScales scales_;
   ContactSolution state_;
   double last_residual_ = 1.0;  // the last finite one, for the message of a failure
@@ -236,8 +235,8 @@ double contact_moment(const FrictionalContactProblem& problem, const ContactSolu
 }
 
 ContactSolution solve_frictional_contact(const FrictionalContactProblem& problem, const ContactSolution& start,
-                                         const ContactOptions& options, Watch& watch) {
-  return FrictionalContactSolver(problem, start, options, watch).solve();
+                                         const ContactOptions& options) {
+  return FrictionalContactSolver(problem, start, options).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -39,12 +39,10 @@ struct FrictionalContactProblem {
 /// @param[in] problem coating, shape, load, friction and drive
 /// @param[in] start frictionless solution
 /// @param[in] options limits; `max_iterations` is for all linear systems
-/// @param[in] watch progress and cancellation
 /// @return a converged state, whose residual is the norm of all violated conditions, in forces, per load
 /// @throws ConvergenceError where none was found
 /// @throws std::length_error where more than `max_unknowns` come up
 [[nodiscard]] ContactSolution solve_frictional_contact(const FrictionalContactProblem& problem,
-                                                       const ContactSolution& start, const ContactOptions& options,
-                                                       Watch& watch);
+                                                       const ContactSolution& start, const ContactOptions& options);
 
 }  // namespace viscoroll::detail

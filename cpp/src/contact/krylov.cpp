@@ -5,7 +5,7 @@
 
 namespace viscoroll::detail {
 
-class ContactMatrix;
+class ProductMatrix;
 
 }  // namespace viscoroll::detail
 
@@ -13,91 +13,65 @@ namespace Eigen::internal {
 
 /// Eigen's iterative solvers take what behaves like a sparse matrix.
 template <>
-struct traits<viscoroll::detail::ContactMatrix> : traits<SparseMatrix<double>> {};
+struct traits<viscoroll::detail::ProductMatrix> : traits<SparseMatrix<double>> {};
 
 }  // namespace Eigen::internal
 
 namespace viscoroll::detail {
 
-/// C over the nodes in contact, as a product.
-class ContactMatrix : public Eigen::EigenBase<ContactMatrix> {
+/// A linear operator in the shape of a matrix.
+class ProductMatrix : public Eigen::EigenBase<ProductMatrix> {
  public:
   using Scalar = double;
   using RealScalar = double;
   using StorageIndex = int;
   enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
 
-  ContactMatrix(const CoatingCompliance& coating, const std::vector<Eigen::Index>& nodes, Eigen::Index window,
-                Watch& watch)
-      : coating_(coating), nodes_(nodes), window_(window), watch_(watch) {}
+  ProductMatrix(const LinearOperator& product, Eigen::Index size) : product_(product), size_(size) {}
 
-  [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(nodes_.size()); }
-  [[nodiscard]] Eigen::Index cols() const { return rows(); }
+  [[nodiscard]] Eigen::Index rows() const { return size_; }
+  [[nodiscard]] Eigen::Index cols() const { return size_; }
 
   template <class Right>
-  [[nodiscard]] Eigen::Product<ContactMatrix, Right, Eigen::AliasFreeProduct> operator*(
+  [[nodiscard]] Eigen::Product<ProductMatrix, Right, Eigen::AliasFreeProduct> operator*(
       const Eigen::MatrixBase<Right>& right) const {
     return {*this, right.derived()};
   }
 
-  template <class Right>
-  [[nodiscard]] Eigen::VectorXd times(const Right& pressing) const {
-    watch_.poll("solving the contact equations", 0.0);
-    VectorField force = VectorField::Zero(window_, 3);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) force(nodes_[i], kDown) = -pressing[static_cast<Eigen::Index>(i)];
-    const VectorField displacement = coating_.displacement(force);
-    Eigen::VectorXd result(rows());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      result[static_cast<Eigen::Index>(i)] = -displacement(nodes_[i], kDown);
-    }
-    return result;
-  }
-
-  [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return nodes_; }
-  [[nodiscard]] Eigen::Index window() const { return window_; }
+  [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& right) const { return product_(right); }
 
  private:
-  const CoatingCompliance& coating_;
-  const std::vector<Eigen::Index>& nodes_;
-  Eigen::Index window_;
-  Watch& watch_;
+  const LinearOperator& product_;
+  Eigen::Index size_;
 };
 
 namespace {
 
-constexpr int kMostIterations = 300;  // some ten are enough
+constexpr int kMostIterations = 200;  // some ten are enough
 
-class SymbolPreconditioner {
+class OperatorPreconditioner {
  public:
-  void set(const InverseConvolution& inverse, const ContactMatrix& matrix) {
-    inverse_ = &inverse;
-    matrix_ = &matrix;
-  }
+  void set(const LinearOperator& inverse) { inverse_ = &inverse; }
 
   // What Eigen calls on the way.
   template <class Matrix>
-  SymbolPreconditioner& analyzePattern(const Matrix&) {
+  OperatorPreconditioner& analyzePattern(const Matrix&) {
     return *this;
   }
   template <class Matrix>
-  SymbolPreconditioner& factorize(const Matrix&) {
+  OperatorPreconditioner& factorize(const Matrix&) {
     return *this;
   }
   template <class Matrix>
-  SymbolPreconditioner& compute(const Matrix&) {
+  OperatorPreconditioner& compute(const Matrix&) {
     return *this;
   }
   [[nodiscard]] Eigen::ComputationInfo info() { return Eigen::Success; }
 
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
-    Eigen::ArrayXd field = Eigen::ArrayXd::Zero(matrix_->window());
-    field(matrix_->nodes()) = right.array();
-    return inverse_->apply(field)(matrix_->nodes()).matrix();
-  }
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return (*inverse_)(right); }
 
  private:
-  const InverseConvolution* inverse_ = nullptr;
-  const ContactMatrix* matrix_ = nullptr;
+  const LinearOperator* inverse_ = nullptr;
 };
 
 }  // namespace
@@ -106,13 +80,13 @@ class SymbolPreconditioner {
 namespace Eigen::internal {
 
 template <class Right>
-struct generic_product_impl<viscoroll::detail::ContactMatrix, Right, SparseShape, DenseShape, GemvProduct>
-    : generic_product_impl_base<viscoroll::detail::ContactMatrix, Right,
-                                generic_product_impl<viscoroll::detail::ContactMatrix, Right>> {
+struct generic_product_impl<viscoroll::detail::ProductMatrix, Right, SparseShape, DenseShape, GemvProduct>
+    : generic_product_impl_base<viscoroll::detail::ProductMatrix, Right,
+                                generic_product_impl<viscoroll::detail::ProductMatrix, Right>> {
   using Scalar = double;
 
   template <class Destination>
-  static void scaleAndAddTo(Destination& destination, const viscoroll::detail::ContactMatrix& left, const Right& right,
+  static void scaleAndAddTo(Destination& destination, const viscoroll::detail::ProductMatrix& left, const Right& right,
                             const Scalar& scale) {
     destination.noalias() += scale * left.times(right);
   }
@@ -122,17 +96,21 @@ struct generic_product_impl<viscoroll::detail::ContactMatrix, Right, SparseShape
 
 namespace viscoroll::detail {
 
-KrylovSolution solve_krylov(const CoatingCompliance& coating, const InverseConvolution& preconditioner,
-                            const std::vector<Eigen::Index>& nodes, const Eigen::VectorXd& lowering,
-                            const Eigen::VectorXd& guess, double tolerance, Watch& watch) {
-  const ContactMatrix matrix(coating, nodes, coating.shape().size(), watch);
-  Eigen::BiCGSTAB<ContactMatrix, SymbolPreconditioner> solver;
-  solver.preconditioner().set(preconditioner, matrix);
+KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
+                            const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
+  int products = 0;
+  const LinearOperator counted = [&](const Eigen::VectorXd& vector) {
+    ++products;
+    return matrix(vector);
+  };
+  const ProductMatrix product(counted, right.size());
+  Eigen::BiCGSTAB<ProductMatrix, OperatorPreconditioner> solver;
+  solver.preconditioner().set(preconditioner);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(kMostIterations);
-  solver.compute(matrix);
-  Eigen::VectorXd forces = solver.solveWithGuess(lowering, guess);
-  return {.forces = std::move(forces), .iterations = static_cast<int>(solver.iterations()), .error = solver.error()};
+  solver.compute(product);
+  Eigen::VectorXd unknowns = solver.solveWithGuess(right, guess);
+  return {.unknowns = std::move(unknowns), .products = products, .error = solver.error()};
 }
 
 }  // namespace viscoroll::detail

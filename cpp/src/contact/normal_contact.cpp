@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,138 +16,215 @@
 namespace viscoroll::detail {
 namespace {
 
-/// An overclosure below this share of the penetration is round-off, or what a Krylov solution leaves.
-constexpr double kOverclosureTolerance = 1e-11;
-constexpr double kKrylovOverclosureTolerance = 1e-9;
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
 
-/// Up to here elimination is quick, and exact to round-off.
-constexpr std::size_t kMostDenseNodes = 600;
+constexpr double kExact = 1e-11;           // overclosure per penetration that is round-off after elimination
+constexpr double kFirstTolerance = 1e-4;    // of relative residuals, while the set is far from the right one
+constexpr double kTightening = 0.03;         // of the tolerance as the set comes closer
+constexpr double kOverclosureFactor = 10.0;  // overclosure that is taken for one, per tolerance
+constexpr double kKrylovFailure = 1e-8;      // relative residual that no answer can be built on
 
-constexpr double kKrylovTolerance = 1e-11;  // of relative residuals
-constexpr double kKrylovFailure = 1e-9;     // relative residual that no answer can be built on
-
-/// Press the nodes in contact flat against the plane, in its old position and for a unit of penetration.
-struct FlatForces {
-  Eigen::VectorXd at_rest;
-  Eigen::VectorXd per_penetration;
+/// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
+struct FlatPressing {
+  VectorXd forces;
+  double penetration;
 };
 
-FlatForces press_by_elimination(const NormalContactProblem& problem, const ContactOptions& options, Watch& watch,
-                                const ContactSolution& state) {
-  const auto count = static_cast<Eigen::Index>(state.contact.size());
+FlatPressing press_by_elimination(const NormalContactProblem& problem, const std::vector<Index>& contact) {
+  const auto count = static_cast<Index>(contact.size());
   Eigen::MatrixXd right_sides(count, 2);
-  right_sides.col(0) = (state.penetration - problem.drop(state.contact)).matrix();
+  right_sides.col(0) = -problem.drop(contact).matrix();
   right_sides.col(1).setOnes();
-  Eigen::MatrixXd compliance =
-      problem.coating.block(state.contact, state.contact, std::array{kDown}, options.threads, watch);
-  const Eigen::MatrixXd forces = solve_dense(std::move(compliance), std::move(right_sides), options.threads, watch);
-  return {.at_rest = forces.col(0), .per_penetration = forces.col(1)};
+  const Execution& execution = problem.coating.execution();
+  const Eigen::MatrixXd forces = solve_dense(problem.coating.block(contact, contact, std::array{kDown}),
+                                             std::move(right_sides), execution.threads, execution.watch);
+  const double penetration = (problem.load - forces.col(0).sum()) / forces.col(1).sum();
+  return {.forces = forces.col(0) + penetration * forces.col(1), .penetration = penetration};
 }
 
-/// The same by products, unless the Krylov method fails: memory so strong that the symbol is far from the matrix.
-std::optional<FlatForces> press_by_products(const NormalContactProblem& problem,
-                                            const InverseConvolution& preconditioner, Watch& watch,
-                                            const ContactSolution& state) {
-  const auto solve = [&](const Eigen::VectorXd& lowering, const Eigen::VectorXd& guess) {
-    return solve_krylov(problem.coating, preconditioner, state.contact, lowering, guess, kKrylovTolerance, watch);
-  };
-  const Eigen::VectorXd lowering = (state.penetration - problem.drop(state.contact)).matrix();
-  KrylovSolution at_rest = solve(lowering, pressing_force(state)(state.contact).matrix());
-  if (!(at_rest.error < kKrylovFailure)) return std::nullopt;
-  const Eigen::Index count = lowering.size();
-  KrylovSolution per_penetration = solve(Eigen::VectorXd::Ones(count), Eigen::VectorXd::Zero(count));
-  if (!(per_penetration.error < kKrylovFailure)) return std::nullopt;
-  return FlatForces{.at_rest = std::move(at_rest.forces), .per_penetration = std::move(per_penetration.forces)};
-}
-
-/// Presses contacts of all sizes.
-class Press {
+/// The equations of flat pressing without their matrix. Forces come first, then the penetration times a stiffness.
+class FlatEquations {
  public:
-  Press(const NormalContactProblem& problem, const ContactOptions& options, Watch& watch)
-      : problem_(problem), options_(options), watch_(watch) {}
+  FlatEquations(const NormalContactProblem& problem, const InverseConvolution& inverse,
+                const std::vector<Index>& contact)
+      : problem_(problem),
+        inverse_(inverse),
+        contact_(contact),
+        count_(static_cast<Index>(contact.size())),
+        stiffness_(1.0 / problem.coating.radial_table()(0, 0)),
+        balance_(1.0 / std::sqrt(static_cast<double>(count_))),
+        uniform_(precondition_forces(VectorXd::Ones(count_))) {}
 
-  [[nodiscard]] FlatForces operator()(const ContactSolution& state) {
-    if (by_products_ && state.contact.size() > kMostDenseNodes) {
-      if (!preconditioner_) preconditioner_.emplace(problem_.coating.shape(), problem_.coating.radial_table());
-      if (auto forces = press_by_products(problem_, *preconditioner_, watch_, state)) return *std::move(forces);
-      by_products_ = false;
-    }
-    if (static_cast<Eigen::Index>(state.contact.size()) > options_.max_unknowns) {
-      throw std::length_error(std::to_string(state.contact.size()) + " nodes in contact, for elimination alone");
-    }
-    return press_by_elimination(problem_, options_, watch_, state);
+  [[nodiscard]] VectorXd right_side() const {
+    VectorXd right(count_ + 1);
+    right.head(count_) = -stiffness_ * problem_.drop(contact_).matrix();
+    right[count_] = balance_ * problem_.load;
+    return right;
+  }
+
+  [[nodiscard]] VectorXd unknowns(const ContactSolution& state) const {
+    VectorXd unknowns(count_ + 1);
+    unknowns.head(count_) = -state.force.col(kDown)(contact_).matrix();
+    unknowns[count_] = stiffness_ * state.penetration;
+    return unknowns;
+  }
+
+  [[nodiscard]] FlatPressing pressing(const VectorXd& unknowns) const {
+    return {.forces = unknowns.head(count_), .penetration = unknowns[count_] / stiffness_};
+  }
+
+  [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
+    ArrayXd force = ArrayXd::Zero(problem_.drop.size());
+    force(contact_) = unknowns.head(count_).array();
+    VectorXd result(count_ + 1);
+    result.head(count_) = stiffness_ * problem_.coating.vertical_displacement(force)(contact_).matrix();
+    result.head(count_).array() -= unknowns[count_];
+    result[count_] = balance_ * unknowns.head(count_).sum();
+    return result;
+  }
+
+  /// Solves the same equations with the inverse symbol for the inverse of C.
+  [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
+    VectorXd result(count_ + 1);
+    result.head(count_) = precondition_forces(right.head(count_));
+    result[count_] = (right[count_] / balance_ - result.head(count_).sum()) / uniform_.sum();
+    result.head(count_) += result[count_] * uniform_;
+    return result;
   }
 
  private:
+  [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
+    ArrayXd field = ArrayXd::Zero(problem_.drop.size());
+    field(contact_) = right.array() / stiffness_;
+    const Execution& execution = problem_.coating.execution();
+    return inverse_.apply(field, execution.threads, execution.watch)(contact_).matrix();
+  }
+
   const NormalContactProblem& problem_;
-  const ContactOptions& options_;
-  Watch& watch_;
-  bool by_products_ = true;
-  std::optional<InverseConvolution> preconditioner_;
+  const InverseConvolution& inverse_;
+  const std::vector<Index>& contact_;
+  Index count_;
+  double stiffness_;
+  double balance_;
+  VectorXd uniform_;  // forces that lower all nodes alike
 };
 
-/// The penetration that balances the load.
-void balance(const FlatForces& forces, double load, ContactSolution& state) {
-  const double more = (load - forces.at_rest.sum()) / forces.per_penetration.sum();
-  const Eigen::VectorXd pressing = forces.at_rest + more * forces.per_penetration;
-  state.penetration += more;
-  state.force.setZero();
-  for (std::size_t i = 0; i < state.contact.size(); ++i) {
-    state.force(state.contact[i], kDown) = -pressing[static_cast<Eigen::Index>(i)];
+class NormalContactSolver {
+ public:
+  NormalContactSolver(const NormalContactProblem& problem, const NormalContactGuess& guess,
+                      const ContactOptions& options)
+      : problem_(problem), options_(options) {
+    state_.force = VectorField::Zero(problem.drop.size(), 3);
+    state_.force.col(kDown) = -guess.pressing;
+    state_.contact = guess.contact;
+    state_.penetration = guess.penetration;
   }
-}
 
-bool drop_tensile(ContactSolution& state) {
-  return std::erase_if(state.contact, [&](Eigen::Index node) { return !(state.force(node, kDown) < 0.0); }) > 0;
-}
-
-void find_gap(const NormalContactProblem& problem, ContactSolution& state) {
-  state.displacement = problem.coating.displacement(state.force);
-  state.gap = problem.drop - state.displacement.col(kDown) - state.penetration;
-}
-
-bool add_overclosed(ContactSolution& state) {
-  std::vector<Eigen::Index> added;
-  const double tolerance =
-      state.contact.size() <= kMostDenseNodes ? kOverclosureTolerance : kKrylovOverclosureTolerance;
-  for (Eigen::Index node = 0; node < state.gap.size(); ++node) {
-    const bool overclosed = state.gap[node] < -tolerance * state.penetration;
-    if (overclosed && state.force(node, kDown) == 0.0) added.push_back(node);
+  [[nodiscard]] ContactSolution solve() {
+    tolerance_ = std::max(kFirstTolerance, options_.tolerance);
+    while (state_.iterations < options_.max_iterations && !state_.converged) {
+      ++state_.iterations;
+      press();
+      const bool rough = by_products() && tolerance_ > options_.tolerance;
+      bool changed = drop_tensile();
+      if (state_.contact.empty()) throw ConvergenceError("no node carries load", state_.iterations, 1.0);
+      if (!changed) {
+        find_gap();
+        changed = add_overclosed();
+        state_.converged = !changed && !rough;
+      }
+      tolerance_ = changed ? std::max(kTightening * tolerance_, options_.tolerance) : options_.tolerance;
+    }
+    if (!state_.converged) {
+      state_.force = state_.force.min(0.0);
+      find_gap();
+    }
+    state_.residual = largest_violation();
+    return std::move(state_);
   }
-  const auto middle = static_cast<std::ptrdiff_t>(state.contact.size());
-  state.contact.insert(state.contact.end(), added.begin(), added.end());
-  std::inplace_merge(state.contact.begin(), state.contact.begin() + middle, state.contact.end());
-  return !added.empty();
-}
 
-double largest_violation(const ContactSolution& state) {
-  const double overclosure = -state.gap.minCoeff();
-  const double opening = state.gap(state.contact).abs().maxCoeff();
-  return std::max(overclosure, opening) / state.penetration;
-}
+ private:
+  [[nodiscard]] bool by_products() const { return !krylov_failed_ && state_.contact.size() > kFewestKrylovNodes; }
+
+  void press() {
+    if (by_products() && press_by_products()) return;
+    if (static_cast<Index>(state_.contact.size()) > options_.max_unknowns) {
+      throw std::length_error(std::to_string(state_.contact.size()) + " nodes in contact, for elimination alone");
+    }
+    take(press_by_elimination(problem_, state_.contact));
+  }
+
+  /// @return whether it worked: not where memory is so strong that the symbol is far from the matrix
+  bool press_by_products() {
+    const Execution& execution = problem_.coating.execution();
+    if (!inverse_) {
+      inverse_.emplace(problem_.coating.shape(), problem_.coating.radial_table(), execution.threads, execution.watch);
+    }
+    const FlatEquations equations(problem_, *inverse_, state_.contact);
+    const KrylovSolution solution = solve_krylov(
+        [&](const VectorXd& vector) { return equations.times(vector); },
+        [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
+        equations.unknowns(state_), tolerance_);
+    state_.products += solution.products;
+    krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
+    if (!krylov_failed_) take(equations.pressing(solution.unknowns));
+    return !krylov_failed_;
+  }
+
+  void take(const FlatPressing& pressing) {
+    state_.penetration = pressing.penetration;
+    state_.force.col(kDown).setZero();
+    state_.force.col(kDown)(state_.contact) = -pressing.forces.array();
+  }
+
+  bool drop_tensile() {
+    const auto is_tensile = [&](Index node) { return !(state_.force(node, kDown) < 0.0); };
+    for (const Index node : state_.contact) {
+      if (is_tensile(node)) state_.force(node, kDown) = 0.0;
+    }
+    return std::erase_if(state_.contact, is_tensile) > 0;
+  }
+
+  void find_gap() {
+    ++state_.products;
+    const ArrayXd rise = problem_.coating.vertical_displacement(-state_.force.col(kDown));
+    state_.gap = problem_.drop + rise - state_.penetration;
+  }
+
+  bool add_overclosed() {
+    const double tolerance = by_products() ? kOverclosureFactor * tolerance_ : kExact;
+    std::vector<Index> added;
+    for (Index node = 0; node < state_.gap.size(); ++node) {
+      const bool overclosed = state_.gap[node] < -tolerance * state_.penetration;
+      if (overclosed && state_.force(node, kDown) == 0.0) added.push_back(node);
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(state_.contact.size());
+    state_.contact.insert(state_.contact.end(), added.begin(), added.end());
+    std::inplace_merge(state_.contact.begin(), state_.contact.begin() + middle, state_.contact.end());
+    return !added.empty();
+  }
+
+  [[nodiscard]] double largest_violation() const {
+    const double overclosure = -state_.gap.minCoeff();
+    const double opening = state_.gap(state_.contact).abs().maxCoeff();
+    return std::max(overclosure, opening) / state_.penetration;
+  }
+
+  const NormalContactProblem& problem_;
+  const ContactOptions& options_;
+  ContactSolution state_;
+  double tolerance_ = 0.0;
+  bool krylov_failed_ = false;
+  std::optional<InverseConvolution> inverse_;
+};
 
 }  // namespace
 
-ContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
-                                     const ContactOptions& options, Watch& watch) {
-  ContactSolution state{.force = VectorField::Zero(problem.drop.size(), 3), .contact = std::move(start)};
-  Press press(problem, options, watch);
-  while (state.iterations < options.max_iterations && !state.converged) {
-    ++state.iterations;
-    balance(press(state), problem.load, state);
-    if (drop_tensile(state)) {
-      if (state.contact.empty()) throw ConvergenceError("no node carries load", state.iterations, 1.0);
-      continue;
-    }
-    find_gap(problem, state);
-    state.converged = !add_overclosed(state);
-  }
-  if (!state.converged) {
-    state.force = state.force.min(0.0);
-    find_gap(problem, state);
-  }
-  state.residual = largest_violation(state);
-  return state;
+ContactSolution solve_normal_contact(const NormalContactProblem& problem, const NormalContactGuess& guess,
+                                     const ContactOptions& options) {
+  return NormalContactSolver(problem, guess, options).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -7,7 +7,6 @@
 
 #include "contact/coating_compliance.hpp"
 #include "contact/contact_solution.hpp"
-#include "parallel.hpp"
 
 namespace viscoroll::detail {
 
@@ -23,18 +22,30 @@ struct NormalContactProblem {
 struct ContactOptions {
   int max_iterations;         ///< linear systems
   Eigen::Index max_unknowns;  ///< that a dense matrix may hold
-  int threads;                ///< 0 for all cores
+  double tolerance = 1e-10;   ///< relative residual of systems that are solved by products
+};
+
+/// @brief What a normal contact is started from.
+struct NormalContactGuess {
+  std::vector<Eigen::Index> contact;  ///< nodes, ascending, at least one
+  Eigen::ArrayXd pressing;            ///< force on every node [N]
+  double penetration;                 ///< [m]
 };
 
 /// @brief Active set: drop all tensile nodes; only when there are none, add all overclosed ones; until nothing changes.
+///
+/// Contacts of up to 600 nodes are solved by elimination. Larger ones are solved by products and a Krylov method, the
+/// first sets roughly, unless that fails.
 /// @param[in] problem coating, shape and load
-/// @param[in] start nodes that are in contact at first, at least one
+/// @param[in] guess to start from
 /// @param[in] options limits
-/// @param[in] watch progress and cancellation
-/// Small contacts are solved by elimination, larger ones by products and a Krylov method unless that fails.
-/// @return state whose residual is the largest overclosure, or opening in contact, per penetration
+/// @return state whose residual is the largest overclosure, or opening in contact, per penetration; displacements are
+/// left out
 /// @throws std::length_error where elimination is left with more than `max_unknowns` nodes
-[[nodiscard]] ContactSolution solve_normal_contact(const NormalContactProblem& problem, std::vector<Eigen::Index> start,
-                                                   const ContactOptions& options, Watch& watch);
+[[nodiscard]] ContactSolution solve_normal_contact(const NormalContactProblem& problem, const NormalContactGuess& guess,
+                                                   const ContactOptions& options);
+
+/// @brief The least number of nodes that are solved by products.
+constexpr std::size_t kFewestKrylovNodes = 600;
 
 }  // namespace viscoroll::detail

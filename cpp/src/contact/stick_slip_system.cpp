@@ -74,12 +74,11 @@ std::vector<Unknown> list_unknowns(const Carriers& carriers, const ContactSets& 
 /// Displacements of carriers and of their upstream neighbors by the unknowns.
 class Response {
  public:
-  Response(const FrictionalContactProblem& problem, const Carriers& carriers, const std::vector<Unknown>& unknowns,
-           const ContactOptions& options, Watch& watch)
+  Response(const FrictionalContactProblem& problem, const Carriers& carriers, const std::vector<Unknown>& unknowns)
       : places_(static_cast<std::size_t>(problem.shape.size()), kNone), theta_nodes_(problem.shape.theta_nodes) {
     for (const Index node : carriers.nodes()) add(node);
     for (const Index node : carriers.nodes()) add(node - theta_nodes_);
-    const Eigen::MatrixXd compliance = assemble(problem.normal.coating, carriers, options, watch);
+    const Eigen::MatrixXd compliance = assemble(problem.normal.coating, carriers);
     const auto sources = static_cast<Index>(carriers.nodes().size());
     matrix_.resize(compliance.rows(), static_cast<Index>(unknowns.size()));
     for (std::size_t u = 0; u < unknowns.size(); ++u) {
@@ -110,13 +109,12 @@ class Response {
   }
 
   /// Compliance to forces on the carriers and, of opposite sideways direction, on their images.
-  [[nodiscard]] Eigen::MatrixXd assemble(const CoatingCompliance& coating, const Carriers& carriers,
-                                         const ContactOptions& options, Watch& watch) const {
-    Eigen::MatrixXd own = coating.block(targets_, carriers.nodes(), kAllAxes, options.threads, watch);
+  [[nodiscard]] Eigen::MatrixXd assemble(const CoatingCompliance& coating, const Carriers& carriers) const {
+    Eigen::MatrixXd own = coating.block(targets_, carriers.nodes(), kAllAxes);
     if (!carriers.symmetric()) return own;
     std::vector<Index> images;
     for (const Index node : carriers.nodes()) images.push_back(carriers.mirror(node));
-    const Eigen::MatrixXd image = coating.block(targets_, images, kAllAxes, options.threads, watch);
+    const Eigen::MatrixXd image = coating.block(targets_, images, kAllAxes);
     const auto sources = static_cast<Index>(images.size());
     for (Index s = 0; s < sources; ++s) {
       if (carriers.in_middle(carriers.nodes()[static_cast<std::size_t>(s)])) continue;
@@ -186,8 +184,9 @@ class System {
     }
   }
 
-  [[nodiscard]] Eigen::VectorXd solve(const ContactOptions& options, Watch& watch) const {
-    return solve_dense(matrix_, right_, options.threads, watch);
+  [[nodiscard]] Eigen::VectorXd solve() const {
+    const Execution& execution = problem_.normal.coating.execution();
+    return solve_dense(matrix_, right_, execution.threads, execution.watch);
   }
 
  private:
@@ -258,27 +257,27 @@ class System {
 
 }  // namespace
 
-ConditionScales condition_scales(const FrictionalContactProblem& problem, Watch& watch) {
+ConditionScales condition_scales(const FrictionalContactProblem& problem) {
   const Index lowest = problem.shape.size() / 2;
   const std::array targets{lowest, lowest - problem.shape.theta_nodes};
-  const Eigen::MatrixXd own = problem.normal.coating.block(targets, std::array{lowest}, kAllAxes, 1, watch);
+  const Eigen::MatrixXd own = problem.normal.coating.block(targets, std::array{lowest}, kAllAxes);
   return {.normal = 1.0 / own(2 * kDown, kDown),
           .tangential = 1.0 / std::abs(own(2 * kForward, kForward) - own(2 * kForward + 1, kForward))};
 }
 
 void take_newton_step(const FrictionalContactProblem& problem, double friction, const ConditionScales& scales,
-                      const ContactSets& sets, const ContactOptions& options, Watch& watch, ContactSolution& state) {
+                      const ContactSets& sets, const ContactOptions& options, ContactSolution& state) {
   const Carriers carriers(problem, sets.contact);
   const std::vector<Unknown> unknowns = list_unknowns(carriers, sets, friction);
   if (static_cast<Index>(unknowns.size()) > options.max_unknowns) {
     throw std::length_error(std::to_string(sets.contact.size()) + " nodes in contact");
   }
-  const Response response(problem, carriers, unknowns, options, watch);
+  const Response response(problem, carriers, unknowns);
   System system(problem, scales, carriers, unknowns, response);
   system.add_contact_conditions(sets);
   system.balance_load();
   system.drive(state);
-  const Eigen::VectorXd solution = system.solve(options, watch);
+  const Eigen::VectorXd solution = system.solve();
 
   state.force.setZero();
   for (std::size_t u = 0; u < unknowns.size(); ++u) {

@@ -29,7 +29,7 @@ struct ConditionScales {
 };
 
 /// @return inverse of a node's own gap, and of its own slip, under a unit force
-[[nodiscard]] ConditionScales condition_scales(const FrictionalContactProblem& problem, Watch& watch);
+[[nodiscard]] ConditionScales condition_scales(const FrictionalContactProblem& problem);
 
 /// @brief Solve the conditions linearized at `state` for the new forces, penetration and speed ratio.
 ///
@@ -42,9 +42,8 @@ struct ConditionScales {
 /// @param[in] scales weights of the conditions
 /// @param[in] sets nodes in contact and what they do; symmetric where the problem is
 /// @param[in] options limits
-/// @param[in] watch progress and cancellation
 /// @param[in,out] state forces, penetration and speed ratio are replaced
 void take_newton_step(const FrictionalContactProblem& problem, double friction, const ConditionScales& scales,
-                      const ContactSets& sets, const ContactOptions& options, Watch& watch, ContactSolution& state);
+                      const ContactSets& sets, const ContactOptions& options, ContactSolution& state);
 
 }  // namespace viscoroll::detail

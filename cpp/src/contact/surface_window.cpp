@@ -1,36 +1,71 @@
 #include "contact/surface_window.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace viscoroll::detail {
+namespace {
 
-SurfaceWindow::SurfaceWindow(double radius, double spacing, int half_phi, int half_theta)
-    : radius_(radius), spacing_(spacing), half_phi_(half_phi), half_theta_(half_theta) {
+/// Sine and cosine of an angle, and 1 - cosine without round-off.
+struct Angle {
+  explicit Angle(double angle) : sine(std::sin(angle)), cosine(std::cos(angle)) {
+    const double half = std::sin(0.5 * angle);
+    versine = 2.0 * half * half;
+  }
+  double sine;
+  double cosine;
+  double versine;
+};
+
+}  // namespace
+
+SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, NodeRange phi, NodeRange theta)
+    : grid_(grid), phi_range_(phi), theta_range_(theta) {
   const Eigen::Index count = shape().size();
-  phi_.resize(count);
-  theta_.resize(count);
   x_.resize(count);
   y_.resize(count);
   z_.resize(count);
+  height_.resize(count);
   Eigen::Index node = 0;
-  for (int i = -half_phi; i <= half_phi; ++i) {
-    for (int k = -half_theta; k <= half_theta; ++k, ++node) {
-      // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
-      const double forward = -i * spacing;  // pi/2 - phi
-      const double sideways = -k * spacing;
-      phi_[node] = std::numbers::pi / 2.0 - forward;
-      theta_[node] = std::numbers::pi / 2.0 - sideways;
-      x_[node] = radius * std::cos(sideways) * std::sin(forward);
-      y_[node] = radius * std::cos(sideways) * std::cos(forward);
-      z_[node] = radius * std::sin(sideways);
+  for (int i = phi.first; i <= phi.last; ++i) {
+    // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
+    const Angle forward(-i * grid.phi_spacing);  // pi/2 - phi
+    for (int k = theta.first; k <= theta.last; ++k, ++node) {
+      const Angle sideways(-k * grid.theta_spacing);
+      x_[node] = grid.radius * sideways.cosine * forward.sine;
+      y_[node] = grid.radius * sideways.cosine * forward.cosine;
+      z_[node] = grid.radius * sideways.sine;
+      height_[node] = grid.radius * (sideways.versine + sideways.cosine * forward.versine);
     }
   }
 }
 
+Eigen::Index SurfaceWindow::number_of(const SurfaceWindow& other, Eigen::Index node) const {
+  const Eigen::Index i = node / other.shape().theta_nodes + other.phi_range_.first - phi_range_.first;
+  const Eigen::Index k = node % other.shape().theta_nodes + other.theta_range_.first - theta_range_.first;
+  return i * shape().theta_nodes + k;
+}
+
+Eigen::ArrayXd SurfaceWindow::phi() const {
+  const Eigen::Index columns = shape().theta_nodes;
+  return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
+    return std::numbers::pi / 2.0 + static_cast<double>(phi_range_.first + node / columns) * grid_.phi_spacing;
+  });
+}
+
+Eigen::ArrayXd SurfaceWindow::theta() const {
+  const Eigen::Index columns = shape().theta_nodes;
+  return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
+    return std::numbers::pi / 2.0 + static_cast<double>(theta_range_.first + node % columns) * grid_.theta_spacing;
+  });
+}
+
 std::array<std::array<Eigen::ArrayXd, 3>, 3> SurfaceWindow::axes() const {
-  return {{{x_ / radius_, -phi_.sin(), z_ / radius_ * phi_.cos()},
-           {y_ / radius_, phi_.cos(), z_ / radius_ * phi_.sin()},
-           {z_ / radius_, Eigen::ArrayXd::Zero(phi_.size()), -theta_.sin()}}};
+  const double r = grid_.radius;
+  const Eigen::ArrayXd phi = this->phi();
+  return {{{x_ / r, -phi.sin(), z_ / r * phi.cos()},
+           {y_ / r, phi.cos(), z_ / r * phi.sin()},
+           {z_ / r, Eigen::ArrayXd::Zero(phi.size()), -theta().sin()}}};
 }
 
 }  // namespace viscoroll::detail

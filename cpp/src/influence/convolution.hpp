@@ -3,21 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
-#include "influence/fft.hpp"
-#include "influence/synthesis.hpp"
+#include "influence/spectral_product.hpp"
+#include "influence/table.hpp"
+#include "parallel.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Rectangular window of nodes, numbered row by row: node (i, k) is i * theta_nodes + k.
-struct WindowShape {
-  int phi_nodes;
-  int theta_nodes;
-
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(phi_nodes) * theta_nodes; }
-};
 
 /// @brief A field to another one through a table: what a `Convolution` is the sum of.
 struct ConvolutionTerm {
@@ -34,22 +26,24 @@ class Convolution {
   /// @param[in] shape window; the tables reach across it
   /// @param[in] tables of which those that occur in terms are used
   /// @param[in] terms summands
-  Convolution(WindowShape shape, const std::vector<Table>& tables, std::vector<ConvolutionTerm> terms);
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  Convolution(WindowShape shape, const std::vector<Table>& tables, const std::vector<ConvolutionTerm>& terms,
+              int threads, Watch& watch);
 
   /// @param[in] operands one column for each field, rows being nodes
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
   /// @return one column for each field
-  [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& operands) const;
+  [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& operands, int threads, Watch& watch) const {
+    return product_.apply(operands, terms_, results_, threads, watch);
+  }
 
  private:
-  void load(const Eigen::ArrayXXd& operands, Eigen::Index field, RealBuffer& padded) const;
-
-  WindowShape shape_;
-  std::vector<ConvolutionTerm> terms_;
-  std::size_t results_;
-  int padded_phi_;
-  int padded_theta_;
-  RealFft fft_;
-  std::vector<ComplexBuffer> table_spectra_;  // of the tables that occur in terms; others stay empty
+  SpectralProduct product_;
+  std::vector<ComplexBuffer> spectra_;  // of the tables that occur in terms; others stay empty
+  std::vector<SpectralTerm> terms_;     // which point to them
+  std::size_t results_ = 0;
 };
 
 }  // namespace viscoroll::detail

@@ -3,6 +3,7 @@
 #include <fftw3.h>
 
 #include <cassert>
+#include <cstdint>
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
@@ -24,7 +25,9 @@ struct PlanDeleter {
 
 using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
 
-fftw_complex* as_fftw(ComplexBuffer& buffer) { return reinterpret_cast<fftw_complex*>(buffer.data()); }
+fftw_complex* as_fftw(std::complex<double>* line) { return reinterpret_cast<fftw_complex*>(line); }
+
+[[maybe_unused]] bool is_aligned(const void* line) { return reinterpret_cast<std::uintptr_t>(line) % 64 == 0; }
 
 /// Calls a planner function of FFTW under the mutex.
 template <class MakePlan>
@@ -40,63 +43,60 @@ Plan plan(const MakePlan& make) {
 
 }  // namespace
 
-struct ComplexBackwardFft::Impl {
-  Plan plan;
-};
-
-ComplexBackwardFft::ComplexBackwardFft(int length) {
-  ComplexBuffer buffer(static_cast<std::size_t>(length));
-  impl_ = std::make_unique<Impl>(
-      plan([&] { return fftw_plan_dft_1d(length, as_fftw(buffer), as_fftw(buffer), FFTW_BACKWARD, FFTW_ESTIMATE); }));
-}
-
-ComplexBackwardFft::~ComplexBackwardFft() = default;
-ComplexBackwardFft::ComplexBackwardFft(ComplexBackwardFft&&) noexcept = default;
-ComplexBackwardFft& ComplexBackwardFft::operator=(ComplexBackwardFft&&) noexcept = default;
-
-void ComplexBackwardFft::execute(ComplexBuffer& data) const {
-  fftw_execute_dft(impl_->plan.get(), as_fftw(data), as_fftw(data));
-}
-
-struct RealFft::Impl {
-  std::size_t real_size;
-  std::size_t spectrum_size;
+struct ComplexFft::Impl {
   Plan forward;
   Plan backward;
 };
 
-RealFft::RealFft(int rows, int columns) {
-  const auto real_size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
-  const auto spectrum_size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns / 2 + 1);
-  RealBuffer real(real_size);
-  ComplexBuffer spectrum(spectrum_size);
-  // Rank 2 with one row would still overwrite the spectrum; rank 1 keeps FFTW's faster codelets.
-  const auto forward = [&] {
-    return rows == 1 ? fftw_plan_dft_r2c_1d(columns, real.data(), as_fftw(spectrum), FFTW_ESTIMATE)
-                     : fftw_plan_dft_r2c_2d(rows, columns, real.data(), as_fftw(spectrum), FFTW_ESTIMATE);
+ComplexFft::ComplexFft(int length) {
+  ComplexBuffer buffer(static_cast<std::size_t>(length));
+  fftw_complex* line = as_fftw(buffer.data());
+  const auto make = [&](int sign) {
+    return plan([&] { return fftw_plan_dft_1d(length, line, line, sign, FFTW_ESTIMATE); });
   };
-  const auto backward = [&] {
-    return rows == 1 ? fftw_plan_dft_c2r_1d(columns, as_fftw(spectrum), real.data(), FFTW_ESTIMATE)
-                     : fftw_plan_dft_c2r_2d(rows, columns, as_fftw(spectrum), real.data(), FFTW_ESTIMATE);
-  };
-  impl_ = std::make_unique<Impl>(Impl{real_size, spectrum_size, plan(forward), plan(backward)});
+  impl_ = std::make_unique<Impl>(Impl{make(FFTW_FORWARD), make(FFTW_BACKWARD)});
+}
+
+ComplexFft::~ComplexFft() = default;
+ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
+ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
+
+void ComplexFft::forward(std::complex<double>* line) const {
+  assert(is_aligned(line));
+  fftw_execute_dft(impl_->forward.get(), as_fftw(line), as_fftw(line));
+}
+
+void ComplexFft::backward(std::complex<double>* line) const {
+  assert(is_aligned(line));
+  fftw_execute_dft(impl_->backward.get(), as_fftw(line), as_fftw(line));
+}
+
+struct RealFft::Impl {
+  Plan forward;
+  Plan backward;
+};
+
+RealFft::RealFft(int length) {
+  RealBuffer real(static_cast<std::size_t>(length));
+  ComplexBuffer spectrum(static_cast<std::size_t>(length / 2 + 1));
+  fftw_complex* half = as_fftw(spectrum.data());
+  impl_ = std::make_unique<Impl>(
+      Impl{plan([&] { return fftw_plan_dft_r2c_1d(length, real.data(), half, FFTW_ESTIMATE); }),
+           plan([&] { return fftw_plan_dft_c2r_1d(length, half, real.data(), FFTW_ESTIMATE); })});
 }
 
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
-std::size_t RealFft::real_size() const { return impl_->real_size; }
-std::size_t RealFft::spectrum_size() const { return impl_->spectrum_size; }
-
-void RealFft::forward(RealBuffer& real, ComplexBuffer& spectrum) const {
-  assert(real.size() == real_size() && spectrum.size() == spectrum_size());
-  fftw_execute_dft_r2c(impl_->forward.get(), real.data(), as_fftw(spectrum));
+void RealFft::forward(double* real, std::complex<double>* spectrum) const {
+  assert(is_aligned(real) && is_aligned(spectrum));
+  fftw_execute_dft_r2c(impl_->forward.get(), real, as_fftw(spectrum));
 }
 
-void RealFft::backward(ComplexBuffer& spectrum, RealBuffer& real) const {
-  assert(real.size() == real_size() && spectrum.size() == spectrum_size());
-  fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real.data());
+void RealFft::backward(std::complex<double>* spectrum, double* real) const {
+  assert(is_aligned(real) && is_aligned(spectrum));
+  fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);
 }
 
 int fast_length(int length) {

@@ -2,8 +2,8 @@
 /// @brief The owner of FFTW: no other file includes it, so that another library could take its place.
 ///
 /// No transform is normalized: backward after forward multiplies by the number of points. Forward has exp(-i ...),
-/// backward exp(+i ...). Plans are made with FFTW_ESTIMATE, so that the same grid gives the same plan and the same bits
-/// in every run, under one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
+/// backward exp(+i ...). Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same
+/// bits in every run, under one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
 #pragma once
 
 #include <complex>
@@ -29,53 +29,51 @@ struct CacheLineAllocator {
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 
-/// @brief Storage for transforms: the plans require buffers of these types.
+/// @brief Storage for transforms, which expect their operands on cache lines.
 using RealBuffer = std::vector<double, CacheLineAllocator<double>>;
 using ComplexBuffer = std::vector<std::complex<double>, CacheLineAllocator<std::complex<double>>>;
 
-/// @brief Backward transform of `length` complex numbers, in place.
-class ComplexBackwardFft {
- public:
-  explicit ComplexBackwardFft(int length);
-  ~ComplexBackwardFft();
-  ComplexBackwardFft(ComplexBackwardFft&&) noexcept;
-  ComplexBackwardFft& operator=(ComplexBackwardFft&&) noexcept;
-  ComplexBackwardFft(const ComplexBackwardFft&) = delete;
-  ComplexBackwardFft& operator=(const ComplexBackwardFft&) = delete;
+/// @return the least multiple of a cache line that holds so many complex numbers: the stride of lines to transform
+[[nodiscard]] constexpr std::size_t cache_line_stride(std::size_t complex_numbers) {
+  return (complex_numbers + 3) / 4 * 4;
+}
 
-  /// @param[in,out] data `length` numbers
-  void execute(ComplexBuffer& data) const;
+/// @brief Transforms of a line of complex numbers, in place.
+class ComplexFft {
+ public:
+  explicit ComplexFft(int length);
+  ~ComplexFft();
+  ComplexFft(ComplexFft&&) noexcept;
+  ComplexFft& operator=(ComplexFft&&) noexcept;
+  ComplexFft(const ComplexFft&) = delete;
+  ComplexFft& operator=(const ComplexFft&) = delete;
+
+  /// @param[in,out] line `length` numbers on a cache line
+  void forward(std::complex<double>* line) const;
+  void backward(std::complex<double>* line) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// @brief Transforms between a real array and its half spectrum, in one or two dimensions (rows of `columns` numbers,
-/// halved along the rows).
+/// @brief Transforms between a line of real numbers and its half spectrum.
 class RealFft {
  public:
-  /// @param[in] rows 1 for a one-dimensional transform
-  /// @param[in] columns length of a row
-  RealFft(int rows, int columns);
+  explicit RealFft(int length);
   ~RealFft();
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @return numbers in the real array
-  [[nodiscard]] std::size_t real_size() const;
-  /// @return numbers in the half spectrum: rows * (columns / 2 + 1)
-  [[nodiscard]] std::size_t spectrum_size() const;
+  /// @param[in] real `length` numbers on a cache line
+  /// @param[out] spectrum `length / 2 + 1` numbers on a cache line
+  void forward(double* real, std::complex<double>* spectrum) const;
 
-  /// @param[in] real `real_size()` numbers
-  /// @param[out] spectrum `spectrum_size()` numbers
-  void forward(RealBuffer& real, ComplexBuffer& spectrum) const;
-
-  /// @param[in,out] spectrum `spectrum_size()` numbers, overwritten
-  /// @param[out] real `real_size()` numbers
-  void backward(ComplexBuffer& spectrum, RealBuffer& real) const;
+  /// @param[in,out] spectrum `length / 2 + 1` numbers on a cache line, overwritten
+  /// @param[out] real `length` numbers on a cache line
+  void backward(std::complex<double>* spectrum, double* real) const;
 
  private:
   struct Impl;

@@ -3,19 +3,26 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 
 #include "influence/synthesis.hpp"
-#include "modal/medium.hpp"
-#include "modal/spectrum.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
 
+int theta_nodes_per_revolution(const Mesh& mesh) {
+  return mesh.theta_nodes_per_revolution.value_or(mesh.nodes_per_revolution);
+}
+
+double phi_spacing(const Mesh& mesh) { return 2.0 * std::numbers::pi / mesh.nodes_per_revolution; }
+
+double theta_spacing(const Mesh& mesh) { return 2.0 * std::numbers::pi / theta_nodes_per_revolution(mesh); }
+
 void validate(const Mesh& mesh) {
-  // The limits keep the tables of the whole sphere within memory and ints.
-  constexpr int kMostNodes = 100000;
+  constexpr int kFewestNodes = 16;
+  constexpr int kMostNodes = 1000000;  // beyond, depths of penetration are lost in the round-off of the radius
   constexpr int kHighestOrder = 200000;
   const auto in_range = [](const char* name, int value, int low, int high, const std::string& why) {
     if (value < low || value > high) {
@@ -23,19 +30,26 @@ void validate(const Mesh& mesh) {
                      std::to_string(value));
     }
   };
-  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, 16, kMostNodes, "");
-  in_range("mesh.max_order", mesh.max_order, (mesh.nodes_per_revolution + 1) / 2, kHighestOrder,
-           " (fewer orders than half the nodes per revolution cannot resolve the mesh)");
+  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodes, "");
+  const int theta_nodes = theta_nodes_per_revolution(mesh);
+  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodes, "");
+  if (mesh.max_order) {
+    in_range("mesh.max_order", *mesh.max_order, (std::max(mesh.nodes_per_revolution, theta_nodes) + 1) / 2,
+             kHighestOrder, " (fewer orders than half the nodes per revolution cannot resolve the mesh)");
+  }
 }
 
 InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int phi_reach,
                                  int theta_reach, int threads, const Observer& observer) {
   validate(mesh);
-  for (const auto& [name, reach] : {std::pair("phi_reach", phi_reach), std::pair("theta_reach", theta_reach)}) {
-    if (reach < 0 || reach > mesh.nodes_per_revolution / 2) {
-      detail::reject(name, "in [0, nodes_per_revolution / 2]", std::to_string(reach));
+  const auto require_reach = [](const char* name, int reach, int nodes) {
+    if (reach < 0 || reach > nodes / 2) {
+      detail::reject(name, "in [0, " + std::to_string(nodes / 2) + "], half of the nodes per revolution",
+                     std::to_string(reach));
     }
-  }
+  };
+  require_reach("phi_reach", phi_reach, mesh.nodes_per_revolution);
+  require_reach("theta_reach", theta_reach, theta_nodes_per_revolution(mesh));
   detail::require_thread_count(threads);
 
   using detail::Entry;
@@ -44,10 +58,8 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   for (const Entry entry : kAll) requests.push_back({.entry = entry});
 
   detail::Watch watch(observer);
-  const detail::HarmonicCoating coating(sphere, angular_speed, detail::orders_up_to(mesh.max_order));
-  const auto spectrum = detail::make_spectrum(coating, threads, watch);
-  const auto tables =
-      detail::synthesize(*spectrum, coating.outer_radius(), mesh, requests, phi_reach, theta_reach, threads, watch);
+  const detail::OrderSum sum(sphere, angular_speed, mesh, threads, watch);
+  const auto tables = sum.tables(requests, phi_reach, theta_reach, threads, watch);
 
   InfluenceTables result{.phi_reach = phi_reach, .theta_reach = theta_reach};
   for (std::size_t p = 0; p < 3; ++p) {

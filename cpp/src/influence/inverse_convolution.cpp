@@ -6,51 +6,43 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Least real part of the symbol, as a share of its largest value: an error of periodicity must not become a large
-/// inverse.
-constexpr double kLeastShare = 1e-6;
+/// Least real part of the symbol, as a share of its largest value: round-off must not become a large inverse.
+constexpr double kLeastShare = 1e-9;
+
+WindowShape fast_shape(const WindowShape& shape) {
+  return {fast_length(shape.phi_nodes), fast_length(shape.theta_nodes)};
+}
 
 }  // namespace
 
-InverseConvolution::InverseConvolution(WindowShape shape, const Table& table)
-    : shape_(shape),
-      padded_phi_(fast_length(2 * shape.phi_nodes - 1)),
-      padded_theta_(fast_length(2 * shape.theta_nodes - 1)),
-      fft_(padded_phi_, padded_theta_),
-      inverse_symbol_(fft_.spectrum_size()) {
-  RealBuffer padded(fft_.real_size(), 0.0);
-  for (int j = 1 - shape.phi_nodes; j < shape.phi_nodes; ++j) {
-    for (int l = 1 - shape.theta_nodes; l < shape.theta_nodes; ++l) {
-      const int row = j < 0 ? j + padded_phi_ : j;
-      const int column = l < 0 ? l + padded_theta_ : l;
-      padded[static_cast<std::size_t>(row) * static_cast<std::size_t>(padded_theta_) +
-             static_cast<std::size_t>(column)] = table(j, l);
-    }
-  }
-  fft_.forward(padded, inverse_symbol_);
+InverseConvolution::InverseConvolution(WindowShape shape, const Table& table, int threads, Watch& watch)
+    : product_(shape, fast_shape(shape)) {
+  const WindowShape period = product_.period();
+  const auto value = [&](int j, int l) {
+    const bool known = std::abs(j) <= table.phi_reach() && std::abs(l) <= table.theta_reach();
+    return known ? table(j, l) : 0.0;
+  };
+  // On the circle, offset j stands for j and j - period, in proportion to the pairs of nodes at each.
+  inverse_symbol_ = product_.spectrum(
+      [&](int row, int column) {
+        const double behind = static_cast<double>(row) / period.phi_nodes;
+        const double aside = static_cast<double>(column) / period.theta_nodes;
+        const int j = row - period.phi_nodes;
+        const int l = column - period.theta_nodes;
+        return (1.0 - behind) * ((1.0 - aside) * value(row, column) + aside * value(row, l)) +
+               behind * ((1.0 - aside) * value(j, column) + aside * value(j, l));
+      },
+      threads, watch);
+  const auto points = static_cast<double>(period.size());
   double largest = 0.0;
-  for (const auto& value : inverse_symbol_) largest = std::max(largest, std::abs(value));
-  const double normalization = 1.0 / static_cast<double>(fft_.real_size());
-  for (auto& value : inverse_symbol_) {
-    const std::complex<double> symbol(std::max(value.real(), kLeastShare * largest), value.imag());
-    value = normalization / symbol;
+  for (const auto& symbol : inverse_symbol_) largest = std::max(largest, std::abs(symbol));
+  for (auto& symbol : inverse_symbol_) {
+    symbol = 1.0 / (points * points * std::complex<double>(std::max(symbol.real(), kLeastShare * largest), symbol.imag()));
   }
 }
 
-Eigen::ArrayXd InverseConvolution::apply(const Eigen::ArrayXd& field) const {
-  RealBuffer padded(fft_.real_size(), 0.0);
-  ComplexBuffer spectrum(fft_.spectrum_size());
-  for (Eigen::Index i = 0; i < shape_.phi_nodes; ++i) {
-    std::copy_n(field.data() + i * shape_.theta_nodes, shape_.theta_nodes, padded.begin() + i * padded_theta_);
-  }
-  fft_.forward(padded, spectrum);
-  for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= inverse_symbol_[k];
-  fft_.backward(spectrum, padded);
-  Eigen::ArrayXd result(shape_.size());
-  for (Eigen::Index i = 0; i < shape_.phi_nodes; ++i) {
-    std::copy_n(padded.begin() + i * padded_theta_, shape_.theta_nodes, result.data() + i * shape_.theta_nodes);
-  }
-  return result;
+Eigen::ArrayXd InverseConvolution::apply(const Eigen::ArrayXd& field, int threads, Watch& watch) const {
+  return product_.apply(field, {{0, &inverse_symbol_, 0, 1.0}}, 1, threads, watch);
 }
 
 }  // namespace viscoroll::detail

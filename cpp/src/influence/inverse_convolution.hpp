@@ -4,28 +4,31 @@
 
 #include <Eigen/Core>
 
-#include "influence/convolution.hpp"
-#include "influence/fft.hpp"
-#include "influence/synthesis.hpp"
+#include "influence/spectral_product.hpp"
+#include "influence/table.hpp"
+#include "parallel.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief Division by the symbol of a table on the window doubled in both directions and made periodic.
+/// @brief Inverse of the periodic convolution nearest to a table's, on the window itself: T. F. Chan's optimal circulant
+/// (SIAM J. Sci. Stat. Comput. 9 (1988) 766-771) in both directions, whose symbol has a positive real part where the
+/// table's convolution has a positive symmetric part.
 class InverseConvolution {
  public:
-  /// @param[in] shape window; the table reaches across it
-  /// @param[in] table compliance whose symbol has a positive real part but for what periodicity does to it
-  InverseConvolution(WindowShape shape, const Table& table);
+  /// @param[in] shape window
+  /// @param[in] table compliance that reaches across it
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  InverseConvolution(WindowShape shape, const Table& table, int threads, Watch& watch);
 
   /// @param[in] field over the window
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
   /// @return another one, whose convolution with the table is about `field`
-  [[nodiscard]] Eigen::ArrayXd apply(const Eigen::ArrayXd& field) const;
+  [[nodiscard]] Eigen::ArrayXd apply(const Eigen::ArrayXd& field, int threads, Watch& watch) const;
 
  private:
-  WindowShape shape_;
-  int padded_phi_;
-  int padded_theta_;
-  RealFft fft_;
+  SpectralProduct product_;
   ComplexBuffer inverse_symbol_;
 };
 

@@ -4,196 +4,242 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "influence/fft.hpp"
 #include "influence/patch.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 using cplx = std::complex<double>;
+using Eigen::Index;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A request with its weights. A coefficient is even or odd in n, by its entry and by its patches.
+/// A request with what its summands are multiplied by. A coefficient is even or odd in n, by its entry and its patches.
 struct Kernel {
   TableRequest request;
   bool odd;
-  cplx phase;              // i^(receiver degree - source degree)
-  Eigen::ArrayXd weights;  // along theta, for n >= 0
+  cplx phase;  // i^(receiver degree - source degree), and i of the sine where odd
+  [[nodiscard]] int receiver_shape() const { return request.power ? request.receiver_shape : 0; }
 };
 
-Kernel make_kernel(const TableRequest& request, const Mesh& mesh) {
-  const double half_width = std::numbers::pi / mesh.nodes_per_revolution;
-  const int receiver_shape = request.power ? request.receiver_shape : 0;
+Kernel make_kernel(const TableRequest& request) {
+  Kernel kernel{.request = request, .odd = false, .phase = 1.0};
+  kernel.odd = is_odd(request.entry) != ((request.source_shape + kernel.receiver_shape()) % 2 == 1);
   constexpr std::array<cplx, 4> kPowersOfI{cplx(1, 0), cplx(0, 1), cplx(-1, 0), cplx(0, -1)};
-  Kernel kernel{.request = request,
-                .odd = is_odd(request.entry) != ((request.source_shape + receiver_shape) % 2 == 1),
-                .phase = kPowersOfI[static_cast<std::size_t>(receiver_shape - request.source_shape + 4) % 4],
-                .weights = Eigen::ArrayXd(mesh.max_order + 1)};
-  for (int n = 0; n <= mesh.max_order; ++n) {
-    kernel.weights[n] = spherical_bessel(request.source_shape, n * half_width);
-    if (request.power) kernel.weights[n] *= spherical_bessel(receiver_shape, n * half_width);
-  }
+  const int power = kernel.receiver_shape() - request.source_shape + (kernel.odd ? 1 : 0);
+  kernel.phase = kPowersOfI[static_cast<std::size_t>(power + 4) % 4];
   return kernel;
 }
 
-/// Weight of order m of a kernel along phi, and the scale of the whole sum.
-cplx phi_weight(const Kernel& kernel, int m, const Mesh& mesh, double outer_radius) {
+/// Weights of a kernel along theta.
+Eigen::ArrayXd theta_weights(const Kernel& kernel, const OrderBand& band, double spacing) {
+  return band.weights * band.orders.unaryExpr([&](double n) {
+    const double source = spherical_bessel(kernel.request.source_shape, 0.5 * n * spacing);
+    return kernel.request.power ? source * spherical_bessel(kernel.receiver_shape(), 0.5 * n * spacing) : source;
+  });
+}
+
+/// Weights of a kernel along phi, and the scale of the whole sum.
+Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double spacing, double outer_radius) {
   const double circumference = 2.0 * std::numbers::pi * outer_radius;
-  const double patch = sinc(m * std::numbers::pi / mesh.nodes_per_revolution);
-  const cplx weight = kernel.request.power ? cplx(0.0, m) * patch * patch : cplx(patch);
-  return weight * kernel.phase / (circumference * circumference);
+  const cplx scale = kernel.phase / (circumference * circumference);
+  return band.weights * band.orders.unaryExpr([&](double m) {
+    const double patch = sinc(0.5 * m * spacing);
+    return scale * (kernel.request.power ? cplx(0.0, m) * patch * patch : cplx(patch));
+  });
 }
 
-/// Sum of the coefficients of n >= 0 and their mirror images that a mesh of `length` nodes cannot tell from order q,
-/// for q in [0, length / 2].
-void fold(const Eigen::ArrayXcd& values, const Kernel& kernel, int length, Eigen::ArrayXcd& folded) {
-  folded.setZero();
-  const double mirror = kernel.odd ? -1.0 : 1.0;
-  const int half = length / 2;
-  int rest = 0;  // n modulo length
-  for (Eigen::Index n = 0; n < values.size(); ++n) {
-    if (rest <= half) {
-      folded[rest] += kernel.weights[n] * values[n];
-    } else {
-      folded[length - rest] += mirror * kernel.weights[n] * values[n];
+/// Cosines and sines of order times offset, a row for each order and a column for each offset from 0.
+struct Waves {
+  RowMajor cosines;
+  RowMajor sines;
+};
+
+Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
+  constexpr int kStride = 32;  // products in a row before round-off is shed
+  Waves waves{RowMajor(orders.size(), reach + 1), RowMajor(orders.size(), reach + 1)};
+  for (Index i = 0; i < orders.size(); ++i) {
+    const cplx step = std::polar(1.0, orders[i] * spacing);
+    cplx wave;
+    for (Index l = 0; l <= reach; ++l) {
+      wave = l % kStride == 0 ? std::polar(1.0, orders[i] * spacing * static_cast<double>(l)) : wave * step;
+      waves.cosines(i, l) = wave.real();
+      waves.sines(i, l) = wave.imag();
     }
-    if (++rest == length) rest = 0;
   }
-  // These orders are their own mirror images.
-  const cplx center = kernel.weights[0] * values[0];
-  folded[0] = center + (1.0 + mirror) * (folded[0] - center);
-  if (length % 2 == 0) folded[half] *= 1.0 + mirror;
+  return waves;
 }
 
-/// Buffers of one thread.
-struct Workspace {
-  OrderSeries series;
-  std::array<Eigen::ArrayXcd, kEntries> values;
-  std::vector<Eigen::ArrayXcd> sums;  // of each kernel, over the orders m that fold together
-  Eigen::ArrayXcd folded;
-  ComplexBuffer line;
+/// Sums over n: the rows belong to the orders m, the columns to the offsets in theta.
+struct ThetaSums {
+  RowMajor real;
+  RowMajor imaginary;
 };
 
 class Synthesis {
  public:
-  Synthesis(const Spectrum& spectrum, double outer_radius, const Mesh& mesh, const std::vector<TableRequest>& requests,
-            int theta_reach)
-      : spectrum_(spectrum),
-        outer_radius_(outer_radius),
-        mesh_(mesh),
-        half_(mesh.nodes_per_revolution / 2),
+  Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
+            const std::vector<OrderBand>& theta_bands, const Mesh& mesh, double outer_radius, int theta_reach)
+      : phi_bands_(phi_bands),
+        theta_bands_(theta_bands),
+        phi_spacing_(phi_spacing(mesh)),
         theta_reach_(theta_reach),
-        theta_fft_(mesh.nodes_per_revolution) {
-    for (const TableRequest& request : requests) kernels_.push_back(make_kernel(request, mesh));
-    half_spectra_.resize(kernels_.size() * static_cast<std::size_t>(theta_reach + 1) *
-                         static_cast<std::size_t>(half_ + 1));
+        orders_(all_orders(phi_bands)) {
+    const auto count = static_cast<Index>(orders_.size());
+    for (const TableRequest& request : requests) {
+      kernels_.push_back(make_kernel(request));
+      Eigen::ArrayXcd weights(count);
+      Index first = 0;
+      for (const OrderBand& band : phi_bands) {
+        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, phi_spacing_, outer_radius);
+        first += band.orders.size();
+      }
+      phi_weights_.push_back(std::move(weights));
+      theta_weights_.emplace_back();
+      for (const OrderBand& band : theta_bands) {
+        theta_weights_.back().push_back(theta_weights(kernels_.back(), band, theta_spacing(mesh)));
+      }
+      sums_.push_back({RowMajor::Zero(count, theta_reach + 1), RowMajor::Zero(count, theta_reach + 1)});
+    }
+    for (const OrderBand& band : theta_bands) {
+      theta_waves_.push_back(make_waves(band.orders, theta_spacing(mesh), std::min(band.reach, theta_reach)));
+    }
   }
 
-  [[nodiscard]] Workspace make_workspace() const {
-    Workspace work;
-    work.values.fill(Eigen::ArrayXcd(mesh_.max_order + 1));
-    work.sums.assign(kernels_.size(), Eigen::ArrayXcd(half_ + 1));
-    work.folded.resize(half_ + 1);
-    work.line.resize(static_cast<std::size_t>(mesh_.nodes_per_revolution));
-    return work;
-  }
+  /// Orders m that are summed along theta together.
+  static constexpr Index kBlock = 16;
+  [[nodiscard]] std::size_t blocks() const { return (orders_.size() + kBlock - 1) / kBlock; }
 
-  /// Sum every order that the mesh cannot tell from m = p, along theta.
-  void sum_along_theta(int p, Workspace& work, const Worker& worker) {
-    for (auto& sum : work.sums) sum.setZero();
-    const int length = mesh_.nodes_per_revolution;
-    const bool own_mirror = 2 * p % length == 0;
-    for (int m = p; m <= mesh_.max_order; m += length) {
-      add_order(m, true, own_mirror && m > 0, work);
+  void sum_along_theta(std::size_t block, const Spectrum& spectrum, const Worker& worker) {
+    const Index first = static_cast<Index>(block) * kBlock;
+    const Index count = std::min(kBlock, static_cast<Index>(orders_.size()) - first);
+    std::vector<OrderSeries> series(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      spectrum.series(static_cast<std::size_t>(first) + i, series[i]);
       worker.checkpoint();
     }
-    for (int m = length - p; m <= mesh_.max_order && !own_mirror; m += length) {
-      add_order(m, false, true, work);
-      worker.checkpoint();
-    }
-    for (std::size_t k = 0; k < kernels_.size(); ++k) transform(k, p, work);
-  }
-
-  /// The table of kernel k, summed along phi.
-  [[nodiscard]] Table table(std::size_t k, int phi_reach) const {
-    const int length = mesh_.nodes_per_revolution;
-    const RealFft phi_fft(1, length);
-    ComplexBuffer spectrum(phi_fft.spectrum_size());
-    RealBuffer line(phi_fft.real_size());
-    Table table(phi_reach, theta_reach_);
-    const double mirror = kernels_[k].odd ? -1.0 : 1.0;
-    for (int l = 0; l <= theta_reach_; ++l) {
-      std::copy_n(half_spectra_.begin() + static_cast<std::ptrdiff_t>(offset(k, l)), half_ + 1, spectrum.begin());
-      phi_fft.backward(spectrum, line);
-      for (int j = -phi_reach; j <= phi_reach; ++j) {
-        const double value = line[static_cast<std::size_t>((j + length) % length)];
-        table(j, -l) = mirror * value;
-        table(j, l) = value;
+    for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
+      const std::vector<RowMajor> summands = evaluate(first, series, band, worker);
+      const Waves& waves = theta_waves_[band];
+      for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        const RowMajor& wave = kernels_[k].odd ? waves.sines : waves.cosines;
+        const RowMajor product = summands[k] * wave;
+        sums_[k].real.block(first, 0, count, wave.cols()) += product.topRows(count);
+        sums_[k].imaginary.block(first, 0, count, wave.cols()) += product.bottomRows(count);
+        worker.checkpoint();
       }
     }
-    return table;
   }
+
+  /// Offsets in theta that are summed along phi together.
+  static constexpr int kStripe = 64;
+  [[nodiscard]] std::size_t stripes() const { return static_cast<std::size_t>(theta_reach_ / kStripe + 1); }
+
+  void prepare_phi(int phi_reach) {
+    for (const OrderBand& band : phi_bands_) {
+      phi_waves_.push_back(make_waves(band.orders, phi_spacing_, std::min(band.reach, phi_reach)));
+    }
+  }
+
+  void sum_along_phi(std::size_t k, std::size_t stripe, Table& table, const Worker& worker) const {
+    const Index start = static_cast<Index>(stripe) * kStripe;
+    const Index width = std::min<Index>(kStripe, theta_reach_ + 1 - start);
+    RowMajor even = RowMajor::Zero(table.phi_reach() + 1, width);
+    RowMajor odd = RowMajor::Zero(table.phi_reach() + 1, width);
+    Index first = 0;
+    for (std::size_t band = 0; band < phi_bands_.size(); ++band) {
+      const Index count = phi_bands_[band].orders.size();
+      const Waves& waves = phi_waves_[band];
+      // Re[(cos + i sin)(a + i b)]
+      even.topRows(waves.cosines.cols()).noalias() +=
+          waves.cosines.transpose() * sums_[k].real.block(first, start, count, width);
+      odd.topRows(waves.sines.cols()).noalias() -=
+          waves.sines.transpose() * sums_[k].imaginary.block(first, start, count, width);
+      first += count;
+      worker.checkpoint();
+    }
+    for (int j = 0; j <= table.phi_reach(); ++j) {
+      Eigen::Map<Eigen::RowVectorXd>(table.row(j).data() + start, width) = even.row(j) + odd.row(j);
+      Eigen::Map<Eigen::RowVectorXd>(table.row(-j).data() + start, width) = even.row(j) - odd.row(j);
+    }
+  }
+
+  [[nodiscard]] bool is_odd_in_theta(std::size_t k) const { return kernels_[k].odd; }
 
  private:
-  [[nodiscard]] std::size_t offset(std::size_t k, int l) const {
-    const auto lines = static_cast<std::size_t>(theta_reach_ + 1);
-    return (k * lines + static_cast<std::size_t>(l)) * static_cast<std::size_t>(half_ + 1);
+  /// Weighted compliances of a block of orders m, at the orders n of a band, for each kernel: first the real parts of
+  /// all m, then the imaginary parts.
+  [[nodiscard]] std::vector<RowMajor> evaluate(Index first, const std::vector<OrderSeries>& series, std::size_t band,
+                                               const Worker& worker) const {
+    const Eigen::ArrayXd& n = theta_bands_[band].orders;
+    const auto count = static_cast<Index>(series.size());
+    std::vector<RowMajor> summands(kernels_.size(), RowMajor(2 * count, n.size()));
+    std::array<Eigen::ArrayXcd, kEntries> values;
+    for (Index i = 0; i < count; ++i) {
+      const OrderValues order(orders_[static_cast<std::size_t>(first + i)], n, series[static_cast<std::size_t>(i)]);
+      std::array<bool, kEntries> evaluated{};
+      for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        const auto entry = static_cast<std::size_t>(kernels_[k].request.entry);
+        if (!evaluated[entry]) order.evaluate(kernels_[k].request.entry, values[entry]);
+        evaluated[entry] = true;
+        const Eigen::ArrayXcd weighted = phi_weights_[k][first + i] * values[entry] * theta_weights_[k][band];
+        summands[k].row(i) = weighted.real().matrix().transpose();
+        summands[k].row(count + i) = weighted.imag().matrix().transpose();
+      }
+      worker.checkpoint();
+    }
+    return summands;
   }
 
-  /// Add order m, its mirror image -m, or both, to the sums. The coefficient of (-m, n) is the conjugate of (m, -n).
-  void add_order(int m, bool itself, bool image, Workspace& work) const {
-    spectrum_.series(m, work.series);
-    std::array<bool, kEntries> evaluated{};
-    for (std::size_t k = 0; k < kernels_.size(); ++k) {
-      const auto entry = static_cast<std::size_t>(kernels_[k].request.entry);
-      if (!evaluated[entry]) evaluate(m, kernels_[k].request.entry, work.series, work.values[entry]);
-      evaluated[entry] = true;
-      fold(work.values[entry], kernels_[k], mesh_.nodes_per_revolution, work.folded);
-      work.folded *= phi_weight(kernels_[k], m, mesh_, outer_radius_);
-      if (itself) work.sums[k] += work.folded;
-      if (image) work.sums[k] += (kernels_[k].odd ? -1.0 : 1.0) * work.folded.conjugate();
-    }
-  }
-
-  /// Transform the sum of kernel k along theta and keep the offsets that are wanted.
-  void transform(std::size_t k, int p, Workspace& work) {
-    const int length = mesh_.nodes_per_revolution;
-    const double mirror = kernels_[k].odd ? -1.0 : 1.0;
-    for (int q = 0; q <= half_; ++q) {
-      work.line[static_cast<std::size_t>(q)] = work.sums[k][q];
-      if (q > 0 && q < length - q) work.line[static_cast<std::size_t>(length - q)] = mirror * work.sums[k][q];
-    }
-    theta_fft_.execute(work.line);
-    for (int l = 0; l <= theta_reach_; ++l) {
-      half_spectra_[offset(k, l) + static_cast<std::size_t>(p)] = work.line[static_cast<std::size_t>(l)];
-    }
-  }
-
-  const Spectrum& spectrum_;
-  double outer_radius_;
-  Mesh mesh_;
-  int half_;
+  const std::vector<OrderBand>& phi_bands_;
+  const std::vector<OrderBand>& theta_bands_;
+  double phi_spacing_;
   int theta_reach_;
-  ComplexBackwardFft theta_fft_;
+  std::vector<double> orders_;  // m of all bands
   std::vector<Kernel> kernels_;
-  std::vector<cplx> half_spectra_;  // [kernel][l][folded m]
+  std::vector<Eigen::ArrayXcd> phi_weights_;                 // [kernel]
+  std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
+  std::vector<Waves> theta_waves_;                           // [band]
+  std::vector<Waves> phi_waves_;                             // [band]
+  std::vector<ThetaSums> sums_;                              // [kernel]
 };
+
+double highest(const std::vector<OrderBand>& bands) {
+  double highest = 0.0;
+  for (const OrderBand& band : bands) highest = std::max(highest, band.orders[band.orders.size() - 1]);
+  return highest;
+}
 
 }  // namespace
 
-std::vector<Table> synthesize(const Spectrum& spectrum, double outer_radius, const Mesh& mesh,
-                              const std::vector<TableRequest>& requests, int phi_reach, int theta_reach, int threads,
-                              Watch& watch) {
-  Synthesis synthesis(spectrum, outer_radius, mesh, requests, theta_reach);
-  const auto folded_orders = static_cast<std::size_t>(mesh.nodes_per_revolution / 2 + 1);
-  std::vector<Workspace> workspaces(worker_count(folded_orders, threads), synthesis.make_workspace());
-  parallel_for(folded_orders, threads, watch, "summing orders", [&](std::size_t p, const Worker& worker) {
-    synthesis.sum_along_theta(static_cast<int>(p), workspaces[worker.number], worker);
+OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
+    : OrderSum(sphere, angular_speed, mesh, phi_bands(mesh), theta_bands(mesh), threads, watch) {}
+
+OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
+                   std::vector<OrderBand> theta_bands, int threads, Watch& watch)
+    : mesh_(mesh),
+      phi_bands_(std::move(phi_bands)),
+      theta_bands_(std::move(theta_bands)),
+      coating_(sphere, angular_speed, all_orders(phi_bands_), mesh.max_order ? 1e300 : 2.0 * mesh.nodes_per_revolution),
+      spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch)) {}
+
+std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
+                                    int threads, Watch& watch) const {
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, mesh_, coating_.outer_radius(), theta_reach);
+  parallel_for(synthesis.blocks(), threads, watch, "summing orders", [&](std::size_t block, const Worker& worker) {
+    synthesis.sum_along_theta(block, *spectrum_, worker);
   });
 
-  std::vector<Table> tables(requests.size(), Table(phi_reach, theta_reach));
-  parallel_for(requests.size(), threads, watch, "transforming tables",
-               [&](std::size_t k, const Worker&) { tables[k] = synthesis.table(k, phi_reach); });
+  synthesis.prepare_phi(phi_reach);
+  std::vector<Table> tables;
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    tables.emplace_back(phi_reach, theta_reach, synthesis.is_odd_in_theta(k));
+  }
+  const std::size_t stripes = synthesis.stripes();
+  parallel_for(requests.size() * stripes, threads, watch, "summing tables", [&](std::size_t i, const Worker& worker) {
+    synthesis.sum_along_phi(i / stripes, i % stripes, tables[i / stripes], worker);
+  });
   return tables;
 }
 

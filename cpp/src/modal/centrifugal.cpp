@@ -36,8 +36,7 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
 }  // namespace
 
 double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
-  const std::array harmonic{0};
-  const detail::HarmonicCoating coating(sphere, angular_speed, harmonic);
+  const detail::HarmonicCoating coating(sphere, angular_speed, {0.0});
   const auto media = coating.media(0);
   const double stress_unit = media.back().mu.real();
 

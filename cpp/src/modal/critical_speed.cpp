@@ -94,13 +94,13 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
          text(angular_speed) + " rad/s");
 }
 
-void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics,
+void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
                           const std::vector<std::vector<std::complex<double>>>& moduli) {
-  int next = 1;
-  for (std::size_t i = 0; i < harmonics.size(); ++i) {
-    const int m = harmonics[i];
+  double next = 1.0;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const double m = orders[i];
     if (m < next) continue;
-    next = std::max(m + 1, m * 11 / 10);
+    next = std::max(m + 1.0, 1.1 * m);
     std::vector<Medium<double>> media;
     double radius = sphere.core_radius;
     double damping = 0.0;  // the largest m tan(delta)
@@ -120,7 +120,7 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
     if (damping > 1.0 || slowest > 10.0 || is_subcritical(media, m, 0.0)) continue;
     reject(
         "angular_speed",
-        "below the speed at which the coating radiates waves of order " + std::to_string(m) + " that it hardly damps",
+        "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
         text(angular_speed) + " rad/s");
   }
 }

@@ -26,10 +26,10 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
 /// hardly damped, exp(-pi m tan(delta)): a coating whose short-time modulus is high, or infinite, but plays no role.
 /// @param[in] sphere rigid core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
-/// @param[in] harmonics orders m >= 0
-/// @param[in] moduli complex shear moduli, [layer][harmonic]
+/// @param[in] orders m >= 0, from low to high as far as they are looked at
+/// @param[in] moduli complex shear moduli, [layer][order]
 /// @throws std::invalid_argument with the order
-void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics,
+void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
                           const std::vector<std::vector<std::complex<double>>>& moduli);
 
 }  // namespace viscoroll::detail

@@ -1,30 +1,43 @@
 #include "modal/medium.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <utility>
 
 #include "modal/critical_speed.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
 
-HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics)
-    : sphere_(sphere), angular_speed_(angular_speed) {
+namespace {
+
+bool is_measured(const ShearModulus& modulus) {
+  return std::holds_alternative<MasterCurve>(modulus) || std::holds_alternative<CustomModulus>(modulus);
+}
+
+/// Orders that approach a limit smoothly: series over them stay smooth.
+double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
+
+}  // namespace
+
+HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::vector<double> orders,
+                                 double measured_order)
+    : sphere_(sphere), angular_speed_(angular_speed), orders_(std::move(orders)) {
   validate(sphere);
   require_positive("angular_speed", angular_speed, "rad/s");
 
-  std::vector<double> omega;
-  omega.reserve(harmonics.size());
-  for (const int m : harmonics) omega.push_back(m * angular_speed);
-
   radii_.push_back(sphere.core_radius);
+  std::vector<double> omega(orders_.size());
   for (const Layer& layer : sphere.layers) {
     radii_.push_back(radii_.back() + layer.thickness);
+    const bool measured = is_measured(layer.shear_modulus);
+    std::transform(orders_.begin(), orders_.end(), omega.begin(),
+                   [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
     moduli_.push_back(complex_modulus(layer.shear_modulus, omega));
   }
-  const double highest = omega.empty() ? 0.0 : *std::max_element(omega.begin(), omega.end());
-  require_subcritical(sphere, angular_speed, std::max(highest, angular_speed));
-  require_damped_waves(sphere, angular_speed, harmonics, moduli_);
+  const double highest = orders_.empty() ? 0.0 : *std::max_element(orders_.begin(), orders_.end());
+  require_subcritical(sphere, angular_speed, angular_speed * std::max(1.0, limited(highest, measured_order)));
+  require_damped_waves(sphere, angular_speed, orders_, moduli_);
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {
@@ -41,12 +54,6 @@ std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) 
   }
   media.front().within = sphere_.inner_boundary;
   return media;
-}
-
-std::vector<int> orders_up_to(int max_order) {
-  std::vector<int> orders(static_cast<std::size_t>(max_order) + 1);
-  std::iota(orders.begin(), orders.end(), 0);
-  return orders;
 }
 
 }  // namespace viscoroll::detail

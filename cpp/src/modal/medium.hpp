@@ -3,7 +3,7 @@
 #pragma once
 
 #include <complex>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "viscoroll/sphere.hpp"
@@ -32,34 +32,37 @@ template <class Scalar>
   return Scalar((1.0 - 2.0 * *layer.poisson_ratio) / (2.0 * (1.0 - *layer.poisson_ratio)));
 }
 
-/// @brief The layers of a coating at a list of harmonics of the rolling speed.
+/// @brief The layers of a coating at a list of orders m, whose material sees the frequencies m Omega.
 class HarmonicCoating {
  public:
   /// @param[in] sphere rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] harmonics orders m >= 0, whose material sees the frequencies m Omega
-  /// @throws std::invalid_argument for bad input, at a critical speed, and where a modulus is not passive at a harmonic
-  HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::span<const int> harmonics);
+  /// @param[in] orders m >= 0, not necessarily whole
+  /// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
+  /// frequencies beyond this order's: from about half of it on they are taken at lower ones
+  /// @throws std::invalid_argument for bad input, at a critical speed, and where a modulus is not passive at an order
+  HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::vector<double> orders,
+                  double measured_order = std::numeric_limits<double>::infinity());
 
-  /// @brief Layers at the i-th harmonic, core outwards.
+  /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
 
-  /// @return complex shear modulus of a layer at the i-th harmonic [Pa]
+  /// @return complex shear modulus of a layer at the i-th order [Pa]
   [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
+
+  /// @return the orders m
+  [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
 
   [[nodiscard]] const CoatedSphere& sphere() const { return sphere_; }
   [[nodiscard]] double outer_radius() const { return radii_.back(); }
   [[nodiscard]] double angular_speed() const { return angular_speed_; }
-  [[nodiscard]] std::size_t harmonics() const { return moduli_.front().size(); }
 
  private:
   CoatedSphere sphere_;
   double angular_speed_;
+  std::vector<double> orders_;
   std::vector<double> radii_;                              // interfaces, core to surface [m]
-  std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][harmonic]
+  std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][order]
 };
-
-/// @return the orders 0, 1, ..., max_order
-[[nodiscard]] std::vector<int> orders_up_to(int max_order);
 
 }  // namespace viscoroll::detail

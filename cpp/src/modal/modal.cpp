@@ -23,12 +23,12 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
   if (m.size() != n.size()) {
     detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
   }
-  std::vector<int> harmonics;
+  std::vector<double> magnitudes;
   for (const int order : m) {
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
-    harmonics.push_back(std::abs(order));
+    magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicCoating coating(sphere, angular_speed, harmonics);
+  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes);
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
@@ -37,7 +37,7 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
     const bool conjugate = m[i] < 0;
     const auto media = coating.media(i);
     const Eigen::Matrix3cd compliance =
-        detail::to_physical(detail::surface_compliance<cplx>(media, harmonics[i], conjugate ? -n[i] : n[i]));
+        detail::to_physical(detail::surface_compliance<cplx>(media, magnitudes[i], conjugate ? -n[i] : n[i]));
     Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
   });
   return compliances;

@@ -23,9 +23,9 @@ bool is_resolved(const Panel<cplx>& panel, double m) {
 
 }  // namespace
 
-void OrderByOrderSpectrum::series(int m, OrderSeries& series) const {
-  const auto media = coating_.media(static_cast<std::size_t>(m));
-  const double order = m;
+void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
+  const auto media = coating_.media(i);
+  const double order = coating_.orders()[i];
   const auto sample = [&](double k2) -> Eigen::VectorXcd {
     const double n = std::sqrt(k2 - order * order);
     const Matrix3<cplx> y = surface_compliance<cplx>(media, order, n);
@@ -35,16 +35,15 @@ void OrderByOrderSpectrum::series(int m, OrderSeries& series) const {
   };
   series.clear();
   double lowest = order * order;
-  if (m == 0) {
+  if (order == 0.0) {
     const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, 0.0);
     Eigen::VectorXcd entries(kEntries);
     entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
     append_constants(kZeroOrder, entries, series);
     lowest = kZeroOrder;
   }
-  const auto highest_n = static_cast<double>(coating_.harmonics() - 1);
   append_panels(
-      lowest, order * order + highest_n * highest_n, sample,
+      lowest, order * order + highest_n_ * highest_n_, sample,
       [order](const Panel<cplx>& panel) { return is_resolved(panel, order); }, series);
 }
 

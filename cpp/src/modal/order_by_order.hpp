@@ -9,12 +9,13 @@ namespace viscoroll::detail {
 /// @brief Solves the layers at the Chebyshev nodes of every order m: about thirty solutions in place of N_t.
 class OrderByOrderSpectrum final : public Spectrum {
  public:
-  explicit OrderByOrderSpectrum(const HarmonicCoating& coating) : coating_(coating) {}
+  OrderByOrderSpectrum(const HarmonicCoating& coating, double highest_n) : coating_(coating), highest_n_(highest_n) {}
 
-  void series(int m, OrderSeries& series) const override;
+  void series(std::size_t i, OrderSeries& series) const override;
 
  private:
   HarmonicCoating coating_;
+  double highest_n_;
 };
 
 }  // namespace viscoroll::detail

@@ -21,7 +21,7 @@ constexpr int kMaxInertiaOrder = 3;
 /// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
 std::optional<double> common_ratio(const HarmonicCoating& coating, std::size_t layer, std::size_t reference) {
   const cplx ratio = coating.modulus(layer, 0) / coating.modulus(reference, 0);
-  for (std::size_t i = 0; i < coating.harmonics(); ++i) {
+  for (std::size_t i = 0; i < coating.orders().size(); ++i) {
     const cplx expected = ratio * coating.modulus(reference, i);
     if (std::abs(coating.modulus(layer, i) - expected) > 1e-14 * std::abs(expected)) return std::nullopt;
   }
@@ -206,8 +206,8 @@ class InertiaSeries {
 
 }  // namespace
 
-std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicCoating& coating, int threads,
-                                                                   Watch& watch) {
+std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicCoating& coating, double highest_n,
+                                                                   int threads, Watch& watch) {
   const auto& layers = coating.sphere().layers;
   const double density = std::max_element(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) {
                            return a.density < b.density;
@@ -219,7 +219,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   std::unique_ptr<SelfSimilarSpectrum> spectrum(new SelfSimilarSpectrum);
   const double speed = coating.angular_speed() * coating.outer_radius();
   double highest_eta = 0.0;
-  for (std::size_t m = 0; m < coating.harmonics(); ++m) {
+  for (std::size_t m = 0; m < coating.orders().size(); ++m) {
     spectrum->modulus_.push_back(coating.modulus(reference, m));
     spectrum->inertia_.push_back(density * speed * speed / spectrum->modulus_.back());
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
@@ -230,9 +230,11 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
 
   const InertiaSeries inertia_series(std::move(*media), highest_eta, *order);
-  const auto max_order = static_cast<double>(coating.harmonics() - 1);
+  spectrum->orders_ = coating.orders();
+  spectrum->highest_n_ = highest_n;
+  const double highest_m = *std::max_element(coating.orders().begin(), coating.orders().end());
   append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
-  const double most = 2.0 * max_order * max_order;
+  const double most = highest_m * highest_m + highest_n * highest_n;
   std::vector<double> bounds{kZeroOrder};
   while (bounds.back() < most) bounds.push_back(std::min(8.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
@@ -245,14 +247,13 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   return spectrum;
 }
 
-void SelfSimilarSpectrum::series(int m, OrderSeries& series) const {
-  const auto index = static_cast<std::size_t>(m);
-  const double m2 = static_cast<double>(m) * m;
-  const auto highest_n = static_cast<double>(modulus_.size() - 1);
-  const cplx unit = 1.0 / modulus_[index];
+void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
+  const double m = orders_[i];
+  const double m2 = m * m;
+  const cplx unit = 1.0 / modulus_[i];
   std::size_t used = 0;
   for (const Panel<double>& panel : panels_) {
-    if (panel.high < m2 || panel.low > m2 + highest_n * highest_n) continue;
+    if (panel.high < m2 || panel.low > m2 + highest_n_ * highest_n_) continue;
     if (used == series.size()) series.emplace_back();
     auto& target = series[used++];
     target.low = panel.low;
@@ -260,12 +261,12 @@ void SelfSimilarSpectrum::series(int m, OrderSeries& series) const {
     target.series.setZero(kEntries, kPanelNodes);
     for (Eigen::Index e = 0; e < kEntries; ++e) {
       const bool has_factor_m = e == static_cast<int>(Entry::rphi) || e == static_cast<int>(Entry::phitheta);
-      cplx eta_power = unit * (has_factor_m ? static_cast<double>(m) : 1.0);
-      for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[index]) {
+      cplx eta_power = unit * (has_factor_m ? m : 1.0);
+      for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[i]) {
         double m_power = 1.0;
-        for (int i = 0; i <= highest_power(e, j); ++i, m_power *= m2) {
-          target.series.row(e) +=
-              eta_power * m_power * panel.series.row(InertiaSeries::row_of(e, j, i, inertia_order_)).cast<cplx>();
+        for (int power = 0; power <= highest_power(e, j); ++power, m_power *= m2) {
+          target.series.row(e) += eta_power * m_power *
+                                  panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).cast<cplx>();
         }
       }
     }

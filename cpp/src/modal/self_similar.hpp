@@ -20,15 +20,17 @@ namespace viscoroll::detail {
 class SelfSimilarSpectrum final : public Spectrum {
  public:
   /// @return nothing for a coating that is not self-similar, or too fast for a few terms of the series
-  [[nodiscard]] static std::unique_ptr<SelfSimilarSpectrum> try_make(const HarmonicCoating& coating, int threads,
-                                                                     Watch& watch);
+  [[nodiscard]] static std::unique_ptr<SelfSimilarSpectrum> try_make(const HarmonicCoating& coating, double highest_n,
+                                                                     int threads, Watch& watch);
 
-  void series(int m, OrderSeries& series) const override;
+  void series(std::size_t i, OrderSeries& series) const override;
 
  private:
   SelfSimilarSpectrum() = default;
 
   int inertia_order_ = 0;                      // largest j
+  double highest_n_ = 0.0;
+  std::vector<double> orders_;                 // m
   std::vector<std::complex<double>> modulus_;  // g(m Omega) [Pa], for each m
   std::vector<std::complex<double>> inertia_;  // eta / largest |eta|, for each m
   std::vector<Panel<double>> panels_;          // row (entry, j, i), see row_of

@@ -32,42 +32,51 @@ void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* 
 
 }  // namespace
 
-std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, int threads, Watch& watch) {
-  if (auto shared = SelfSimilarSpectrum::try_make(coating, threads, watch)) return shared;
-  return std::make_unique<OrderByOrderSpectrum>(coating);
+std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch) {
+  if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, threads, watch)) return shared;
+  return std::make_unique<OrderByOrderSpectrum>(coating, highest_n);
 }
 
-void evaluate(int m, Entry entry, const OrderSeries& series, Eigen::Ref<Eigen::ArrayXcd> values) {
-  const double m2 = static_cast<double>(m) * m;
-  const Eigen::Index count = values.size();
-  Eigen::ArrayXd coordinate(count);
-  Eigen::ArrayXd part(count);
-
+OrderValues::OrderValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series)
+    : n_(n), series_(series), coordinate_(m * m + n.square()) {
+  const Eigen::Index count = n.size();
   Eigen::Index first = 0;
   for (const auto& panel : series) {
-    Eigen::Index last = first;
-    while (last < count && m2 + static_cast<double>(last) * static_cast<double>(last) <= panel.high) ++last;
-    const Eigen::Index length = last - first;
-    for (Eigen::Index i = 0; i < length; ++i) {
-      const auto n = static_cast<double>(first + i);
-      coordinate[i] = panel.coordinate(m2 + n * n);
+    first_.push_back(first);
+    const double* end = std::upper_bound(coordinate_.data() + first, coordinate_.data() + count, panel.high);
+    const Eigen::Index last = &panel == &series.back() ? count : end - coordinate_.data();
+    auto part = coordinate_.segment(first, last - first);
+    if (panel.low > 0.0) {
+      part = (part / panel.low).log() * (2.0 / std::log(panel.high / panel.low)) - 1.0;
+    } else {
+      part.setZero();
     }
-    const auto row = panel.series.row(static_cast<int>(entry));
+    first = last;
+  }
+  first_.push_back(first);
+}
+
+void OrderValues::evaluate(Entry entry, Eigen::ArrayXcd& values) const {
+  values.setZero(n_.size());
+  Eigen::ArrayXd part(n_.size());
+  for (std::size_t p = 0; p < series_.size(); ++p) {
+    const Eigen::Index first = first_[p];
+    const Eigen::Index length = first_[p + 1] - first;
+    if (length == 0) continue;
+    const auto row = series_[p].series.row(static_cast<int>(entry));
     const auto add_part = [&](const auto& coefficients, std::complex<double> unit) {
       if (coefficients.isZero(0.0)) return;
       std::array<double, kPanelNodes> terms{};
       for (int j = 0; j < kPanelNodes; ++j) terms[static_cast<std::size_t>(j)] = coefficients(j);
-      sum_chebyshev(terms, coordinate.data(), part.data(), length);
+      sum_chebyshev(terms, coordinate_.data() + first, part.data(), length);
       values.segment(first, length) += unit * part.head(length);
     };
-    values.segment(first, length).setZero();
     add_part(row.real(), {1.0, 0.0});
     add_part(row.imag(), {0.0, 1.0});
-    first = last;
   }
 
   // From the real form to the components of the paper, and back the factor n of odd entries.
-  if (is_odd(entry)) values *= Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
+  if (is_odd(entry)) values *= n_;
   if (entry == Entry::rphi || entry == Entry::rtheta) values *= std::complex<double>(0.0, -1.0);
 }
 

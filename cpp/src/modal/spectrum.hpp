@@ -1,8 +1,8 @@
 /// @file
-/// @brief The surface compliance of all orders |m|, |n| <= N_t, cheaply.
+/// @brief The surface compliance of many orders (m, n), cheaply.
 ///
 /// At a given m every entry of the compliance is a smooth function of n^2, known once it is known at a few points. A
-/// `Spectrum` gives it as Chebyshev series on panels of k^2 = m^2 + n^2; `evaluate` sums them at whole n.
+/// `Spectrum` gives it as Chebyshev series on panels of k^2 = m^2 + n^2, which `OrderValues` sums.
 #pragma once
 
 #include <Eigen/Core>
@@ -62,28 +62,42 @@ constexpr double kZeroOrder = 0.5;
 /// where the entry is odd.
 using OrderSeries = std::vector<Panel<std::complex<double>>>;
 
-/// @brief All orders of a coating. Immutable after construction: threads may share it.
+/// @brief The orders m of a coating. Immutable after construction: threads may share it.
 class Spectrum {
  public:
   virtual ~Spectrum() = default;
 
   /// @brief Series of one order.
-  /// @param[in] m order, in [0, max_order]
-  /// @param[out] series panels that cover n in [0, max_order]; storage is reused
-  virtual void series(int m, OrderSeries& series) const = 0;
+  /// @param[in] i number of the order m in the coating's list
+  /// @param[out] series panels that cover n in [0, highest_n]; storage is reused
+  virtual void series(std::size_t i, OrderSeries& series) const = 0;
 };
 
 /// @brief Choose how to obtain the spectrum of a coating, and prepare it.
-/// @param[in] coating layers at the harmonics 0 ... max_order
+/// @param[in] coating layers at the orders m; (0, 0) is the only order below 1/2
+/// @param[in] highest_n largest order n that is asked for
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
-[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, int threads, Watch& watch);
+[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads,
+                                                      Watch& watch);
 
-/// @brief Physical compliance C_PQ(m, n) [m/Pa] of one entry at n = 0 ... max_order from the series of order m.
-/// @param[in] m the order of `series`
-/// @param[in] entry which entry
-/// @param[in] series from `Spectrum::series`
-/// @param[out] values one for each n
-void evaluate(int m, Entry entry, const OrderSeries& series, Eigen::Ref<Eigen::ArrayXcd> values);
+/// @brief Sums the series of one order m at a list of orders n. Several entries share the work on the coordinates.
+class OrderValues {
+ public:
+  /// @param[in] m the order of `series`
+  /// @param[in] n orders, ascending from 0, within the panels
+  /// @param[in] series from `Spectrum::series`, which outlives this object
+  OrderValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series);
+
+  /// @param[in] entry which entry
+  /// @param[out] values physical compliance C_PQ(m, n) [m/Pa] at every n
+  void evaluate(Entry entry, Eigen::ArrayXcd& values) const;
+
+ private:
+  const Eigen::ArrayXd& n_;
+  const OrderSeries& series_;
+  std::vector<Eigen::Index> first_;  // of the orders n on each panel, and the end of the last
+  Eigen::ArrayXd coordinate_;        // of every order n on its panel
+};
 
 }  // namespace viscoroll::detail

@@ -35,7 +35,8 @@ double estimate_contact_radius(const HarmonicCoating& coating, double load) {
 
 double unbearable_load(const HarmonicCoating& coating) {
   double shear = 0.0;
-  for (const Medium<std::complex<double>>& medium : coating.media(coating.harmonics() - 1)) {
+  const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
+  for (const Medium<std::complex<double>>& medium : coating.media(static_cast<std::size_t>(highest))) {
     shear = std::max(shear, std::abs(medium.mu));
   }
   const double radius = coating.outer_radius();

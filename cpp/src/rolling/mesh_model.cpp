@@ -1,32 +1,37 @@
 #include "rolling/mesh_model.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <iterator>
 
-#include "influence/synthesis.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 
 MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
-    : coating_(sphere, angular_speed, orders_up_to(mesh.max_order)),
-      mesh_(mesh),
-      spacing_(2.0 * std::numbers::pi / mesh.nodes_per_revolution),
-      centrifugal_(centrifugal_displacement(sphere, angular_speed)),
-      spectrum_(make_spectrum(coating_, threads, watch)) {}
+    : orders_(sphere, angular_speed, mesh, threads, watch),
+      centrifugal_(centrifugal_displacement(sphere, angular_speed)) {}
 
-std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, int reach, int threads,
-                                                            Watch& watch) const {
-  const auto requests = required_tables(formulation);
+CoatingTables MeshModel::tables(const Formulation& formulation, int phi_reach, int theta_reach,
+                                const Execution& execution) const {
   const std::scoped_lock lock(mutex_);
-  auto set = std::find_if(sets_.begin(), sets_.end(), [&](const TableSet& s) { return s.requests == requests; });
-  if (set != sets_.end() && set->reach >= reach) return set->tables;
-  auto tables = std::make_shared<const std::vector<Table>>(
-      synthesize(*spectrum_, radius(), mesh_, requests, reach, reach, threads, watch));
-  if (set == sets_.end()) set = sets_.insert(set, {.requests = requests, .reach = 0, .tables = nullptr});
-  set->reach = reach;
-  set->tables = tables;
-  return tables;
+  const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const TableSet& s) { return s.formulation == formulation; });
+  if (set != sets_.end() && set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
+
+  // One sum for both, since they share the compliance of every order.
+  auto requests = displacement_tables(formulation);
+  const auto displacements = static_cast<std::ptrdiff_t>(requests.size());
+  const auto lost_work = lost_work_tables(formulation);
+  requests.insert(requests.end(), lost_work.begin(), lost_work.end());
+  std::vector<Table> tables =
+      orders_.tables(requests, phi_reach, theta_reach, execution.threads, execution.watch);
+  const auto middle = std::make_move_iterator(tables.begin() + displacements);
+  const CoatingTables made{
+      .displacement =
+          std::make_shared<const std::vector<Table>>(std::make_move_iterator(tables.begin()), middle),
+      .lost_work = std::make_shared<const std::vector<Table>>(middle, std::make_move_iterator(tables.end()))};
+  if (set != sets_.end()) sets_.erase(set);
+  sets_.push_back({.formulation = formulation, .phi_reach = phi_reach, .theta_reach = theta_reach, .tables = made});
+  return made;
 }
 
 }  // namespace viscoroll::detail

@@ -7,12 +7,18 @@
 #include <vector>
 
 #include "contact/coating_compliance.hpp"
-#include "modal/medium.hpp"
-#include "modal/spectrum.hpp"
+#include "contact/surface_window.hpp"
+#include "influence/synthesis.hpp"
 #include "parallel.hpp"
 #include "viscoroll/influence.hpp"
 
 namespace viscoroll::detail {
+
+/// @brief Influence tables of a formulation.
+struct CoatingTables {
+  std::shared_ptr<const std::vector<Table>> displacement;  ///< for `displacement_tables`
+  std::shared_ptr<const std::vector<Table>> lost_work;     ///< for `lost_work_tables`
+};
 
 /// @brief A coating at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
 class MeshModel {
@@ -25,33 +31,33 @@ class MeshModel {
   /// @throws std::invalid_argument for bad input and critical speeds
   MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch);
 
-  [[nodiscard]] const HarmonicCoating& coating() const { return coating_; }
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-  [[nodiscard]] double spacing() const { return spacing_; }
-  [[nodiscard]] double radius() const { return coating_.outer_radius(); }
+  [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
+  [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }
+  [[nodiscard]] SurfaceGrid grid() const {
+    return {.radius = coating().outer_radius(),
+            .phi_spacing = phi_spacing(mesh()),
+            .theta_spacing = theta_spacing(mesh())};
+  }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
-  /// @brief Tables for `required_tables(formulation)`, as made for an earlier load case where that is enough.
+  /// @brief Tables of a formulation, as made for an earlier load case where that is enough.
   /// @param[in] formulation which tables
-  /// @param[in] reach offset that they reach at least, in phi and theta
-  /// @param[in] threads number of threads, 0 for all cores
-  /// @param[in] watch progress and cancellation
-  [[nodiscard]] std::shared_ptr<const std::vector<Table>> tables(const Formulation& formulation, int reach, int threads,
-                                                                 Watch& watch) const;
+  /// @param[in] phi_reach,theta_reach offsets that they reach at least
+  /// @param[in] execution of the sum
+  [[nodiscard]] CoatingTables tables(const Formulation& formulation, int phi_reach, int theta_reach,
+                                     const Execution& execution) const;
 
  private:
   struct TableSet {
-    std::vector<TableRequest> requests;
-    int reach;
-    std::shared_ptr<const std::vector<Table>> tables;
+    Formulation formulation;
+    int phi_reach;
+    int theta_reach;
+    CoatingTables tables;
   };
 
-  HarmonicCoating coating_;
-  Mesh mesh_;
-  double spacing_;
+  OrderSum orders_;
   double centrifugal_;
-  std::unique_ptr<Spectrum> spectrum_;
   mutable std::mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind
 };

@@ -17,12 +17,10 @@ constexpr double kFirstNodesPerRadius = 6.0;  // of the first mesh, in the estim
 constexpr double kRefinement = 1.4;           // of the spacing, from mesh to mesh
 constexpr int kMaxNodesPerRevolution = 8000;  // above, the sum over all orders of the sphere takes too long
 
-/// N_t = 3/2 nodes per revolution: every order that the mesh resolves then has both of its first aliases in the sum,
-/// whose errors cancel.
 Mesh make_mesh(double nodes_per_revolution) {
   const int nodes =
       std::clamp(2 * static_cast<int>(std::lround(nodes_per_revolution / 2.0)), 64, kMaxNodesPerRevolution);
-  return {.nodes_per_revolution = nodes, .max_order = 3 * nodes / 2};
+  return {.nodes_per_revolution = nodes};
 }
 
 double relative_change(double value, double before, double negligible) {
@@ -39,9 +37,8 @@ bool is_finest(const Result& result, double friction) {
 }  // namespace
 
 Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch) {
-  const std::array at_rest{0};
   const double radius =
-      estimate_contact_radius(HarmonicCoating(sphere, load_case.angular_speed, at_rest), load_case.load);
+      estimate_contact_radius(HarmonicCoating(sphere, load_case.angular_speed, {0.0}), load_case.load);
   Mesh mesh = make_mesh(2.0 * std::numbers::pi * kFirstNodesPerRadius * outer_radius(sphere) / radius);
   std::vector<Refinement> refinements;
   for (;;) {

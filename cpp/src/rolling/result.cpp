@@ -31,27 +31,27 @@ double semi_axis(const ArrayXd& coordinate, const ArrayXd& weights) {
 
 class Summary {
  public:
-  Summary(const SolvedContact& solved, const ContactConditions& given)
+  Summary(const LocatedContact& solved, const ContactConditions& given)
       : window_(solved.window),
-        coating_(solved.coating),
         contact_(solved.contact),
         given_(given),
         size_(window_.shape().size()),
         pressing_(pressing_force(contact_)),
-        flat_area_(ArrayXd::Constant(size_, std::pow(window_.radius() * window_.spacing(), 2))),
+        flat_area_(ArrayXd::Constant(size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
         area_(flat_area_ * window_.theta().sin()) {}
 
   void add_status(Result& r) const {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
     r.iterations = contact_.iterations;
     r.residual = contact_.residual;
+    r.products = contact_.products;
   }
 
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
     r.penetration = contact_.penetration - given_.centrifugal;
-    r.center_height = window_.radius() - r.penetration;
+    r.center_height = radius() - r.penetration;
     r.centrifugal_displacement = given_.centrifugal;
     r.semi_axis_x = semi_axis(window_.x(), touching * area_);
     r.semi_axis_z = semi_axis(window_.z(), touching * area_);
@@ -61,11 +61,11 @@ class Summary {
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
     r.resisting_torque = (window_.x() * pressing_).sum();
-    r.rolling_resistance_coefficient = r.resisting_torque / (given_.load_case.load * window_.radius());
+    r.rolling_resistance_coefficient = r.resisting_torque / (given_.load_case.load * radius());
     r.driving_force = -forward.sum();
     r.lateral_force = contact_.force.col(kSideways).sum();
 
-    const double swelling = 1.0 + given_.centrifugal / window_.radius();
+    const double swelling = 1.0 + given_.centrifugal / radius();
     ArrayXd x = swelling * window_.x();
     ArrayXd y = swelling * window_.y();
     if (given_.compliance == Compliance::vertical) {
@@ -79,9 +79,9 @@ class Summary {
     const LoadCase& load_case = given_.load_case;
     if (contact_.speed_ratio) {
       r.creepage = *contact_.speed_ratio - 1.0;
-      r.linear_speed = *contact_.speed_ratio * load_case.angular_speed * window_.radius();
+      r.linear_speed = *contact_.speed_ratio * load_case.angular_speed * radius();
     }
-    r.bulk_power = load_case.angular_speed * coating_.lost_work(contact_.force);
+    r.bulk_power = load_case.angular_speed * given_.lost_work;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
@@ -102,15 +102,14 @@ class Summary {
     shear.col(1) = contact_.force.col(kSideways) / patch_area;
     r.max_pressure = pressure.maxCoeff();
     r.mesh = given_.mesh;
-    r.spacing = window_.spacing();
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;
     r.x = to_vector(window_.x());
     r.z = to_vector(window_.z());
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
-    // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H.
-    r.displacement = to_vector(contact_.gap + window_.y() - r.center_height);
+    // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
+    r.displacement = to_vector(contact_.gap - window_.height() + r.penetration);
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;
@@ -120,11 +119,13 @@ class Summary {
   }
 
  private:
+  [[nodiscard]] double radius() const { return window_.grid().radius; }
+
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
   [[nodiscard]] ArrayX2d slip_velocity() const {
     ArrayX2d velocity = ArrayX2d::Zero(size_, 2);
     if (contact_.slip.rows() == 0) return velocity;
-    const double rate = given_.load_case.angular_speed / window_.spacing();
+    const double rate = given_.load_case.angular_speed / window_.grid().phi_spacing;
     for (const Index node : contact_.contact) velocity.row(node) = rate * contact_.slip.row(node);
     return velocity;
   }
@@ -139,11 +140,10 @@ class Summary {
       const auto slip = contact_.slip.col(column);
       return 0.5 * (force * (slip.head(rest) + slip.tail(rest))).sum();
     };
-    return -given_.load_case.angular_speed / window_.spacing() * (work(0, kForward) + work(1, kSideways));
+    return -given_.load_case.angular_speed / window_.grid().phi_spacing * (work(0, kForward) + work(1, kSideways));
   }
 
   const SurfaceWindow& window_;
-  const CoatingCompliance& coating_;
   const ContactSolution& contact_;
   const ContactConditions& given_;
   Index size_;
@@ -154,7 +154,7 @@ class Summary {
 
 }  // namespace
 
-Result make_result(const SolvedContact& solved, const ContactConditions& given) {
+Result make_result(const LocatedContact& solved, const ContactConditions& given) {
   const Summary summary(solved, given);
   Result r;
   summary.add_status(r);

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 
-#include "contact/coating_compliance.hpp"
 #include "contact/frictional_contact.hpp"
-#include "contact/normal_contact.hpp"
+#include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
 #include "validate.hpp"
@@ -19,24 +19,8 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Whether the contact reaches the rim of the window, or its upstream nodes do.
-bool touches_edge(const ContactSolution& contact, const WindowShape& shape) {
-  return std::any_of(contact.contact.begin(), contact.contact.end(), [&](Eigen::Index node) {
-    const Eigen::Index i = node / shape.theta_nodes;
-    const Eigen::Index k = node % shape.theta_nodes;
-    return i <= 1 || i == shape.phi_nodes - 1 || k == 0 || k == shape.theta_nodes - 1;
-  });
-}
-
-/// Nodes within a distance of the lowest point, itself included.
-std::vector<Eigen::Index> nodes_within(const SurfaceWindow& window, double distance) {
-  std::vector<Eigen::Index> nodes;
-  const double limit = std::max(distance, 0.5 * window.spacing() * window.radius());
-  for (Eigen::Index node = 0; node < window.shape().size(); ++node) {
-    if (std::hypot(window.x()[node], window.z()[node]) <= limit) nodes.push_back(node);
-  }
-  return nodes;
-}
+/// Overclosure outside the box of a contact, per penetration, that shows that the contact reaches there.
+constexpr double kOverclosure = 1e-8;
 
 class LoadCaseSolver {
  public:
@@ -44,29 +28,64 @@ class LoadCaseSolver {
       : model_(model),
         load_case_(load_case),
         options_(options),
-        watch_(watch),
         formulation_{
             .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
-        limits_{.max_iterations = options.max_iterations, .max_unknowns = kMaxUnknowns, .threads = options.threads},
-        spacing_(model.spacing()),
-        radius_(model.radius()),
-        swelling_(1.0 + model.centrifugal() / radius_) {}
+        limits_{.max_iterations = options.max_iterations, .max_unknowns = kMaxUnknowns},
+        execution_{.threads = options.threads, .watch = watch},
+        grid_(model.grid()),
+        swelling_(1.0 + model.centrifugal() / grid_.radius) {}
 
-  [[nodiscard]] SolvedContact solve() const {
+  [[nodiscard]] Result solve() const {
     if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
-    const double estimate = estimate_contact_radius(model_.coating(), load_case_.load) / radius_;
+    const double estimate = estimate_contact_radius(model_.coating(), load_case_.load);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
-    const int largest = model_.mesh().nodes_per_revolution / 6;
-    int half = std::min(static_cast<int>(std::ceil(1.1 * estimate / spacing_)) + 2, largest);
+    const int phi_limit = model_.mesh().nodes_per_revolution / 6;
+    const int theta_limit = theta_nodes_per_revolution(model_.mesh()) / 6;
+    const auto half_width = [&](double spacing) {
+      return static_cast<int>(std::ceil(1.1 * estimate / (grid_.radius * spacing))) + 2;
+    };
+    int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
+    int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
     for (;;) {
-      SolvedContact solved = solve_in_window(half, estimate * radius_);
-      if (!touches_edge(solved.contact, solved.window.shape())) return solved;
-      if (half == largest) reject_load("is in contact over 60 degrees to a side");
-      half = std::min(half + half / 2 + 1, largest);
+      if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
+      if (phi == phi_limit && theta == theta_limit) reject_load("is in contact over 60 degrees to a side");
+      phi = std::min(phi + phi / 2 + 1, phi_limit);
+      theta = std::min(theta + theta / 2 + 1, theta_limit);
     }
   }
 
-  [[nodiscard]] Result result(const SolvedContact& solved) const {
+ private:
+  /// @return nothing where the contact reaches the edge of the window
+  [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate) const {
+    const CoatingTables tables = model_.tables(formulation_, 2 * half_phi, 2 * half_theta, execution_);
+    const CandidateSurface surface{.formulation = formulation_,
+                                   .window = {grid_, {-half_phi, half_phi}, {-half_theta, half_theta}},
+                                   .tables = tables.displacement,
+                                   .swelling = swelling_};
+    try {
+      LocatedContact located = solve_multilevel(surface, load_case_.load, estimate, limits_, execution_);
+      for (;;) {
+        if (load_case_.friction > 0.0) located.contact = add_friction(located);
+        const bool boxed = !(located.window.shape() == surface.window.shape());
+        const bool at_edge = touches_edge(located.contact, located.window.shape());
+        if (!boxed && at_edge) return std::nullopt;
+        const double lost =
+            lost_work(formulation_, located.window, *tables.lost_work, located.contact.force, execution_);
+        const LocatedContact whole = extended(std::move(located), surface, execution_);
+        if (!boxed) return result(whole, lost);
+        if (!at_edge && whole.contact.gap.minCoeff() >= -kOverclosure * whole.contact.penetration) {
+          return result(whole, lost);
+        }
+        // What joins the contact lies outside its box.
+        located = solve_on_window(whole, surface, load_case_.load, limits_);
+      }
+    } catch (const std::length_error& error) {
+      reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
+             std::to_string(model_.mesh().nodes_per_revolution) + " (" + error.what() + ")");
+    }
+  }
+
+  [[nodiscard]] Result result(const LocatedContact& solved, double lost_work) const {
     if (!(solved.contact.penetration > 0.0)) {
       throw ConvergenceError("the load was found to lift the sphere", solved.contact.iterations,
                              solved.contact.residual);
@@ -76,34 +95,16 @@ class LoadCaseSolver {
                                 .mesh = model_.mesh(),
                                 .compliance = options_.compliance,
                                 .patch_load = options_.patch_load,
-                                .centrifugal = model_.centrifugal()});
+                                .centrifugal = model_.centrifugal(),
+                                .lost_work = lost_work});
   }
 
- private:
-  [[nodiscard]] SolvedContact solve_in_window(int half, double estimate) const {
-    const SurfaceWindow window(radius_, spacing_, half, half);
-    CoatingCompliance coating(formulation_, window, model_.tables(formulation_, 2 * half, options_.threads, watch_));
-    const NormalContactProblem problem{
-        .coating = coating, .drop = swelling_ * (radius_ - window.y()), .load = load_case_.load};
-    try {
-      ContactSolution contact = solve_normal_contact(
-          problem, nodes_within(window, 0.8 * std::min(estimate, half * spacing_ * radius_)), limits_, watch_);
-      if (load_case_.friction > 0.0) {
-        contact = add_friction(problem, window, contact);
-      } else if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-        contact.speed_ratio = 1.0 + given->creepage;
-      }
-      return {.window = window, .coating = std::move(coating), .contact = std::move(contact)};
-    } catch (const std::length_error& error) {
-      reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
-             std::to_string(model_.mesh().nodes_per_revolution) + " (" + error.what() + ")");
-    }
-  }
-
-  [[nodiscard]] ContactSolution add_friction(const NormalContactProblem& normal, const SurfaceWindow& window,
-                                             const ContactSolution& frictionless) const {
+  [[nodiscard]] ContactSolution add_friction(const LocatedContact& frictionless) const {
+    const SurfaceWindow& window = frictionless.window;
+    const NormalContactProblem normal{
+        .coating = frictionless.coating, .drop = swelling_ * window.height(), .load = load_case_.load};
     const WindowShape shape = window.shape();
-    const double step = radius_ * spacing_;
+    const double step = grid_.radius * grid_.phi_spacing;
     Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(shape.size(), -step);
     if (options_.slip_kinematics == SlipKinematics::exact) {
       const Eigen::Index rest = shape.size() - shape.theta_nodes;
@@ -122,9 +123,9 @@ class LoadCaseSolver {
         .lever_arm = vertical ? LeverArm::displaced : LeverArm::undisplaced,
     };
     try {
-      return solve_frictional_contact(problem, frictionless, limits_, watch_);
+      return solve_frictional_contact(problem, frictionless.contact, limits_);
     } catch (const ConvergenceError&) {
-      if (std::holds_alternative<DriveTorque>(load_case_.drive)) require_rolling(problem, frictionless);
+      if (std::holds_alternative<DriveTorque>(load_case_.drive)) require_rolling(problem, frictionless.contact);
       throw;
     }
   }
@@ -135,7 +136,7 @@ class LoadCaseSolver {
     std::array<double, 2> limits{};
     for (const std::size_t side : {0, 1}) {
       problem.drive = DriveCreepage{.creepage = side == 0 ? 1.0 : -1.0};
-      limits[side] = contact_moment(problem, solve_frictional_contact(problem, frictionless, limits_, watch_));
+      limits[side] = contact_moment(problem, solve_frictional_contact(problem, frictionless, limits_));
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject("drive.torque",
@@ -158,19 +159,17 @@ class LoadCaseSolver {
   const MeshModel& model_;
   const LoadCase& load_case_;
   const Options& options_;
-  Watch& watch_;
   Formulation formulation_;
   ContactOptions limits_;
-  double spacing_;
-  double radius_;
+  Execution execution_;
+  SurfaceGrid grid_;
   double swelling_;  // of the free surface, by the turning
 };
 
 }  // namespace
 
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
-  const LoadCaseSolver solver(model, load_case, options, watch);
-  return solver.result(solver.solve());
+  return LoadCaseSolver(model, load_case, options, watch).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -25,10 +25,12 @@ __all__ = ["RESERVED", "build_dataset"]
 #: What a dataset holds besides `SCALARS` for each point: name, unit, what it is.
 _COUNTS = {
     "iterations": ("1", "linear systems solved on the last mesh"),
+    "products": ("1", "products with influence tables that solved them, 0 where elimination did"),
     "residual": ("1", "largest violation of the contact conditions"),
     "contact_nodes": ("1", "nodes in contact"),
-    "nodes_per_revolution": ("1", "nodes per revolution"),
-    "max_order": ("1", "truncation order N_t"),
+    "nodes_per_revolution": ("1", "nodes per revolution along phi"),
+    "theta_nodes_per_revolution": ("1", "nodes per revolution along theta"),
+    "max_order": ("1", "truncation order N_t; NaN where all orders are summed"),
 }
 
 _TEXTS = {"status": "how the solve ended", "error": "why the point failed"}
@@ -99,12 +101,16 @@ def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str,
 
 def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
     """Angles of the nodes where all points have one spacing, else their numbers from the lowest point."""
-    spacings = {outcome.scalars["nodes_per_revolution"] for outcome in table if outcome.fields}
-    numbers = {"phi": np.arange(rows) - rows // 2, "theta": np.arange(columns) - columns // 2}
-    if len(spacings) != 1:
-        return {name: ([name], n, _attributes("1", "nodes from the lowest point")) for name, n in numbers.items()}
-    spacing = 2.0 * np.pi / float(spacings.pop() or np.nan)
-    return {name: ([name], 0.5 * np.pi + spacing * n, _attributes("rad", name)) for name, n in numbers.items()}
+    angles = {}
+    for name, count, prefix in (("phi", rows, ""), ("theta", columns, "theta_")):
+        numbers = np.arange(count) - count // 2
+        nodes = {outcome.scalars[f"{prefix}nodes_per_revolution"] for outcome in table if outcome.fields}
+        if len(nodes) == 1:
+            values = 0.5 * np.pi + 2.0 * np.pi / float(nodes.pop() or np.nan) * numbers
+            angles[name] = ([name], values, _attributes("rad", name))
+        else:
+            angles[name] = ([name], numbers, _attributes("1", "nodes from the lowest point"))
+    return angles
 
 
 def _place(whole: NDArray[np.float64], part: NDArray[np.float64]) -> None:
@@ -136,11 +142,11 @@ def _provenance(plan: Plan) -> dict[str, str]:
 def _mesh_text(plan: Plan) -> str:
     meshes = {case.arguments.get("mesh") for case in plan.cases if isinstance(case, LoadCase)}
     if len(meshes) > 1:
-        return "of each point: nodes_per_revolution, max_order"
+        return "of each point: nodes_per_revolution, theta_nodes_per_revolution, max_order"
     mesh = next(iter(meshes), None)
     if mesh is None:
-        return "chosen for each point: nodes_per_revolution, max_order"
-    return f"{mesh.nodes_per_revolution} nodes per revolution, orders to {mesh.max_order}"
+        return "chosen for each point: nodes_per_revolution"
+    return str(mesh)
 
 
 def _joined(texts: list[str], *, most: int = 8) -> str:

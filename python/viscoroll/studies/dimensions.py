@@ -42,6 +42,7 @@ UNITS = {
     "lateral_creepage": "1",
     "nodes_per_revolution": "1",
     "max_order": "1",
+    "theta_nodes_per_revolution": "1",
     "core_radius": "m",
     "thickness": "m",
     "density": "kg/m^3",
@@ -155,7 +156,7 @@ def label(value: object) -> str:
     """Return a short text for a value."""
     match value:
         case Mesh():
-            return f"{value.nodes_per_revolution} x {value.max_order}"
+            return str(value)
         case Enum():
             return value.name
         case Drive():

@@ -131,7 +131,7 @@ class Plan:
         for case in self.cases:
             if isinstance(case, LoadCase):
                 mesh = case.arguments.get("mesh")
-                highest = _HIGHEST_HARMONIC if mesh is None else mesh.max_order
+                highest = _HIGHEST_HARMONIC if mesh is None else mesh.max_order or 2 * mesh.nodes_per_revolution
                 rolled[id(case.ball)].add((case.arguments["angular_speed"], highest))
         numbers = {key: i for i, key in enumerate(rolled)}
         yield repr([numbers[id(case.ball)] if isinstance(case, LoadCase) else case for case in self.cases])

@@ -1,0 +1,39 @@
+/// @file
+/// @brief The orders that are summed in one direction, theory.md section 4.
+///
+/// A sum cut at an order N_t, as in the paper, takes every whole order up to it. The sum over all orders needs far
+/// fewer: it is split by P_b = chi(order / 2^b), chi smooth, into the band P_0, summed order by order, and the bands
+/// P_b - P_{b-1}, an octave each. Beyond the first, the compliance varies as slowly as its order grows, so a band is
+/// smooth, its sum may be taken with a stride, and what it adds to a table is confined to a neighborhood of the load
+/// that shrinks as the stride grows: some sixty orders serve every octave.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "viscoroll/influence.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Orders of one octave.
+struct OrderBand {
+  Eigen::ArrayXd orders;   ///< ascending from 0, not necessarily whole
+  Eigen::ArrayXd weights;  ///< of each in the sum over orders of either sign
+  int reach;               ///< offset in spacings beyond which the band adds nothing
+};
+
+/// @brief Every whole order up to `max_order`, with the same weight.
+[[nodiscard]] std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution);
+
+/// @brief All orders that a patch transmits, to nine digits of a table's center.
+[[nodiscard]] std::vector<OrderBand> octaves(int nodes_per_revolution);
+
+/// @return bands along phi
+[[nodiscard]] std::vector<OrderBand> phi_bands(const Mesh& mesh);
+/// @return bands along theta
+[[nodiscard]] std::vector<OrderBand> theta_bands(const Mesh& mesh);
+
+/// @return the orders of all bands, one band after the other
+[[nodiscard]] std::vector<double> all_orders(const std::vector<OrderBand>& bands);
+
+}  // namespace viscoroll::detail

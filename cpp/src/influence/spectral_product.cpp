@@ -1,0 +1,154 @@
+#include "influence/spectral_product.hpp"
+
+#include <algorithm>
+#include <complex>
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::Index;
+
+constexpr std::size_t kColumns = 4;     // taken at a time: a cache line of every row
+constexpr std::size_t kRows = 16;       // taken at a time
+constexpr Index kThreadedSize = 20000;  // nodes below which starting threads costs more than they save
+
+std::size_t parts(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+
+std::size_t unsigned_size(int count) { return static_cast<std::size_t>(count); }
+
+/// Copy `count` columns of `rows` rows to lines, and the other way.
+void gather(const cplx* rows, std::size_t row_stride, std::size_t row_count, std::size_t count, cplx* lines,
+            std::size_t line_stride) {
+  for (std::size_t row = 0; row < row_count; ++row) {
+    for (std::size_t c = 0; c < count; ++c) lines[c * line_stride + row] = rows[row * row_stride + c];
+  }
+}
+
+void scatter(const cplx* lines, std::size_t line_stride, std::size_t row_count, std::size_t count, cplx* rows,
+             std::size_t row_stride) {
+  for (std::size_t row = 0; row < row_count; ++row) {
+    for (std::size_t c = 0; c < count; ++c) rows[row * row_stride + c] = lines[c * line_stride + row];
+  }
+}
+
+/// sum += sign * factor * line
+void add_product(double sign, const cplx* factor, const cplx* line, std::size_t length, cplx* sum) {
+  using Line = Eigen::Map<const Eigen::ArrayXcd>;
+  const auto size = static_cast<Index>(length);
+  if (sign > 0.0) {
+    Eigen::Map<Eigen::ArrayXcd>(sum, size) += Line(factor, size) * Line(line, size);
+  } else {
+    Eigen::Map<Eigen::ArrayXcd>(sum, size) -= Line(factor, size) * Line(line, size);
+  }
+}
+
+}  // namespace
+
+SpectralProduct::SpectralProduct(WindowShape window, WindowShape period)
+    : window_(window),
+      period_(period),
+      columns_(unsigned_size(period.theta_nodes / 2 + 1)),
+      row_stride_(cache_line_stride(columns_)),
+      column_stride_(cache_line_stride(unsigned_size(period.phi_nodes))),
+      theta_fft_(period.theta_nodes),
+      phi_fft_(period.phi_nodes) {}
+
+int SpectralProduct::useful_threads(int threads) const { return period_.size() < kThreadedSize ? 1 : threads; }
+
+ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, int)>& fill, int threads,
+                                         Watch& watch) const {
+  const std::size_t rows = unsigned_size(period_.phi_nodes);
+  const double normalization = 1.0 / static_cast<double>(period_.size());
+  ComplexBuffer half(rows * row_stride_);
+  const std::size_t row_parts = parts(rows, kRows);
+  const int useful = useful_threads(threads);
+  std::vector<RealBuffer> lines(worker_count(row_parts, useful), RealBuffer(unsigned_size(period_.theta_nodes)));
+  parallel_for(row_parts, useful, watch, "transforming tables", [&](std::size_t part, const Worker& worker) {
+    RealBuffer& line = lines[worker.number];
+    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
+      fill(static_cast<int>(row), line.data(), period_.theta_nodes);
+      for (double& value : line) value *= normalization;
+      theta_fft_.forward(line.data(), half.data() + row * row_stride_);
+    }
+  });
+  ComplexBuffer spectrum(columns_ * column_stride_);
+  parallel_for(parts(columns_, kColumns), useful, watch, "transforming tables", [&](std::size_t part, const Worker&) {
+    const std::size_t first = part * kColumns;
+    const std::size_t count = std::min(kColumns, columns_ - first);
+    cplx* columns = spectrum.data() + first * column_stride_;
+    gather(half.data() + first, row_stride_, rows, count, columns, column_stride_);
+    for (std::size_t c = 0; c < count; ++c) phi_fft_.forward(columns + c * column_stride_);
+  });
+  return spectrum;
+}
+
+Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const std::vector<SpectralTerm>& terms,
+                                       std::size_t results, int threads, Watch& watch) const {
+  constexpr const char* kStage = "solving the contact equations";
+  const auto fields = static_cast<std::size_t>(operands.cols());
+  const std::size_t rows = unsigned_size(window_.phi_nodes);
+  const std::size_t theta_nodes = unsigned_size(window_.theta_nodes);
+  const std::size_t field_size = rows * row_stride_;
+  const int useful = useful_threads(threads);
+  const std::size_t row_parts = parts(rows, kRows);
+
+  workspaces_.resize(worker_count(std::max(row_parts, parts(columns_, kColumns)), useful));
+  for (Workspace& work : workspaces_) {
+    work.row.resize(unsigned_size(period_.theta_nodes));
+    work.lines.resize(fields * kColumns * column_stride_);
+    work.sums.resize(kColumns * column_stride_);
+  }
+  half_.resize(std::max(fields, results) * field_size);
+
+  parallel_for(row_parts, useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
+    RealBuffer& line = workspaces_[worker.number].row;
+    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
+      for (std::size_t field = 0; field < fields; ++field) {
+        const double* values = operands.col(static_cast<Index>(field)).data() + row * theta_nodes;
+        std::fill(std::copy_n(values, theta_nodes, line.begin()), line.end(), 0.0);
+        theta_fft_.forward(line.data(), half_.data() + field * field_size + row * row_stride_);
+      }
+    }
+  });
+
+  parallel_for(parts(columns_, kColumns), useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
+    Workspace& work = workspaces_[worker.number];
+    const std::size_t first = part * kColumns;
+    const std::size_t count = std::min(kColumns, columns_ - first);
+    for (std::size_t field = 0; field < fields; ++field) {
+      cplx* lines = work.lines.data() + field * kColumns * column_stride_;
+      gather(half_.data() + field * field_size + first, row_stride_, rows, count, lines, column_stride_);
+      for (std::size_t c = 0; c < count; ++c) {
+        cplx* line = lines + c * column_stride_;
+        std::fill(line + rows, line + column_stride_, cplx());
+        phi_fft_.forward(line);
+      }
+    }
+    for (std::size_t result = 0; result < results; ++result) {
+      std::fill(work.sums.begin(), work.sums.end(), cplx());
+      for (const SpectralTerm& term : terms) {
+        if (term.result != result) continue;
+        add_product(term.sign, term.spectrum->data() + first * column_stride_,
+                    work.lines.data() + term.operand * kColumns * column_stride_, count * column_stride_,
+                    work.sums.data());
+      }
+      for (std::size_t c = 0; c < count; ++c) phi_fft_.backward(work.sums.data() + c * column_stride_);
+      scatter(work.sums.data(), column_stride_, rows, count, half_.data() + result * field_size + first, row_stride_);
+    }
+  });
+
+  Eigen::ArrayXXd values(window_.size(), static_cast<Index>(results));
+  parallel_for(row_parts, useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
+    RealBuffer& line = workspaces_[worker.number].row;
+    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
+      for (std::size_t result = 0; result < results; ++result) {
+        theta_fft_.backward(half_.data() + result * field_size + row * row_stride_, line.data());
+        std::copy_n(line.begin(), theta_nodes, values.col(static_cast<Index>(result)).data() + row * theta_nodes);
+      }
+    }
+  });
+  return values;
+}
+
+}  // namespace viscoroll::detail

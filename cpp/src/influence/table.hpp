@@ -1,0 +1,45 @@
+/// @file
+/// @brief One influence table.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace viscoroll::detail {
+
+/// @brief A table over offsets j in [-phi_reach, phi_reach] and l in [-theta_reach, theta_reach], even or odd in l: half
+/// of it is stored.
+class Table {
+ public:
+  Table(int phi_reach, int theta_reach, bool odd)
+      : phi_reach_(phi_reach),
+        theta_reach_(theta_reach),
+        mirror_(odd ? -1.0 : 1.0),
+        values_(static_cast<std::size_t>(2 * phi_reach + 1) * static_cast<std::size_t>(theta_reach + 1)) {}
+
+  /// @return [m/N], by offsets of the displaced node from the loaded one
+  [[nodiscard]] double operator()(int j, int l) const {
+    return l < 0 ? mirror_ * row(j)[static_cast<std::size_t>(-l)] : row(j)[static_cast<std::size_t>(l)];
+  }
+
+  /// @return the values at offsets l = 0 ... theta_reach
+  [[nodiscard]] std::span<const double> row(int j) const { return {values_.data() + offset(j), row_length()}; }
+  [[nodiscard]] std::span<double> row(int j) { return {values_.data() + offset(j), row_length()}; }
+
+  /// @return the factor between the values at -l and l, 1 or -1
+  [[nodiscard]] double mirror() const { return mirror_; }
+  [[nodiscard]] int phi_reach() const { return phi_reach_; }
+  [[nodiscard]] int theta_reach() const { return theta_reach_; }
+
+ private:
+  [[nodiscard]] std::size_t row_length() const { return static_cast<std::size_t>(theta_reach_ + 1); }
+  [[nodiscard]] std::size_t offset(int j) const { return static_cast<std::size_t>(j + phi_reach_) * row_length(); }
+
+  int phi_reach_;
+  int theta_reach_;
+  double mirror_;
+  std::vector<double> values_;
+};
+
+}  // namespace viscoroll::detail
