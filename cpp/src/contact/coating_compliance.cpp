@@ -160,7 +160,8 @@ Eigen::ArrayXXd LoadComponents::of(const VectorField& force) const {
 
 CoatingCompliance::CoatingCompliance(const Formulation& formulation, const SurfaceWindow& window,
                                      std::shared_ptr<const std::vector<Table>> tables, const Execution& execution)
-    : shape_(window.shape()),
+    : formulation_(formulation),
+      shape_(window.shape()),
       tables_(std::move(tables)),
       displacement_terms_(Terms(formulation).displacement()),
       components_(formulation, window),
@@ -177,6 +178,47 @@ VectorField CoatingCompliance::displacement(const VectorField& force) const {
     }
   }
   return result;
+}
+
+InverseConvolution CoatingCompliance::make_inverse(WindowShape period) const {
+  std::vector<ConvolutionTerm> flat;
+  for (ConvolutionTerm term : displacement_terms_) {
+    if (term.operand % components_.weights.size() != 0) continue;
+    term.operand /= components_.weights.size();
+    flat.push_back(term);
+  }
+  return {shape_, period, *tables_, flat, execution_.threads, execution_.watch};
+}
+
+InverseConvolution CoatingCompliance::make_inverse_of(Entry entry, WindowShape period) const {
+  const auto place = static_cast<std::size_t>(&table(entry) - tables_->data());
+  return {shape_, period, *tables_, {{.result = 0, .table = place, .operand = 0, .sign = 1.0}}, execution_.threads,
+          execution_.watch};
+}
+
+VectorField CoatingCompliance::approximate_force(const InverseConvolution& inverse,
+                                                 const VectorField& displacement) const {
+  const auto& directions = components_.directions;
+  Eigen::ArrayXXd moved(displacement.rows(), static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    moved.col(static_cast<Eigen::Index>(p)) = directions[p][0] * displacement.col(0) +
+                                              directions[p][1] * displacement.col(1) +
+                                              directions[p][2] * displacement.col(2);
+  }
+  const Eigen::ArrayXXd loads = inverse.apply(moved, execution_.threads, execution_.watch);
+  VectorField force = VectorField::Zero(displacement.rows(), 3);
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    for (const Axis axis : {kForward, kDown, kSideways}) {
+      force.col(axis) += directions[p][axis] * loads.col(static_cast<Eigen::Index>(p));
+    }
+  }
+  return force;
+}
+
+const Table& CoatingCompliance::table(Entry entry) const {
+  const auto requests = displacement_tables(formulation_);
+  const auto place = std::find(requests.begin(), requests.end(), displacement_request(entry, 0)) - requests.begin();
+  return (*tables_)[static_cast<std::size_t>(place)];
 }
 
 Eigen::ArrayXd CoatingCompliance::vertical_displacement(const Eigen::ArrayXd& pressing) const {

@@ -11,6 +11,7 @@
 
 #include "contact/surface_window.hpp"
 #include "influence/convolution.hpp"
+#include "influence/inverse_convolution.hpp"
 #include "influence/synthesis.hpp"
 #include "parallel.hpp"
 #include "viscoroll/solve.hpp"
@@ -69,8 +70,6 @@ class CoatingCompliance {
   [[nodiscard]] WindowShape shape() const { return shape_; }
   [[nodiscard]] const Execution& execution() const { return execution_; }
 
-  /// @return displacement along r by unit forces along r: what dominates the vertical compliance [m/N]
-  [[nodiscard]] const Table& radial_table() const { return tables_->front(); }
 
   /// @param[in] force on every node [N]
   /// @return displacement of every node [m]
@@ -79,6 +78,20 @@ class CoatingCompliance {
   /// @param[in] pressing force on every node, upwards [N]
   /// @return upward displacement of every node [m], at a third of the cost
   [[nodiscard]] Eigen::ArrayXd vertical_displacement(const Eigen::ArrayXd& pressing) const;
+
+  /// @brief Inverse of the tables' convolution for flat patches, on a periodic domain.
+  [[nodiscard]] InverseConvolution make_inverse(WindowShape period) const;
+
+  /// @brief Inverse of a single table's convolution, on a periodic domain.
+  [[nodiscard]] InverseConvolution make_inverse_of(Entry entry, WindowShape period) const;
+
+  /// @param[in] inverse from `make_inverse`
+  /// @param[in] displacement of every node [m]
+  /// @return forces that displace the nodes about so, were the window all there is [N]
+  [[nodiscard]] VectorField approximate_force(const InverseConvolution& inverse, const VectorField& displacement) const;
+
+  /// @return table of flat patches for an entry of the compliance
+  [[nodiscard]] const Table& table(Entry entry) const;
 
   /// @brief Part of the matrix.
   /// @param[in] targets displaced nodes
@@ -93,6 +106,7 @@ class CoatingCompliance {
   [[nodiscard]] Eigen::ArrayXXd moved_components(std::span<const Eigen::Index> targets, Eigen::Index source,
                                                  std::span<const Axis> axes) const;
 
+  Formulation formulation_;
   WindowShape shape_;
   std::shared_ptr<const std::vector<Table>> tables_;
   std::vector<ConvolutionTerm> displacement_terms_;        // from loaded components to displaced components

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "contact/stick_slip_preconditioner.hpp"
+#include "contact/stick_slip_products.hpp"
 #include "contact/stick_slip_system.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
@@ -26,6 +29,8 @@ constexpr int kFreeSteps = 8;            // of them before their lengths are con
 constexpr double kShortestStep = 0.05;   // per Newton step
 constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
 constexpr double kEasyFriction = 0.3;    // second start
+constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
+constexpr double kExactStep = 1e-6;
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
 /// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
@@ -62,14 +67,22 @@ class FrictionalContactSolver {
  public:
   FrictionalContactSolver(const FrictionalContactProblem& problem, const ContactSolution& start,
                           const ContactOptions& options)
-      : problem_(problem), options_(options), scales_(condition_scales(problem)), state_(start) {
+      : problem_(problem), options_(options), scales_(condition_scales(problem)),
+        state_(start),
+        has_friction_(start.speed_ratio.has_value()),
+        tolerance_(std::max(kTolerance, options.tolerance)) {
+    if (has_friction_) return;
     const auto* given = std::get_if<DriveCreepage>(&problem.drive);
     state_.speed_ratio = 1.0 + (given != nullptr ? given->creepage : 0.0);
     state_.converged = false;
   }
 
-  /// From full stick most frictions are reached at once, and the others from an easy friction or step by step.
+  /// A state of the same friction leads there. From full stick most frictions are reached at once, and the others from
+  /// an easy friction or step by step.
   [[nodiscard]] ContactSolution solve() {
+    const ContactSolution start = state_;
+    if (has_friction_ && (iterate(problem_.friction) || (restart_from(start) && iterate_exactly()))) return finished();
+    restart_from(start);
     iterate(std::numeric_limits<double>::infinity());
     const ContactSolution stick = state_;
     const double large = 10.0 * std::max(1.0, problem_.friction);  // hardly different from full stick
@@ -81,11 +94,23 @@ class FrictionalContactSolver {
                                  " iterations: the residual is " + text(last_residual_) + " of the load",
                              state_.iterations, last_residual_);
     }
+    return finished();
+  }
+
+ private:
+  [[nodiscard]] ContactSolution finished() {
     state_.converged = true;
     return state_;
   }
 
- private:
+  /// Newton steps that are solved with care, where rough ones have failed.
+  bool iterate_exactly() {
+    step_tolerance_ = kExactStep;
+    const bool found = iterate(problem_.friction);
+    step_tolerance_ = kRoughStep;
+    return found;
+  }
+
   /// Go from the present state, at the friction `reached`, by way of `next` to the one wanted, halving steps that fail.
   bool approach(double reached, double next) {
     while (reached != problem_.friction) {
@@ -106,8 +131,10 @@ class FrictionalContactSolver {
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
   bool restart_from(const ContactSolution& other) {
     const int iterations = state_.iterations;
+    const int products = state_.products;
     state_ = other;
     state_.iterations = iterations;
+    state_.products = products;
     return true;
   }
 
@@ -121,7 +148,7 @@ class FrictionalContactSolver {
       if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
       const bool stalled = state_.residual > 0.1 * before_step;
-      if (state_.residual < kTolerance || (stalled && state_.residual < kRoundOff)) {
+      if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;
       }
@@ -129,9 +156,19 @@ class FrictionalContactSolver {
       ++state_.iterations;
       const ContactSolution before = state_;
       const bool freed = breaker.free_undecided(sets);
-      take_newton_step(problem_, friction, scales_, sets, options_, state_);
+      take_step(friction, sets, step);
       if (step >= kFreeSteps && !freed) shorten_step(friction, before);
     }
+  }
+
+  void take_step(double friction, const ContactSets& sets, int step) {
+    if (sets.contact.size() <= kFewestKrylovNodes) {
+      take_newton_step(problem_, friction, scales_, sets, options_, state_);
+      return;
+    }
+    if (!preconditioner_) preconditioner_ = std::make_unique<StickSlipPreconditioner>(problem_.normal.coating);
+    const double tolerance = step < kFreeSteps ? step_tolerance_ : 0.1 * step_tolerance_;
+    take_newton_step_by_products(problem_, friction, scales_, sets, *preconditioner_, tolerance, state_);
   }
 
   /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
@@ -152,6 +189,7 @@ class FrictionalContactSolver {
     const Index stride = problem_.shape.theta_nodes;
     const Index rest = problem_.shape.size() - stride;
     state_.displacement = normal.coating.displacement(state_.force);
+    if (preconditioner_) ++state_.products;
     state_.gap = normal.drop - state_.displacement.col(kDown) - state_.penetration;
     state_.slip.resize(problem_.shape.size(), 2);
     state_.slip.topRows(stride).setZero();  // no contact there, see `classify`
@@ -222,6 +260,10 @@ class FrictionalContactSolver {
   const ContactOptions& options_;
   ConditionScales scales_;
   ContactSolution state_;
+  bool has_friction_;
+  double tolerance_;  // residual of a converged state
+  double step_tolerance_ = kRoughStep;
+  std::unique_ptr<StickSlipPreconditioner> preconditioner_;  // of large contacts
   double last_residual_ = 1.0;  // the last finite one, for the message of a failure
 };
 

@@ -35,9 +35,10 @@ struct FrictionalContactProblem {
 [[nodiscard]] double contact_moment(const FrictionalContactProblem& problem, const ContactSolution& contact);
 
 /// @brief Semismooth Newton method on forces, penetration and speed together, from full stick to the friction wanted,
-/// by intermediate values of the friction where a direct jump fails.
+/// by intermediate values of the friction where a direct jump fails. The steps of small contacts are solved by
+/// elimination, those of large ones by products.
 /// @param[in] problem coating, shape, load, friction and drive
-/// @param[in] start frictionless solution
+/// @param[in] start frictionless solution, or one with friction and its speed ratio
 /// @param[in] options limits; `max_iterations` is for all linear systems
 /// @return a converged state, whose residual is the norm of all violated conditions, in forces, per load
 /// @throws ConvergenceError where none was found

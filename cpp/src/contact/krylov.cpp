@@ -2,6 +2,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <unsupported/Eigen/IterativeSolvers>
 
 namespace viscoroll::detail {
 
@@ -48,6 +49,7 @@ class ProductMatrix : public Eigen::EigenBase<ProductMatrix> {
 namespace {
 
 constexpr int kMostIterations = 200;  // some ten are enough
+constexpr int kMostGmresIterations = 60;
 
 class OperatorPreconditioner {
  public:
@@ -96,21 +98,40 @@ struct generic_product_impl<viscoroll::detail::ProductMatrix, Right, SparseShape
 
 namespace viscoroll::detail {
 
-KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
-                            const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
+namespace {
+
+template <class Solver>
+KrylovSolution solve_with(Solver&& solver, const LinearOperator& matrix, const LinearOperator& preconditioner,
+                          const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
   int products = 0;
   const LinearOperator counted = [&](const Eigen::VectorXd& vector) {
     ++products;
     return matrix(vector);
   };
   const ProductMatrix product(counted, right.size());
-  Eigen::BiCGSTAB<ProductMatrix, OperatorPreconditioner> solver;
   solver.preconditioner().set(preconditioner);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(kMostIterations);
   solver.compute(product);
   Eigen::VectorXd unknowns = solver.solveWithGuess(right, guess);
   return {.unknowns = std::move(unknowns), .products = products, .error = solver.error()};
+}
+
+}  // namespace
+
+KrylovSolution solve_krylov(KrylovMethod method, const LinearOperator& matrix, const LinearOperator& preconditioner,
+                            const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
+  if (method == KrylovMethod::cg) {
+    return solve_with(Eigen::ConjugateGradient<ProductMatrix, Eigen::Lower | Eigen::Upper, OperatorPreconditioner>(),
+                      matrix, preconditioner, right, guess, tolerance);
+  }
+  if (method == KrylovMethod::gmres) {
+    Eigen::GMRES<ProductMatrix, OperatorPreconditioner> solver;
+    solver.set_restart(kMostGmresIterations);
+    return solve_with(solver, matrix, preconditioner, right, guess, tolerance);
+  }
+  return solve_with(Eigen::BiCGSTAB<ProductMatrix, OperatorPreconditioner>(), matrix, preconditioner, right, guess,
+                    tolerance);
 }
 
 }  // namespace viscoroll::detail

@@ -17,14 +17,22 @@ struct KrylovSolution {
   double error;  ///< relative residual
 };
 
-/// @brief Solve A x = b by BiCGSTAB, for a matrix that is not symmetric.
+/// @brief Which method solves a system.
+enum class KrylovMethod {
+  cg,        ///< conjugate gradients, for a symmetric positive definite matrix: one product per iteration
+  bicgstab,  ///< for any other: two
+  gmres,     ///< for any other: one, and memory for a vector; the residuals are those of the preconditioned system
+};
+
+/// @brief Solve A x = b.
+/// @param[in] method BiCGSTAB, or CG where A and the preconditioner allow it
 /// @param[in] matrix A
 /// @param[in] preconditioner approximate inverse of A
 /// @param[in] right b
 /// @param[in] guess to start from
 /// @param[in] tolerance of the relative residual
-[[nodiscard]] KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
-                                          const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
-                                          double tolerance);
+[[nodiscard]] KrylovSolution solve_krylov(KrylovMethod method, const LinearOperator& matrix,
+                                          const LinearOperator& preconditioner, const Eigen::VectorXd& right,
+                                          const Eigen::VectorXd& guess, double tolerance);
 
 }  // namespace viscoroll::detail

@@ -1,9 +1,10 @@
 #include "contact/normal_contact.hpp"
 
+#include <cstdio>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kExact = 1e-11;           // overclosure per penetration that is round-off after elimination
-constexpr double kFirstTolerance = 1e-4;    // of relative residuals, while the set is far from the right one
+constexpr double kFirstTolerance = 1e-5;    // of relative residuals, while the set is far from the right one
 constexpr double kTightening = 0.03;         // of the tolerance as the set comes closer
 constexpr double kOverclosureFactor = 10.0;  // overclosure that is taken for one, per tolerance
 constexpr double kKrylovFailure = 1e-8;      // relative residual that no answer can be built on
@@ -45,6 +46,9 @@ FlatPressing press_by_elimination(const NormalContactProblem& problem, const std
 }
 
 /// The equations of flat pressing without their matrix. Forces come first, then the penetration times a stiffness.
+///
+/// The preconditioner leaves no sum of forces, so that from a guess that bears the load all steps do: what a Krylov
+/// method sees is the compliance on forces without a sum, symmetric where the coating is lossless.
 class FlatEquations {
  public:
   FlatEquations(const NormalContactProblem& problem, const InverseConvolution& inverse,
@@ -53,7 +57,7 @@ class FlatEquations {
         inverse_(inverse),
         contact_(contact),
         count_(static_cast<Index>(contact.size())),
-        stiffness_(1.0 / problem.coating.radial_table()(0, 0)),
+        stiffness_(1.0 / problem.coating.table(Entry::rr)(0, 0)),
         balance_(1.0 / std::sqrt(static_cast<double>(count_))),
         uniform_(precondition_forces(VectorXd::Ones(count_))) {}
 
@@ -64,15 +68,21 @@ class FlatEquations {
     return right;
   }
 
+  /// A guess whose forces bear the load.
   [[nodiscard]] VectorXd unknowns(const ContactSolution& state) const {
     VectorXd unknowns(count_ + 1);
     unknowns.head(count_) = -state.force.col(kDown)(contact_).matrix();
     unknowns[count_] = stiffness_ * state.penetration;
-    return unknowns;
+    VectorXd missing = VectorXd::Zero(count_ + 1);
+    missing[count_] = balance_ * (problem_.load - unknowns.head(count_).sum());
+    return unknowns + precondition(missing);
   }
 
+  /// What unknowns mean, with forces that bear the load to the last digit.
   [[nodiscard]] FlatPressing pressing(const VectorXd& unknowns) const {
-    return {.forces = unknowns.head(count_), .penetration = unknowns[count_] / stiffness_};
+    const double missing = problem_.load - unknowns.head(count_).sum();
+    return {.forces = unknowns.head(count_) + missing / uniform_.sum() * uniform_,
+            .penetration = unknowns[count_] / stiffness_};
   }
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
@@ -99,7 +109,7 @@ class FlatEquations {
     ArrayXd field = ArrayXd::Zero(problem_.drop.size());
     field(contact_) = right.array() / stiffness_;
     const Execution& execution = problem_.coating.execution();
-    return inverse_.apply(field, execution.threads, execution.watch)(contact_).matrix();
+    return inverse_.apply(field, execution.threads, execution.watch).col(0)(contact_).matrix();
   }
 
   const NormalContactProblem& problem_;
@@ -111,11 +121,24 @@ class FlatEquations {
   VectorXd uniform_;  // forces that lower all nodes alike
 };
 
+/// Whether material does not remember which way it went: then the matrix is symmetric.
+bool is_symmetric(const Table& table) {
+  const double round_off = 1e-13 * table(0, 0);
+  for (int j = 1; j <= table.phi_reach(); ++j) {
+    for (int l = 0; l <= table.theta_reach(); ++l) {
+      if (std::abs(table(j, l) - table(-j, l)) > round_off) return false;
+    }
+  }
+  return true;
+}
+
 class NormalContactSolver {
  public:
   NormalContactSolver(const NormalContactProblem& problem, const NormalContactGuess& guess,
                       const ContactOptions& options)
-      : problem_(problem), options_(options) {
+      : problem_(problem),
+        options_(options),
+        method_(is_symmetric(problem.coating.table(Entry::rr)) ? KrylovMethod::cg : KrylovMethod::bicgstab) {
     state_.force = VectorField::Zero(problem.drop.size(), 3);
     state_.force.col(kDown) = -guess.pressing;
     state_.contact = guess.contact;
@@ -135,7 +158,7 @@ class NormalContactSolver {
         changed = add_overclosed();
         state_.converged = !changed && !rough;
       }
-      tolerance_ = changed ? std::max(kTightening * tolerance_, options_.tolerance) : options_.tolerance;
+      tolerance_ = std::max(kTightening * tolerance_, options_.tolerance);
     }
     if (!state_.converged) {
       state_.force = state_.force.min(0.0);
@@ -158,16 +181,17 @@ class NormalContactSolver {
 
   /// @return whether it worked: not where memory is so strong that the symbol is far from the matrix
   bool press_by_products() {
-    const Execution& execution = problem_.coating.execution();
     if (!inverse_) {
-      inverse_.emplace(problem_.coating.shape(), problem_.coating.radial_table(), execution.threads, execution.watch);
+      const WindowShape shape = problem_.coating.shape();
+      const WindowShape period{fast_length(shape.phi_nodes), fast_length(shape.theta_nodes)};
+      inverse_ = std::make_unique<InverseConvolution>(problem_.coating.make_inverse_of(Entry::rr, period));
     }
     const FlatEquations equations(problem_, *inverse_, state_.contact);
     const KrylovSolution solution = solve_krylov(
-        [&](const VectorXd& vector) { return equations.times(vector); },
+        method_, [&](const VectorXd& vector) { return equations.times(vector); },
         [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
         equations.unknowns(state_), tolerance_);
-    state_.products += solution.products;
+    state_.products += solution.products;if(getenv("DBG"))std::fprintf(stderr,"  nodes %zu tol %.1e products %d err %.2e\n",state_.contact.size(),tolerance_,solution.products,solution.error);
     krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
     if (!krylov_failed_) take(equations.pressing(solution.unknowns));
     return !krylov_failed_;
@@ -215,9 +239,10 @@ class NormalContactSolver {
   const NormalContactProblem& problem_;
   const ContactOptions& options_;
   ContactSolution state_;
+  KrylovMethod method_;
   double tolerance_ = 0.0;
   bool krylov_failed_ = false;
-  std::optional<InverseConvolution> inverse_;
+  std::unique_ptr<InverseConvolution> inverse_;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ struct NormalContactProblem {
 struct ContactOptions {
   int max_iterations;         ///< linear systems
   Eigen::Index max_unknowns;  ///< that a dense matrix may hold
-  double tolerance = 1e-10;   ///< relative residual of systems that are solved by products
+  double tolerance = 1e-10;   ///< relative residual of systems that are solved by products, and of friction per load
 };
 
 /// @brief What a normal contact is started from.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace viscoroll::detail {
 namespace {
@@ -26,16 +27,18 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, NodeRange phi, NodeRange t
   y_.resize(count);
   z_.resize(count);
   height_.resize(count);
+  // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
+  std::vector<Angle> columns;
+  for (int k = theta.first; k <= theta.last; ++k) columns.emplace_back(-k * grid.theta_spacing);  // pi/2 - theta
   Eigen::Index node = 0;
   for (int i = phi.first; i <= phi.last; ++i) {
-    // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
     const Angle forward(-i * grid.phi_spacing);  // pi/2 - phi
-    for (int k = theta.first; k <= theta.last; ++k, ++node) {
-      const Angle sideways(-k * grid.theta_spacing);
+    for (const Angle& sideways : columns) {
       x_[node] = grid.radius * sideways.cosine * forward.sine;
       y_[node] = grid.radius * sideways.cosine * forward.cosine;
       z_[node] = grid.radius * sideways.sine;
       height_[node] = grid.radius * (sideways.versine + sideways.cosine * forward.versine);
+      ++node;
     }
   }
 }

@@ -38,6 +38,11 @@ class SurfaceWindow {
   [[nodiscard]] NodeRange phi_range() const { return phi_range_; }
   [[nodiscard]] NodeRange theta_range() const { return theta_range_; }
 
+  /// @return whether another window of the same grid has the same nodes
+  [[nodiscard]] bool covers_same(const SurfaceWindow& other) const {
+    return phi_range_ == other.phi_range_ && theta_range_ == other.theta_range_;
+  }
+
   /// @return the number, in this window, of the node of another one that has number `node` there; inside this window
   [[nodiscard]] Eigen::Index number_of(const SurfaceWindow& other, Eigen::Index node) const;
 

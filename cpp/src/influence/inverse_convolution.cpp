@@ -1,48 +1,58 @@
 #include "influence/inverse_convolution.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <complex>
+
+#include "influence/periodic_table.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-/// Least real part of the symbol, as a share of its largest value: round-off must not become a large inverse.
-constexpr double kLeastShare = 1e-9;
+using cplx = std::complex<double>;
 
-WindowShape fast_shape(const WindowShape& shape) {
-  return {fast_length(shape.phi_nodes), fast_length(shape.theta_nodes)};
+/// Inverse of the matrix of symbols at every order, for each of its entries, row by row.
+template <int Fields>
+std::vector<ComplexBuffer> inverse(const std::vector<ComplexBuffer>& spectra, const std::vector<ConvolutionTerm>& terms,
+                                   double points) {
+  using Matrix = Eigen::Matrix<cplx, Fields, Fields, Fields == 1 ? 0 : Eigen::RowMajor>;
+  const std::size_t size = spectra[terms.front().table].size();
+  std::vector<ComplexBuffer> inverses(Fields * Fields, ComplexBuffer(size));
+  for (std::size_t i = 0; i < size; ++i) {
+    Matrix symbol = Matrix::Zero();
+    for (const ConvolutionTerm& term : terms) {
+      symbol.data()[term.result * Fields + term.operand] += term.sign * points * points * spectra[term.table][i];
+    }
+    if (symbol(0, 0) == cplx()) continue;  // a gap that keeps columns on cache lines
+    const Matrix inverted = symbol.inverse();
+    for (std::size_t entry = 0; entry < inverses.size(); ++entry) inverses[entry][i] = inverted.data()[entry];
+  }
+  return inverses;
 }
 
 }  // namespace
 
-InverseConvolution::InverseConvolution(WindowShape shape, const Table& table, int threads, Watch& watch)
-    : product_(shape, fast_shape(shape)) {
-  const WindowShape period = product_.period();
-  const auto value = [&](int j, int l) {
-    const bool known = std::abs(j) <= table.phi_reach() && std::abs(l) <= table.theta_reach();
-    return known ? table(j, l) : 0.0;
-  };
-  // On the circle, offset j stands for j and j - period, in proportion to the pairs of nodes at each.
-  inverse_symbol_ = product_.spectrum(
-      [&](int row, int column) {
-        const double behind = static_cast<double>(row) / period.phi_nodes;
-        const double aside = static_cast<double>(column) / period.theta_nodes;
-        const int j = row - period.phi_nodes;
-        const int l = column - period.theta_nodes;
-        return (1.0 - behind) * ((1.0 - aside) * value(row, column) + aside * value(row, l)) +
-               behind * ((1.0 - aside) * value(j, column) + aside * value(j, l));
-      },
-      threads, watch);
-  const auto points = static_cast<double>(period.size());
-  double largest = 0.0;
-  for (const auto& symbol : inverse_symbol_) largest = std::max(largest, std::abs(symbol));
-  for (auto& symbol : inverse_symbol_) {
-    symbol = 1.0 / (points * points * std::complex<double>(std::max(symbol.real(), kLeastShare * largest), symbol.imag()));
+InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
+                                       const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch)
+    : product_(shape, period), fields_(0) {
+  for (const ConvolutionTerm& term : terms) fields_ = std::max(fields_, term.result + 1);
+  std::vector<ComplexBuffer> spectra(tables.size());
+  for (const ConvolutionTerm& term : terms) {
+    ComplexBuffer& spectrum = spectra[term.table];
+    if (spectrum.empty()) {
+      spectrum = product_.spectrum(PeriodicTable(tables[term.table], shape, period), threads, watch);
+    }
+  }
+  // The spectrum is divided by the number of points, and so must its inverse be.
+  const double points = static_cast<double>(period.size());
+  inverse_symbol_ = fields_ == 1 ? inverse<1>(spectra, terms, points) : inverse<3>(spectra, terms, points);
+  for (std::size_t p = 0; p < fields_; ++p) {
+    for (std::size_t q = 0; q < fields_; ++q) terms_.push_back({p, &inverse_symbol_[p * fields_ + q], q, 1.0});
   }
 }
 
-Eigen::ArrayXd InverseConvolution::apply(const Eigen::ArrayXd& field, int threads, Watch& watch) const {
-  return product_.apply(field, {{0, &inverse_symbol_, 0, 1.0}}, 1, threads, watch);
+Eigen::ArrayXXd InverseConvolution::apply(const Eigen::ArrayXXd& fields, int threads, Watch& watch) const {
+  return product_.apply(fields, terms_, fields_, threads, watch);
 }
 
 }  // namespace viscoroll::detail

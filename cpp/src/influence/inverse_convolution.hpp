@@ -1,35 +1,40 @@
 /// @file
-/// @brief Approximate inverse of a table's convolution, for preconditioning.
+/// @brief Approximate inverse of a convolution, for preconditioning.
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "influence/convolution.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/table.hpp"
 #include "parallel.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief Inverse of the periodic convolution nearest to a table's, on the window itself: T. F. Chan's optimal circulant
-/// (SIAM J. Sci. Stat. Comput. 9 (1988) 766-771) in both directions, whose symbol has a positive real part where the
-/// table's convolution has a positive symmetric part.
+/// @brief Inverse of the convolution with tables made periodic, see `PeriodicTable`.
 class InverseConvolution {
  public:
   /// @param[in] shape window
-  /// @param[in] table compliance that reaches across it
+  /// @param[in] period of the domain, from the window to the doubled window: the longer, the better and dearer
+  /// @param[in] tables that reach across the window
+  /// @param[in] terms of a convolution of as many fields as results
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  InverseConvolution(WindowShape shape, const Table& table, int threads, Watch& watch);
+  InverseConvolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
+                     const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
 
-  /// @param[in] field over the window
+  /// @param[in] fields over the window, a column for each
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  /// @return another one, whose convolution with the table is about `field`
-  [[nodiscard]] Eigen::ArrayXd apply(const Eigen::ArrayXd& field, int threads, Watch& watch) const;
+  /// @return other ones, whose convolution is about `fields`
+  [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& fields, int threads, Watch& watch) const;
 
  private:
   SpectralProduct product_;
-  ComplexBuffer inverse_symbol_;
+  std::size_t fields_;
+  std::vector<ComplexBuffer> inverse_symbol_;  // row by row
+  std::vector<SpectralTerm> terms_;
 };
 
 }  // namespace viscoroll::detail

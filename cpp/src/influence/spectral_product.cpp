@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <complex>
 
+#include "instruction_sets.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -32,16 +34,19 @@ void scatter(const cplx* lines, std::size_t line_stride, std::size_t row_count, 
   }
 }
 
-/// sum += sign * factor * line
-void add_product(double sign, const cplx* factor, const cplx* line, std::size_t length, cplx* sum) {
-  using Line = Eigen::Map<const Eigen::ArrayXcd>;
-  const auto size = static_cast<Index>(length);
-  if (sign > 0.0) {
-    Eigen::Map<Eigen::ArrayXcd>(sum, size) += Line(factor, size) * Line(line, size);
-  } else {
-    Eigen::Map<Eigen::ArrayXcd>(sum, size) -= Line(factor, size) * Line(line, size);
+/// sum += sign * factor * line, for complex numbers as pairs of real ones
+VISCOROLL_BEST_INSTRUCTIONS
+void add_product(double sign, const double* factor, const double* line, std::size_t count, double* sum) {
+  for (std::size_t i = 0; i < 2 * count; i += 2) {
+    const double real = factor[i] * line[i] - factor[i + 1] * line[i + 1];
+    const double imaginary = factor[i] * line[i + 1] + factor[i + 1] * line[i];
+    sum[i] += sign * real;
+    sum[i + 1] += sign * imaginary;
   }
 }
+
+const double* as_pairs(const cplx* numbers) { return reinterpret_cast<const double*>(numbers); }
+double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 
 }  // namespace
 
@@ -129,9 +134,9 @@ Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const st
       std::fill(work.sums.begin(), work.sums.end(), cplx());
       for (const SpectralTerm& term : terms) {
         if (term.result != result) continue;
-        add_product(term.sign, term.spectrum->data() + first * column_stride_,
-                    work.lines.data() + term.operand * kColumns * column_stride_, count * column_stride_,
-                    work.sums.data());
+        add_product(term.sign, as_pairs(term.spectrum->data() + first * column_stride_),
+                    as_pairs(work.lines.data() + term.operand * kColumns * column_stride_), count * column_stride_,
+                    as_pairs(work.sums.data()));
       }
       for (std::size_t c = 0; c < count; ++c) phi_fft_.backward(work.sums.data() + c * column_stride_);
       scatter(work.sums.data(), column_stride_, rows, count, half_.data() + result * field_size + first, row_stride_);

@@ -42,6 +42,9 @@ class SpectralProduct {
   [[nodiscard]] WindowShape window() const { return window_; }
   [[nodiscard]] WindowShape period() const { return period_; }
 
+  /// @return numbers from one column of a spectrum to the next: place p of column q is number q * column_stride() + p
+  [[nodiscard]] std::size_t column_stride() const { return column_stride_; }
+
   /// @brief Spectrum of a field over the whole domain, divided by the number of its points.
   /// @param[in] value gives the field at (row, column), rows in any order and on several threads
   /// @param[in] threads number of threads, 0 for all cores

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "instruction_sets.hpp"
 #include "modal/order_by_order.hpp"
 #include "modal/self_similar.hpp"
 
@@ -10,6 +11,7 @@ namespace viscoroll::detail {
 namespace {
 
 /// values[i] = sum_j series[j] T_j(x[i]), by Clenshaw's recursion on blocks that the compiler vectorizes.
+VISCOROLL_BEST_INSTRUCTIONS
 void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* x, double* values, Eigen::Index count) {
   constexpr int kBlock = 8;
   for (Eigen::Index start = 0; start < count; start += kBlock) {

@@ -9,7 +9,6 @@
 #include <utility>
 #include <variant>
 
-#include "contact/frictional_contact.hpp"
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
@@ -63,21 +62,19 @@ class LoadCaseSolver {
                                    .tables = tables.displacement,
                                    .swelling = swelling_};
     try {
-      LocatedContact located = solve_multilevel(surface, load_case_.load, estimate, limits_, execution_);
+      LocatedContact located = solve_contact(surface, estimate);
       for (;;) {
-        if (load_case_.friction > 0.0) located.contact = add_friction(located);
-        const bool boxed = !(located.window.shape() == surface.window.shape());
+        const bool boxed = !located.window.covers_same(surface.window);
         const bool at_edge = touches_edge(located.contact, located.window.shape());
         if (!boxed && at_edge) return std::nullopt;
         const double lost =
             lost_work(formulation_, located.window, *tables.lost_work, located.contact.force, execution_);
-        const LocatedContact whole = extended(std::move(located), surface, execution_);
-        if (!boxed) return result(whole, lost);
+        LocatedContact whole = extended(std::move(located), surface, execution_);
+        if (!boxed) return result(std::move(whole), lost);
         if (!at_edge && whole.contact.gap.minCoeff() >= -kOverclosure * whole.contact.penetration) {
-          return result(whole, lost);
+          return result(std::move(whole), lost);
         }
-        // What joins the contact lies outside its box.
-        located = solve_on_window(whole, surface, load_case_.load, limits_);
+        located = solve_whole(whole, surface);
       }
     } catch (const std::length_error& error) {
       reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
@@ -85,7 +82,10 @@ class LoadCaseSolver {
     }
   }
 
-  [[nodiscard]] Result result(const LocatedContact& solved, double lost_work) const {
+  [[nodiscard]] Result result(LocatedContact solved, double lost_work) const {
+    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
+      solved.contact.speed_ratio = 1.0 + given->creepage;
+    }
     if (!(solved.contact.penetration > 0.0)) {
       throw ConvergenceError("the load was found to lift the sphere", solved.contact.iterations,
                              solved.contact.residual);
@@ -99,49 +99,19 @@ class LoadCaseSolver {
                                 .lost_work = lost_work});
   }
 
-  [[nodiscard]] ContactSolution add_friction(const LocatedContact& frictionless) const {
-    const SurfaceWindow& window = frictionless.window;
-    const NormalContactProblem normal{
-        .coating = frictionless.coating, .drop = swelling_ * window.height(), .load = load_case_.load};
-    const WindowShape shape = window.shape();
-    const double step = grid_.radius * grid_.phi_spacing;
-    Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(shape.size(), -step);
-    if (options_.slip_kinematics == SlipKinematics::exact) {
-      const Eigen::Index rest = shape.size() - shape.theta_nodes;
-      ways.tail(rest) = swelling_ * (window.x().tail(rest) - window.x().head(rest));
+  [[nodiscard]] LocatedContact solve_contact(const CandidateSurface& surface, double estimate) const {
+    if (load_case_.friction > 0.0) {
+      return solve_multilevel(surface, FrictionalLoad{load_case_, options_.slip_kinematics}, estimate, limits_,
+                              execution_);
     }
-    const bool vertical = options_.compliance == Compliance::vertical;
-    const FrictionalContactProblem problem{
-        .normal = normal,
-        .shape = shape,
-        .x = swelling_ * window.x(),
-        .y = swelling_ * window.y(),
-        .ways = std::move(ways),
-        .step = step,
-        .friction = load_case_.friction,
-        .drive = load_case_.drive,
-        .lever_arm = vertical ? LeverArm::displaced : LeverArm::undisplaced,
-    };
-    try {
-      return solve_frictional_contact(problem, frictionless.contact, limits_);
-    } catch (const ConvergenceError&) {
-      if (std::holds_alternative<DriveTorque>(load_case_.drive)) require_rolling(problem, frictionless.contact);
-      throw;
-    }
+    return solve_multilevel(surface, load_case_.load, estimate, limits_, execution_);
   }
 
-  /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
-  void require_rolling(FrictionalContactProblem problem, const ContactSolution& frictionless) const {
-    const double torque = std::get<DriveTorque>(load_case_.drive).torque;
-    std::array<double, 2> limits{};
-    for (const std::size_t side : {0, 1}) {
-      problem.drive = DriveCreepage{.creepage = side == 0 ? 1.0 : -1.0};
-      limits[side] = contact_moment(problem, solve_frictional_contact(problem, frictionless, limits_));
-    }
-    if (torque > limits[0] && torque < limits[1]) return;
-    reject("drive.torque",
-           "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
-           text(torque) + " N m");
+  /// The contact again on the whole window, where the box that was thought to hold it does not.
+  [[nodiscard]] LocatedContact solve_whole(const LocatedContact& found, const CandidateSurface& surface) const {
+    LocatedContact located = solve_on_window(found, surface, load_case_.load, limits_);
+    if (load_case_.friction == 0.0) return located;
+    return add_friction(std::move(located), surface, {load_case_, options_.slip_kinematics}, limits_);
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {

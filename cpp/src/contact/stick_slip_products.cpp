@@ -1,0 +1,312 @@
+#include "contact/stick_slip_products.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/krylov.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kLeastRigidity = 0.02;  // of the one symbol that stands for all slipping nodes
+constexpr double kMostRigidity = 0.9;
+
+/// Nodes that stick, and the runs along phi that they lie in.
+struct StickRuns {
+  StickRuns(const FrictionalContactProblem& problem, const ContactSets& sets) {
+    const Index stride = problem.shape.theta_nodes;
+    std::vector<Index> place(static_cast<std::size_t>(problem.shape.size()), -1);
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      if (!sets.states[i].stick) continue;
+      const Index node = sets.contact[i];  // ascending, so that the upstream neighbor has been here
+      const Index before = place[static_cast<std::size_t>(node - stride)];
+      place[static_cast<std::size_t>(node)] = static_cast<Index>(nodes.size());
+      const auto upstream = static_cast<std::size_t>(before);
+      nodes.push_back(node);
+      heads.push_back(before < 0 ? node - stride : heads[upstream]);
+      lengths.push_back(1.0 + (before < 0 ? 0.0 : lengths[upstream]));
+      ways.push_back(problem.ways[node] + (before < 0 ? 0.0 : ways[upstream]));
+    }
+  }
+
+  [[nodiscard]] Index count() const { return static_cast<Index>(nodes.size()); }
+  [[nodiscard]] auto length() const { return Eigen::Map<const ArrayXd>(lengths.data(), count()); }
+  [[nodiscard]] auto way() const { return Eigen::Map<const ArrayXd>(ways.data(), count()); }
+
+  std::vector<Index> nodes;
+  std::vector<Index> heads;  // the node upstream of the run's first
+  std::vector<double> lengths;
+  std::vector<double> ways;  // from the head on
+};
+
+/// Nodes that slip, and where to.
+struct SlippingNodes {
+  SlippingNodes(const FrictionalContactProblem& problem, const ContactSets& sets) {
+    std::vector<TangentialState> states;
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      if (sets.states[i].stick) continue;
+      nodes.push_back(sets.contact[i]);
+      upstream.push_back(sets.contact[i] - problem.shape.theta_nodes);
+      places.push_back(static_cast<Index>(i));
+      states.push_back(sets.states[i]);
+    }
+    direction.resize(count(), 2);
+    rigidity.resize(count());
+    for (Index i = 0; i < count(); ++i) {
+      direction.row(i) = states[static_cast<std::size_t>(i)].direction.transpose();
+      rigidity[i] = states[static_cast<std::size_t>(i)].rigidity;
+    }
+  }
+
+  [[nodiscard]] Index count() const { return static_cast<Index>(nodes.size()); }
+
+  std::vector<Index> nodes;
+  std::vector<Index> upstream;
+  std::vector<Index> places;  // among the nodes in contact
+  Eigen::ArrayX2d direction;
+  ArrayXd rigidity;
+};
+
+/// The equations of a step. Unknowns and conditions lie in the order p, t_x, t_z, s, penetration times scales.normal,
+/// speed ratio times step * scales.tangential: all of them forces.
+class Equations {
+ public:
+  Equations(const FrictionalContactProblem& problem, double friction, const ConditionScales& scales,
+            const ContactSets& sets, const StickSlipPreconditioner& preconditioner, const ContactSolution& state)
+      : problem_(problem),
+        friction_(std::isfinite(friction) ? friction : 0.0),
+        scales_(scales),
+        contact_(sets.contact),
+        stick_(problem, sets),
+        slip_(problem, sets),
+        preconditioner_(preconditioner),
+        state_(state),
+        contacts_(static_cast<Index>(contact_.size())),
+        forces_(contacts_ + 2 * stick_.count() + slip_.count()) {
+    if (const auto* drive = std::get_if<DriveCreepage>(&problem.drive)) {
+      lateral_way_ = drive->lateral_creepage * problem.step;
+    }
+    if (slip_.count() > 0) {
+      const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMostRigidity);
+      turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);
+    }
+    prepare_border();
+  }
+
+  [[nodiscard]] VectorXd right_side() const {
+    VectorXd right(forces_ + 2);
+    right.head(contacts_) = -scales_.normal * problem_.normal.drop(contact_).matrix();
+    forward(right) = -scales_.normal * stick_.way().matrix();
+    sideways(right) = -scales_.normal * lateral_way_ * stick_.length().matrix();
+    across(right) = (-scales_.tangential * slip_.rigidity *
+                     (slip_.direction.col(0) * lateral_way_ - slip_.direction.col(1) * problem_.ways(slip_.nodes)))
+                        .matrix();
+    right[forces_] = problem_.normal.load;
+    right[forces_ + 1] = drive_value();
+    return right;
+  }
+
+  [[nodiscard]] VectorXd unknowns() const {
+    VectorXd unknowns(forces_ + 2);
+    unknowns.head(contacts_) = -state_.force.col(kDown)(contact_).matrix();
+    forward(unknowns) = state_.force.col(kForward)(stick_.nodes).matrix();
+    sideways(unknowns) = state_.force.col(kSideways)(stick_.nodes).matrix();
+    across(unknowns) = (slip_.direction.col(0) * state_.force.col(kSideways)(slip_.nodes) -
+                        slip_.direction.col(1) * state_.force.col(kForward)(slip_.nodes))
+                           .matrix();
+    unknowns[forces_] = state_.penetration * scales_.normal;
+    unknowns[forces_ + 1] = *state_.speed_ratio * scales_.tangential * problem_.step;
+    return unknowns;
+  }
+
+  [[nodiscard]] VectorField force(const VectorXd& unknowns) const {
+    VectorField force = VectorField::Zero(problem_.shape.size(), 3);
+    force.col(kDown)(contact_) = -unknowns.head(contacts_).array();
+    force.col(kForward)(stick_.nodes) = forward(unknowns).array();
+    force.col(kSideways)(stick_.nodes) = sideways(unknowns).array();
+    const ArrayXd limit = friction_ * unknowns(slip_.places).array();
+    const ArrayXd turned = across(unknowns).array();
+    force.col(kForward)(slip_.nodes) = limit * slip_.direction.col(0) - turned * slip_.direction.col(1);
+    force.col(kSideways)(slip_.nodes) = limit * slip_.direction.col(1) + turned * slip_.direction.col(0);
+    return force;
+  }
+
+  [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
+    const VectorField force = this->force(unknowns);
+    const VectorField moved = problem_.normal.coating.displacement(force);
+    const double speed = unknowns[forces_ + 1];
+    VectorXd result(forces_ + 2);
+    result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
+    const auto since_head = [&](Axis axis) { return moved.col(axis)(stick_.nodes) - moved.col(axis)(stick_.heads); };
+    forward(result) =
+        (scales_.normal * since_head(kForward) + scales_.normal / scales_.tangential * speed * stick_.length())
+            .matrix();
+    sideways(result) = (scales_.normal * since_head(kSideways)).matrix();
+    const auto slipped = [&](Axis axis) { return moved.col(axis)(slip_.nodes) - moved.col(axis)(slip_.upstream); };
+    const auto& e = slip_.direction;
+    const ArrayXd turned =
+        scales_.tangential * (e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward)) - e.col(1) * speed;
+    across(result) = ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * turned).matrix();
+    result[forces_] = unknowns.head(contacts_).sum();
+    result[forces_ + 1] = drive_condition(force) + (prescribes_creepage() ? speed : 0.0);
+    if (displaces_lever()) {
+      result[forces_ + 1] += ((state_.force.col(kForward) * moved.col(kDown) -
+                               state_.force.col(kDown) * moved.col(kForward))(contact_))
+                                 .sum() /
+                             arm();
+    }
+    return result;
+  }
+
+  /// Solves for the forces with inverse symbols, and for penetration and speed exactly after that.
+  [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
+    VectorXd result(forces_ + 2);
+    result.head(forces_) = precondition_forces(right.head(forces_));
+    const Eigen::Vector2d border = border_inverse_ * (right.tail<2>() - border_conditions(result.head(forces_)));
+    result.head(forces_) -= border_response_ * border;
+    result.tail<2>() = border;
+    return result;
+  }
+
+ private:
+  using Segment = VectorXd::SegmentReturnType;
+  using ConstSegment = VectorXd::ConstSegmentReturnType;
+
+  Segment forward(VectorXd& v) const { return v.segment(contacts_, stick_.count()); }
+  [[nodiscard]] ConstSegment forward(const VectorXd& v) const { return v.segment(contacts_, stick_.count()); }
+  Segment sideways(VectorXd& v) const { return v.segment(contacts_ + stick_.count(), stick_.count()); }
+  [[nodiscard]] ConstSegment sideways(const VectorXd& v) const { return v.segment(contacts_ + stick_.count(), stick_.count()); }
+  Segment across(VectorXd& v) const { return v.segment(contacts_ + 2 * stick_.count(), slip_.count()); }
+  [[nodiscard]] ConstSegment across(const VectorXd& v) const { return v.segment(contacts_ + 2 * stick_.count(), slip_.count()); }
+
+  [[nodiscard]] double arm() const { return problem_.y.maxCoeff(); }
+  [[nodiscard]] bool prescribes_creepage() const { return std::holds_alternative<DriveCreepage>(problem_.drive); }
+  [[nodiscard]] bool displaces_lever() const {
+    return std::holds_alternative<DriveTorque>(problem_.drive) && problem_.lever_arm == LeverArm::displaced;
+  }
+
+  [[nodiscard]] double drive_value() const {
+    if (const auto* given = std::get_if<DriveCreepage>(&problem_.drive)) {
+      return (1.0 + given->creepage) * problem_.step * scales_.tangential;
+    }
+    if (const auto* pull = std::get_if<DriveForce>(&problem_.drive)) return -pull->force;
+    double moment = std::get<DriveTorque>(problem_.drive).torque;
+    if (displaces_lever()) {
+      moment += ((state_.force.col(kForward) * state_.displacement.col(kDown) -
+                  state_.force.col(kDown) * state_.displacement.col(kForward))(contact_))
+                    .sum();
+    }
+    return moment / arm();
+  }
+
+  /// The condition on the speed, but for what displacements and the speed itself add to it.
+  [[nodiscard]] double drive_condition(const VectorField& force) const {
+    if (prescribes_creepage()) return 0.0;
+    if (std::holds_alternative<DriveForce>(problem_.drive)) return force.col(kForward).sum();
+    ArrayXd x = problem_.x;
+    ArrayXd y = problem_.y;
+    if (displaces_lever()) {
+      x += state_.displacement.col(kForward);
+      y += state_.displacement.col(kDown);
+    }
+    return (y * force.col(kForward) - x * force.col(kDown)).sum() / arm();
+  }
+
+  [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
+    VectorXd unknowns = VectorXd::Zero(forces_ + 2);
+    unknowns.head(forces_) = forces;
+    return {forces.head(contacts_).sum(), drive_condition(force(unknowns))};
+  }
+
+  /// What penetration and speed do to the forces, and the two equations that are left for them.
+  void prepare_border() {
+    VectorXd penetration = VectorXd::Zero(forces_ + 2);
+    penetration.head(contacts_).setConstant(-1.0);
+    VectorXd speed = VectorXd::Zero(forces_ + 2);
+    forward(speed) = scales_.normal / scales_.tangential * stick_.length().matrix();
+    across(speed) = -(slip_.rigidity * slip_.direction.col(1)).matrix();
+    border_response_.resize(forces_, 2);
+    border_response_.col(0) = precondition_forces(penetration.head(forces_));
+    border_response_.col(1) = precondition_forces(speed.head(forces_));
+    Eigen::Matrix2d border;
+    border.col(0) = -border_conditions(border_response_.col(0));
+    border.col(1) = -border_conditions(border_response_.col(1));
+    if (prescribes_creepage()) border(1, 1) += 1.0;
+    border_inverse_ = border.inverse();
+  }
+
+  [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
+    VectorField displacement = VectorField::Zero(problem_.shape.size(), 3);
+    displacement.col(kDown)(contact_) = -right.head(contacts_).array() / scales_.normal;
+    displacement.col(kForward)(stick_.nodes) = forward(right).array() / scales_.normal;
+    displacement.col(kSideways)(stick_.nodes) = sideways(right).array() / scales_.normal;
+    const VectorField force = preconditioner_.force(displacement);
+    VectorXd result(forces_);
+    result.head(contacts_) = -force.col(kDown)(contact_).matrix();
+    forward(result) = force.col(kForward)(stick_.nodes).matrix();
+    sideways(result) = force.col(kSideways)(stick_.nodes).matrix();
+    if (slip_.count() > 0) {
+      ArrayXd field = ArrayXd::Zero(problem_.shape.size());
+      field(slip_.nodes) = across(right).array();
+      across(result) = preconditioner_.apply(turning_symbol_, field)(slip_.nodes).matrix();
+    }
+    return result;
+  }
+
+  const FrictionalContactProblem& problem_;
+  double friction_;
+  ConditionScales scales_;
+  const std::vector<Index>& contact_;
+  StickRuns stick_;
+  SlippingNodes slip_;
+  const StickSlipPreconditioner& preconditioner_;
+  const ContactSolution& state_;
+  Index contacts_;
+  Index forces_;
+  double lateral_way_ = 0.0;
+  ComplexBuffer turning_symbol_;
+  Eigen::MatrixX2d border_response_;
+  Eigen::Matrix2d border_inverse_;
+};
+
+/// Make forces the mean of what they and their mirror images say, for Krylov methods leave round-off that grows.
+void symmetrize(const WindowShape& shape, VectorField& force) {
+  for (Index row = 0; row < shape.phi_nodes; ++row) {
+    for (Index k = 0; 2 * k < shape.theta_nodes; ++k) {
+      const Index node = row * shape.theta_nodes + k;
+      const Index image = row * shape.theta_nodes + shape.theta_nodes - 1 - k;
+      const Eigen::Array3d sign(1.0, 1.0, -1.0);
+      const Eigen::Array3d mean = 0.5 * (force.row(node).transpose() + sign * force.row(image).transpose());
+      force.row(node) = mean.transpose();
+      force.row(image) = (sign * mean).transpose();
+    }
+  }
+}
+
+}  // namespace
+
+void take_newton_step_by_products(const FrictionalContactProblem& problem, double friction,
+                                  const ConditionScales& scales, const ContactSets& sets,
+                                  const StickSlipPreconditioner& preconditioner, double tolerance,
+                                  ContactSolution& state) {
+  const Equations equations(problem, friction, scales, sets, preconditioner, state);
+  const KrylovSolution solution = solve_krylov(
+      KrylovMethod::gmres, [&](const VectorXd& vector) { return equations.times(vector); },
+      [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
+      equations.unknowns(), tolerance);
+  VectorField force = equations.force(solution.unknowns);
+  const auto* creepage = std::get_if<DriveCreepage>(&problem.drive);
+  if (creepage == nullptr || creepage->lateral_creepage == 0.0) symmetrize(problem.shape, force);
+  state.products += solution.products;
+  state.force = std::move(force);
+  state.penetration = solution.unknowns[solution.unknowns.size() - 2] / scales.normal;
+  state.speed_ratio = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.step);
+}
+
+}  // namespace viscoroll::detail
