@@ -237,6 +237,30 @@ Eigen::ArrayXd CoatingCompliance::vertical_displacement(const Eigen::ArrayXd& pr
   return result;
 }
 
+Eigen::VectorXd CoatingCompliance::vertical_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
+  const auto& directions = components_.directions;
+  const auto& weights = components_.weights;
+  Eigen::VectorXd result(pressing.size());
+  displacements_.apply(
+      directions.size() * weights.size(),
+      [&](int row, std::size_t field, double* line) {
+        const Eigen::ArrayXd& direction = directions[field / weights.size()][kDown];
+        const Eigen::ArrayXd& weight = weights[field % weights.size()];
+        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
+          line[k] = weight[nodes.node(i)] * direction[nodes.node(i)] * pressing[i];
+        });
+      },
+      [&](int row, std::size_t component, const double* line) {
+        const Eigen::ArrayXd& direction = directions[component][kDown];
+        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
+          const double share = direction[nodes.node(i)] * line[k];
+          result[i] = component == 0 ? share : result[i] + share;
+        });
+      },
+      execution_.threads, execution_.watch);
+  return result;
+}
+
 double lost_work(const Formulation& formulation, const SurfaceWindow& window, const std::vector<Table>& tables,
                  const VectorField& force, const Execution& execution) {
   const Convolution product(window.shape(), tables, Terms(formulation).lost_work(), execution.threads,

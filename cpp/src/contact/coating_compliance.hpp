@@ -79,6 +79,11 @@ class CoatingCompliance {
   /// @return upward displacement of every node [m], at a third of the cost
   [[nodiscard]] Eigen::ArrayXd vertical_displacement(const Eigen::ArrayXd& pressing) const;
 
+  /// @param[in] nodes that carry forces
+  /// @param[in] pressing force on each of them, upwards [N]
+  /// @return their upward displacements [m]
+  [[nodiscard]] Eigen::VectorXd vertical_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const;
+
   /// @brief Inverse of the tables' convolution for flat patches, on a periodic domain.
   [[nodiscard]] InverseConvolution make_inverse(WindowShape period) const;
 

@@ -147,7 +147,7 @@ class FrictionalContactSolver {
       ContactSets sets = classify(friction);
       if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
-      const bool stalled = state_.residual > 0.1 * before_step;
+      const bool stalled = state_.residual > (preconditioner_ ? 0.5 : 0.1) * before_step;
       if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;

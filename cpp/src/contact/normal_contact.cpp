@@ -24,6 +24,7 @@ using Eigen::VectorXd;
 constexpr double kExact = 1e-11;           // overclosure per penetration that is round-off after elimination
 constexpr double kFirstTolerance = 1e-5;    // of relative residuals, while the set is far from the right one
 constexpr double kTightening = 0.03;         // of the tolerance as the set comes closer
+constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
 constexpr double kOverclosureFactor = 10.0;  // overclosure that is taken for one, per tolerance
 constexpr double kKrylovFailure = 1e-8;      // relative residual that no answer can be built on
 
@@ -56,6 +57,7 @@ class FlatEquations {
       : problem_(problem),
         inverse_(inverse),
         contact_(contact),
+        rows_(problem.coating.shape(), contact),
         count_(static_cast<Index>(contact.size())),
         stiffness_(1.0 / problem.coating.table(Entry::rr)(0, 0)),
         balance_(1.0 / std::sqrt(static_cast<double>(count_))),
@@ -86,10 +88,8 @@ class FlatEquations {
   }
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
-    ArrayXd force = ArrayXd::Zero(problem_.drop.size());
-    force(contact_) = unknowns.head(count_).array();
     VectorXd result(count_ + 1);
-    result.head(count_) = stiffness_ * problem_.coating.vertical_displacement(force)(contact_).matrix();
+    result.head(count_) = stiffness_ * problem_.coating.vertical_displacement(rows_, unknowns.head(count_));
     result.head(count_).array() -= unknowns[count_];
     result[count_] = balance_ * unknowns.head(count_).sum();
     return result;
@@ -106,15 +106,14 @@ class FlatEquations {
 
  private:
   [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
-    ArrayXd field = ArrayXd::Zero(problem_.drop.size());
-    field(contact_) = right.array() / stiffness_;
     const Execution& execution = problem_.coating.execution();
-    return inverse_.apply(field, execution.threads, execution.watch).col(0)(contact_).matrix();
+    return inverse_.apply(rows_, right / stiffness_, execution.threads, execution.watch);
   }
 
   const NormalContactProblem& problem_;
   const InverseConvolution& inverse_;
   const std::vector<Index>& contact_;
+  NodeRows rows_;
   Index count_;
   double stiffness_;
   double balance_;
@@ -147,6 +146,7 @@ class NormalContactSolver {
 
   [[nodiscard]] ContactSolution solve() {
     tolerance_ = std::max(kFirstTolerance, options_.tolerance);
+    if (by_products() && state_.penetration > 0.0) predict_contact();
     while (state_.iterations < options_.max_iterations && !state_.converged) {
       ++state_.iterations;
       press();
@@ -195,6 +195,22 @@ class NormalContactSolver {
     krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
     if (!krylov_failed_) take(equations.pressing(solution.unknowns));
     return !krylov_failed_;
+  }
+
+  /// Who touches, by the forces of the guess and the gaps that they leave.
+  void predict_contact() {
+    find_gap();
+    const double stiffness = kPredictionStiffness / problem_.coating.table(Entry::rr)(0, 0);
+    const ArrayXd predicted = -state_.force.col(kDown) - stiffness * state_.gap;
+    std::vector<Index> contact;
+    for (Index node = 0; node < predicted.size(); ++node) {
+      if (predicted[node] > 0.0) {
+        contact.push_back(node);
+      } else {
+        state_.force(node, kDown) = 0.0;
+      }
+    }
+    if (!contact.empty()) state_.contact = std::move(contact);
   }
 
   void take(const FlatPressing& pressing) {

@@ -39,6 +39,12 @@ class Convolution {
     return product_.apply(operands, terms_, results_, threads, watch);
   }
 
+  /// @brief The same from rows to rows, see `SpectralProduct`.
+  void apply(std::size_t fields, const SpectralProduct::Fill& fill, const SpectralProduct::Take& take, int threads,
+             Watch& watch) const {
+    product_.apply(fields, fill, terms_, results_, take, threads, watch);
+  }
+
  private:
   SpectralProduct product_;
   std::vector<ComplexBuffer> spectra_;  // of the tables that occur in terms; others stay empty

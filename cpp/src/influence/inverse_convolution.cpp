@@ -55,4 +55,20 @@ Eigen::ArrayXXd InverseConvolution::apply(const Eigen::ArrayXXd& fields, int thr
   return product_.apply(fields, terms_, fields_, threads, watch);
 }
 
+Eigen::VectorXd InverseConvolution::apply(const NodeRows& nodes, const Eigen::VectorXd& values, int threads,
+                                          Watch& watch) const {
+  Eigen::VectorXd result(values.size());
+  product_.apply(
+      1,
+      [&](int row, std::size_t, double* line) {
+        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { line[k] = values[i]; });
+      },
+      terms_, 1,
+      [&](int row, std::size_t, const double* line) {
+        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { result[i] = line[k]; });
+      },
+      threads, watch);
+  return result;
+}
+
 }  // namespace viscoroll::detail

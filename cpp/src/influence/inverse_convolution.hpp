@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "influence/convolution.hpp"
+#include "influence/node_rows.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/table.hpp"
 #include "parallel.hpp"
@@ -29,6 +30,12 @@ class InverseConvolution {
   /// @param[in] watch progress and cancellation
   /// @return other ones, whose convolution is about `fields`
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& fields, int threads, Watch& watch) const;
+
+  /// @brief The same for a single field that is given and wanted at some nodes alone.
+  /// @param[in] nodes where
+  /// @param[in] values of the field there
+  [[nodiscard]] Eigen::VectorXd apply(const NodeRows& nodes, const Eigen::VectorXd& values, int threads,
+                                      Watch& watch) const;
 
  private:
   SpectralProduct product_;

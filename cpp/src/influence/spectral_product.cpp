@@ -90,10 +90,25 @@ ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, 
 
 Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const std::vector<SpectralTerm>& terms,
                                        std::size_t results, int threads, Watch& watch) const {
+  const Index theta_nodes = window_.theta_nodes;
+  Eigen::ArrayXXd values(window_.size(), static_cast<Index>(results));
+  apply(
+      static_cast<std::size_t>(operands.cols()),
+      [&](int row, std::size_t field, double* line) {
+        std::copy_n(operands.col(static_cast<Index>(field)).data() + row * theta_nodes, theta_nodes, line);
+      },
+      terms, results,
+      [&](int row, std::size_t result, const double* line) {
+        std::copy_n(line, theta_nodes, values.col(static_cast<Index>(result)).data() + row * theta_nodes);
+      },
+      threads, watch);
+  return values;
+}
+
+void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms,
+                            std::size_t results, const Take& take, int threads, Watch& watch) const {
   constexpr const char* kStage = "solving the contact equations";
-  const auto fields = static_cast<std::size_t>(operands.cols());
   const std::size_t rows = unsigned_size(window_.phi_nodes);
-  const std::size_t theta_nodes = unsigned_size(window_.theta_nodes);
   const std::size_t field_size = rows * row_stride_;
   const int useful = useful_threads(threads);
   const std::size_t row_parts = parts(rows, kRows);
@@ -110,8 +125,8 @@ Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const st
     RealBuffer& line = workspaces_[worker.number].row;
     for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
       for (std::size_t field = 0; field < fields; ++field) {
-        const double* values = operands.col(static_cast<Index>(field)).data() + row * theta_nodes;
-        std::fill(std::copy_n(values, theta_nodes, line.begin()), line.end(), 0.0);
+        std::fill(line.begin(), line.end(), 0.0);
+        fill(static_cast<int>(row), field, line.data());
         theta_fft_.forward(line.data(), half_.data() + field * field_size + row * row_stride_);
       }
     }
@@ -143,17 +158,15 @@ Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const st
     }
   });
 
-  Eigen::ArrayXXd values(window_.size(), static_cast<Index>(results));
   parallel_for(row_parts, useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
     RealBuffer& line = workspaces_[worker.number].row;
     for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
       for (std::size_t result = 0; result < results; ++result) {
         theta_fft_.backward(half_.data() + result * field_size + row * row_stride_, line.data());
-        std::copy_n(line.begin(), theta_nodes, values.col(static_cast<Index>(result)).data() + row * theta_nodes);
+        take(static_cast<int>(row), result, line.data());
       }
     }
   });
-  return values;
 }
 
 }  // namespace viscoroll::detail

@@ -56,11 +56,23 @@ class SpectralProduct {
     }, threads, watch);
   }
 
-  /// @param[in] operands one column for each field, rows being nodes
+  /// @brief Fills a row of a field: theta_nodes numbers, which are zero before.
+  using Fill = std::function<void(int row, std::size_t field, double* line)>;
+  /// @brief Takes a row of a result: theta_nodes numbers.
+  using Take = std::function<void(int row, std::size_t result, const double* line)>;
+
+  /// @param[in] fields number of fields
+  /// @param[in] fill gives them, rows in any order and on several threads
   /// @param[in] terms summands
   /// @param[in] results number of results
+  /// @param[in] take receives them, those of a row one after the other on one thread
   /// @param[in] threads number of threads, 0 for all cores; small products take one
   /// @param[in] watch progress and cancellation
+  void apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms, std::size_t results,
+             const Take& take, int threads, Watch& watch) const;
+
+  /// @param[in] operands one column for each field, rows being nodes
+  /// @param[in] terms,results,threads,watch as above
   /// @return one column for each result
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& operands, const std::vector<SpectralTerm>& terms,
                                       std::size_t results, int threads, Watch& watch) const;

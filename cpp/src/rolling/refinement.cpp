@@ -13,25 +13,31 @@
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kFirstNodesPerRadius = 6.0;  // of the first mesh, in the estimated contact radius
-constexpr double kRefinement = 1.4;           // of the spacing, from mesh to mesh
-constexpr int kMaxNodesPerRevolution = 8000;  // above, the sum over all orders of the sphere takes too long
+constexpr int kFewestNodesPerRevolution = 64;
+constexpr int kMostNodesPerRevolution = 1000000;
+constexpr double kMostContactNodes = 3e6;           // a third of a gigabyte of fields
+constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 
 Mesh make_mesh(double nodes_per_revolution) {
-  const int nodes =
-      std::clamp(2 * static_cast<int>(std::lround(nodes_per_revolution / 2.0)), 64, kMaxNodesPerRevolution);
-  return {.nodes_per_revolution = nodes};
+  const auto nodes = static_cast<int>(std::lround(nodes_per_revolution));
+  return {.nodes_per_revolution = std::clamp(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution)};
 }
+
+/// Nodes in the estimated contact radius that should do. Nodes that join the contact one by one leave a staircase in
+/// the torque over load or speed, of 0.4 % with 41 nodes across the contact of the paper's example, falling with the
+/// power 2.3 of their number. A tenth of the accuracy is asked of it; the estimate is half as wide again as the contact.
+double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 double relative_change(double value, double before, double negligible) {
   return std::abs(value - before) /
          std::max({std::abs(value), std::abs(before), negligible, std::numeric_limits<double>::min()});
 }
 
-/// Whether the next mesh would ask for more orders, or with friction for more unknowns, than are at hand.
+/// Whether the next mesh would ask for more than is at hand.
 bool is_finest(const Result& result, double friction) {
-  const double next = 3.0 * result.refinements.back().contact_nodes * kRefinement * kRefinement;
-  return result.mesh.nodes_per_revolution >= kMaxNodesPerRevolution || (friction > 0.0 && next > 0.5 * kMaxUnknowns);
+  const double next = 4.0 * result.refinements.back().contact_nodes;
+  return result.mesh.nodes_per_revolution == kMostNodesPerRevolution ||
+         next > (friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes);
 }
 
 }  // namespace
@@ -39,9 +45,11 @@ bool is_finest(const Result& result, double friction) {
 Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch) {
   const double radius =
       estimate_contact_radius(HarmonicCoating(sphere, load_case.angular_speed, {0.0}), load_case.load);
-  Mesh mesh = make_mesh(2.0 * std::numbers::pi * kFirstNodesPerRadius * outer_radius(sphere) / radius);
+  // The first mesh is to show the error of the second, which should do.
+  double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius;
   std::vector<Refinement> refinements;
-  for (;;) {
+  for (;; nodes *= 2.0) {
+    const Mesh mesh = make_mesh(nodes);
     const MeshModel model(sphere, load_case.angular_speed, mesh, options.threads, watch);
     Result result = solve_load_case(model, load_case, options, watch);
     Refinement& step = result.refinements.back();
@@ -61,7 +69,6 @@ Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, 
       result.refinements = std::move(refinements);
       return result;
     }
-    mesh = make_mesh(kRefinement * mesh.nodes_per_revolution);
   }
 }
 
