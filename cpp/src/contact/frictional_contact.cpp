@@ -22,6 +22,7 @@ using Eigen::ArrayX2d;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+constexpr std::size_t kFewestKrylovNodes = 600;  // below, elimination is quicker and finds a way more often
 constexpr double kTolerance = 1e-10;     // residual of a converged state, per load
 constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried

@@ -21,6 +21,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr std::size_t kFewestKrylovNodes = 100;  // below, elimination is quicker
 constexpr double kExact = 1e-11;           // overclosure per penetration that is round-off after elimination
 constexpr double kFirstTolerance = 1e-5;    // of relative residuals, while the set is far from the right one
 constexpr double kTightening = 0.03;         // of the tolerance as the set comes closer

@@ -22,7 +22,7 @@ struct NormalContactProblem {
 struct ContactOptions {
   int max_iterations;         ///< linear systems
   Eigen::Index max_unknowns;  ///< that a dense matrix may hold
-  double tolerance = 1e-10;   ///< relative residual of systems that are solved by products, and of friction per load
+  double tolerance = 1e-11;   ///< relative residual of systems that are solved by products, and of friction per load
 };
 
 /// @brief What a normal contact is started from.
@@ -34,7 +34,7 @@ struct NormalContactGuess {
 
 /// @brief Active set: drop all tensile nodes; only when there are none, add all overclosed ones; until nothing changes.
 ///
-/// Contacts of up to 600 nodes are solved by elimination. Larger ones are solved by products and a Krylov method, the
+/// Contacts of up to 100 nodes are solved by elimination. Larger ones are solved by products and a Krylov method, the
 /// first sets roughly, unless that fails.
 /// @param[in] problem coating, shape and load
 /// @param[in] guess to start from
@@ -44,8 +44,5 @@ struct NormalContactGuess {
 /// @throws std::length_error where elimination is left with more than `max_unknowns` nodes
 [[nodiscard]] ContactSolution solve_normal_contact(const NormalContactProblem& problem, const NormalContactGuess& guess,
                                                    const ContactOptions& options);
-
-/// @brief The least number of nodes that are solved by products.
-constexpr std::size_t kFewestKrylovNodes = 600;
 
 }  // namespace viscoroll::detail

@@ -15,7 +15,12 @@ CoatingTables MeshModel::tables(const Formulation& formulation, int phi_reach, i
                                 const Execution& execution) const {
   const std::scoped_lock lock(mutex_);
   const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const TableSet& s) { return s.formulation == formulation; });
-  if (set != sets_.end() && set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
+  if (set != sets_.end()) {
+    if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
+    // Rising loads are to ask for few sets.
+    phi_reach = std::min(std::max(phi_reach, 3 * set->phi_reach / 2), mesh().nodes_per_revolution / 2);
+    theta_reach = std::min(std::max(theta_reach, 3 * set->theta_reach / 2), theta_nodes_per_revolution(mesh()) / 2);
+  }
 
   // One sum for both, since they share the compliance of every order.
   auto requests = displacement_tables(formulation);
