@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 import viscoroll as vr
 from viscoroll import paper
@@ -28,9 +29,29 @@ def test_default_accuracy_is_one_percent(paper_ball):
     assert all(step.error_estimate > 0.01 for step in r.refinements[:-1])
 
 
+def test_a_thousandth(paper_ball):
+    """Continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with the vertical compliance."""
+    for compliance, limit in ((vr.Compliance.RADIAL, 11.3867e-3), (vr.Compliance.VERTICAL, 11.1854e-3)):
+        r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=1e-3, compliance=compliance)
+        assert r.resisting_torque == pytest.approx(limit, rel=1e-4)
+        assert r.error_estimate < 1e-3
+
+
+@pytest.mark.slow
+def test_torque_is_a_smooth_function_of_load(paper_ball):
+    """Nodes that join the contact one by one leave no staircase: the power law's exponent falls steadily."""
+    loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as of 200 loads over a decade
+    torques = [
+        vr.solve(paper_ball, load=load, angular_speed=2.5, accuracy=1e-3, compliance=vr.Compliance.RADIAL)
+        for load in loads
+    ]
+    exponents = np.diff(np.log([r.resisting_torque for r in torques])) / np.diff(np.log(loads))
+    assert (exponents <= np.minimum.accumulate(exponents) * 1.005).all()
+
+
 def test_says_when_the_accuracy_was_not_reached():
     # The contact is narrower than the spacing of any mesh allowed.
-    r = vr.solve(paper.ball(density=0.0), load=1e-4, angular_speed=2.5, accuracy=0.02)
+    r = vr.solve(paper.ball(density=0.0), load=1e-13, angular_speed=2.5, accuracy=0.02)
     assert r.status is vr.Status.ACCURACY_NOT_REACHED
     assert r.error_estimate > 0.02
 

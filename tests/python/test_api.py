@@ -272,7 +272,7 @@ LONG_CALLS = {
     "tables": SOLVE.format(20000, 30000, ""),
     "many orders to a node": SOLVE.format(64, 200000, ""),
     "contact": SOLVE.format(8000, 4000, ""),
-    "friction": SOLVE.format(1300, 1300, ", friction=0.1"),
+    "friction": SOLVE.format(16000, None, ", friction=0.1"),
     "single orders": "vr.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))",
 }
 

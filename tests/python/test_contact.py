@@ -172,7 +172,56 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
     assert np.abs(r.gap[r.contact]).max() < 1e-9 * r.penetration
     assert (r.gap > -1e-9 * r.penetration).all()
     assert nodal_force(r).sum() == pytest.approx(100.0, rel=1e-12)
+    assert r.products > 0
     # Torques on meshes of 4000 nodes per revolution, which agree with those of 1600 within 0.06 %.
     if patch_load is vr.PatchLoad.FLAT:
         limit = 11.387e-3 if compliance is vr.Compliance.RADIAL else 11.185e-3
         assert r.resisting_torque == pytest.approx(limit, rel=3e-3)
+
+
+def test_unlike_spacings_agree(paper_ball):
+    """A mesh that is finer in theta than in phi, or the other way, has the same limit."""
+    torques = [
+        vr.solve(
+            paper_ball,
+            load=100.0,
+            angular_speed=2.5,
+            mesh=vr.Mesh(nodes_per_revolution=phi, theta_nodes_per_revolution=theta),
+        )
+        for phi, theta in ((2000, 2000), (2000, 1300), (1300, 2000))
+    ]
+    for r in torques:
+        assert r.resisting_torque == pytest.approx(11.1854e-3, rel=1e-3)
+        assert r.pressure.shape[0] * r.mesh.spacing == pytest.approx(r.pressure.shape[1] * r.mesh.theta_spacing, rel=0.05)
+        patch = paper_ball.outer_radius**2 * r.mesh.spacing * r.mesh.theta_spacing
+        assert r.pressure.sum() * patch == pytest.approx(100.0, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
+    """The levels of a fine mesh lead to the contact that a single level finds from the estimate: loads that differ."""
+    mesh = vr.Mesh(nodes_per_revolution=1000)
+    model = vr.RollingModel(paper_ball, angular_speed=2.5, mesh=mesh)
+    for load in (3.0, 30.0, 300.0):
+        r = model.solve(load=load)
+        assert r.status is vr.Status.CONVERGED
+        touching = r.contact
+        assert np.abs(r.gap[touching]).max() < 1e-9 * r.penetration
+        assert (r.gap[~touching] > -1e-9 * r.penetration).all()
+        assert (r.pressure[touching] > 0.0).all()
+
+
+@pytest.mark.parametrize("nodes", [60_000, 200_000])
+def test_hertz_on_the_finest_meshes(nodes):
+    """An elastic ball of one piece: Hertz, to the square of the contact's share of the radius and the mesh's error."""
+    modulus, radius, across = 1e6, 20e-3, 128
+    layer = vr.Layer(thickness=radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    a = 0.5 * across * 2.0 * np.pi / nodes * radius
+    load = 16.0 / 3.0 * modulus * a**3 / radius
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    r = vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    assert r.max_pressure == pytest.approx(1.5 * load / (np.pi * a**2), rel=(a / radius) ** 2 + 1e-4)
+    assert r.penetration == pytest.approx(a**2 / radius, rel=2.0 * a / radius + 1e-3)
+    assert np.sqrt(r.contact_area / np.pi) == pytest.approx(a, rel=5e-3)  # half a spacing
+    assert abs(r.resisting_torque) < 1e-9 * load * a

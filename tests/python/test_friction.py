@@ -326,3 +326,27 @@ def test_plot_shows_stick_and_slip(paper_ball, tmp_path):
     legends = [axes.get_legend() for axes in figure.axes if axes.get_legend()]
     assert {"stick", "slip"} <= {text.get_text() for legend in legends for text in legend.get_texts()}
     figure.savefig(tmp_path / "friction.png")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "mu"), [(name, mu) for name in DRIVES for mu in (0.2, 0.5, 2.0)])
+def test_large_contacts_without_a_matrix(paper_ball, mu, name):
+    """Some 3000 nodes, solved by products: all conditions hold, and the power balance closes."""
+    r = roll(paper_ball, mu=mu, drive=DRIVES[name], mesh=vr.Mesh(nodes_per_revolution=1400))
+    assert r.products > 0
+    assert r.contact.sum() > 2500
+    assert r.residual < 1e-8
+    assert r.power_balance_error < 1e-3
+    pressure, (t_x, t_z), (s_x, s_z) = r.pressure, r.shear_traction, r.slip_velocity
+    top = pressure.max()
+    size = np.hypot(t_x, t_z)
+    # Conditions hold as forces to 1e-9 of the load, spread over thousands of nodes.
+    assert (pressure[r.contact] > -1e-6 * top).all()
+    assert (pressure[~r.contact] == 0.0).all()
+    assert (r.gap[~r.contact] > -1e-8 * r.penetration).all()
+    assert np.abs(r.gap[r.contact]).max() < 1e-7 * r.penetration
+    assert (size[r.stick] <= mu * pressure[r.stick] + 1e-6 * top).all()
+    speed = SLOW * paper_ball.outer_radius
+    assert np.hypot(s_x, s_z)[r.stick].max(initial=0.0) < 1e-6 * speed
+    np.testing.assert_allclose(size[r.slip], mu * pressure[r.slip], rtol=0.0, atol=1e-6 * top)
+    assert (t_x * s_x + t_z * s_z)[r.slip].max(initial=0.0) < 1e-6 * mu * top * speed  # against the slip

@@ -67,8 +67,9 @@ def test_folding_for_any_ratio_of_orders_to_nodes(paper_ball, nodes_per_revoluti
 
 def test_tables_do_not_depend_on_threads_or_reach(paper_ball):
     small = vr.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=1)
+    np.testing.assert_array_equal(small, vr.influence_tables(paper_ball, SPEED, MESH, reach=(2, 1), threads=3))
     large = vr.influence_tables(paper_ball, SPEED, MESH, reach=(5, 6), threads=3)
-    np.testing.assert_array_equal(small, large[:, :, 3:8, 5:8])
+    np.testing.assert_allclose(small, large[:, :, 3:8, 5:8], rtol=0.0, atol=1e-14 * large.max())
 
 
 def test_tables_are_mirror_symmetric_in_theta(unlike_ball):
@@ -92,5 +93,51 @@ def test_memory_makes_the_tables_unsymmetric_in_phi(paper_ball):
 
 @pytest.mark.parametrize("reach", [25, (0, 25), -1])
 def test_reach_is_limited_to_half_a_revolution(paper_ball, reach):
-    with pytest.raises(ValueError, match=r"reach must be in \[0, nodes_per_revolution / 2\]"):
+    with pytest.raises(ValueError, match=r"reach must be in \[0, 24\], half of the nodes per revolution"):
         vr.influence_tables(paper_ball, SPEED, MESH, reach=reach)
+
+
+def test_unlike_spacings(unlike_ball):
+    """A node is as wide in theta as the mesh says: three narrow patches side by side are one wide one."""
+    wide = vr.influence_tables(unlike_ball, SPEED, vr.Mesh(nodes_per_revolution=120), reach=4)
+    mesh = vr.Mesh(nodes_per_revolution=120, theta_nodes_per_revolution=360)
+    narrow = vr.influence_tables(unlike_ball, SPEED, mesh, reach=(4, 13))
+    offsets = 13 + 3 * np.arange(-4, 5)
+    together = (narrow[..., offsets - 1] + narrow[..., offsets] + narrow[..., offsets + 1]) / 3.0
+    # Both sums hold all orders, to nine digits of their centers.
+    np.testing.assert_allclose(together, wide, rtol=0.0, atol=1e-8 * wide.max())
+
+
+def test_all_orders_are_the_limit_of_many(paper_ball):
+    """Sums up to odd multiples of half the nodes, whose errors cancel in pairs, approach the sum of all orders."""
+    every = vr.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48), reach=3)
+    errors = [
+        np.abs(vr.influence_tables(paper_ball, SPEED, vr.Mesh(nodes_per_revolution=48, max_order=n), reach=3) - every)
+        for n in (72, 216, 648, 1944)
+    ]
+    largest = [error.max() / every.max() for error in errors]
+    # A sharp end leaves the square of the patch's transform there, 1/N_t each: nine times less for thrice the orders.
+    assert all(finer < coarser / 4.0 for coarser, finer in zip(largest, largest[1:], strict=False))
+    assert largest[-1] < 1e-5
+
+
+@pytest.mark.parametrize("nodes", [2_000, 50_000, 1_000_000])
+def test_fine_meshes_see_a_half_space(nodes):
+    """On patches that are small against the coating, Love's solution for a square on an incompressible half-space."""
+    modulus = 3e6
+    layer = vr.Layer(thickness=20e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    radial = vr.influence_tables(ball, 1.0, mesh, reach=6)[0, 0]
+    side = 20e-3 * mesh.spacing
+    # A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377-420; K. L. Johnson, Contact Mechanics, equation (3.25).
+    x, y = (side * offset for offset in np.meshgrid(np.arange(-6, 7), np.arange(-6, 7), indexing="ij"))
+
+    def corner(x, y):
+        return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+
+    h = 0.5 * side
+    love = corner(x + h, y + h) + corner(x - h, y - h) - corner(x + h, y - h) - corner(x - h, y + h)
+    love *= 0.5 / (2.0 * np.pi * modulus * side**2)  # (1 - nu) / (2 pi G) per unit force
+    # The ball's curvature: some spacings against its radius.
+    np.testing.assert_allclose(radial, love, rtol=0.0, atol=max(10.0 * mesh.spacing, 1e-8) * love.max())

@@ -55,9 +55,12 @@ def test_every_point_equals_a_direct_solve():
                 expected = vr.solve(paper.ball(thickness=h), load=load, friction=mu, **SPEED).scalars()
                 point = study.sel(thickness=h, friction=mu, load=load)
                 for name, value in expected.items():
-                    if name in study.data_vars:
+                    if isinstance(value, str) and name in study.data_vars:
+                        assert point[name].item() == value
+                    elif name in study.data_vars:
+                        # A model's tables reach as far as its largest load asks for, which changes round-off.
                         value = np.nan if value is None else value
-                        np.testing.assert_array_equal(point[name].item(), value, err_msg=name)
+                        np.testing.assert_allclose(point[name].item(), value, rtol=1e-9, atol=1e-9, err_msg=name)
     assert set(expected) - set(study.variables) == {"compliance", "patch_load"}
 
 
@@ -92,12 +95,12 @@ def test_objects_can_be_dimensions(rubber):
         load=50.0,
     )
     assert dict(study.sizes) == {"stuff": 1, "shear_moduli": 2, "mesh": 2, "compliance": 2, "drive": 2}
-    assert study.mesh.values.tolist() == ["100 x 50", "120 x 60"]
+    assert study.mesh.values.tolist() == ["100 nodes per revolution, orders to 50", "120 nodes per revolution, orders to 60"]
     assert study.compliance.values.tolist() == ["VERTICAL", "RADIAL"]
     assert study.drive.values.tolist() == ["force=0", "torque=0"]
     assert study.shear_moduli.values.tolist() == ["shear_moduli[0]", "shear_moduli[1]"]
     assert "units" not in study.stuff.attrs
-    assert study.nodes_per_revolution.sel(mesh="120 x 60").values.ravel().tolist() == [120.0] * 8
+    assert study.nodes_per_revolution.sel(mesh="120 nodes per revolution, orders to 60").values.ravel().tolist() == [120.0] * 8
     assert (study.driving_torque.sel(drive="torque=0") == pytest.approx(0.0, abs=1e-9)).all()
     assert not study.resisting_torque.isnull().any()
 

@@ -121,7 +121,8 @@ struct Result {
   double bulk_power = 0.0;                ///< lost in the coating, from the spectrum [W]
   double slip_power = 0.0;                ///< lost by slip on the plane [W]
   double dissipated_power = 0.0;          ///< bulk_power + slip_power [W]
-  double power_balance_error = 0.0;       ///< |T Omega + Q V_s - dissipated_power| relative to the larger [-]
+  /// |T Omega + Q V_s - dissipated_power| relative to the larger [-], with the lateral force's work where there is some.
+  double power_balance_error = 0.0;
   double centrifugal_displacement = 0.0;  ///< d_R^(c) in the contact condition [m]
 
   Mesh mesh;                           ///< the mesh of this solution

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 #include <vector>
 
 namespace viscoroll::detail {
@@ -86,7 +87,10 @@ class Summary {
       r.slip_power = slip_power();
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
-    const double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
+      work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();
+    }
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
     const double negligible =
         std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());

@@ -21,6 +21,8 @@ namespace {
 /// Overclosure outside the box of a contact, per penetration, that shows that the contact reaches there.
 constexpr double kOverclosure = 1e-8;
 
+constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
+
 class LoadCaseSolver {
  public:
   LoadCaseSolver(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch)
@@ -56,6 +58,7 @@ class LoadCaseSolver {
  private:
   /// @return nothing where the contact reaches the edge of the window
   [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate) const {
+    require_few_nodes(half_phi, half_theta);
     const CoatingTables tables = model_.tables(formulation_, 2 * half_phi, 2 * half_theta, execution_);
     const CandidateSurface surface{.formulation = formulation_,
                                    .window = {grid_, {-half_phi, half_phi}, {-half_theta, half_theta}},
@@ -112,6 +115,14 @@ class LoadCaseSolver {
     LocatedContact located = solve_on_window(found, surface, load_case_.load, limits_);
     if (load_case_.friction == 0.0) return located;
     return add_friction(std::move(located), surface, {load_case_, options_.slip_kinematics}, limits_);
+  }
+
+  void require_few_nodes(int half_phi, int half_theta) const {
+    const double nodes = (2.0 * half_phi + 1.0) * (2.0 * half_theta + 1.0);
+    if (nodes <= kMostNodes) return;
+    reject("mesh.nodes_per_revolution",
+           "coarse enough for " + std::to_string(kMostNodes) + " nodes around the contact",
+           std::to_string(model_.mesh().nodes_per_revolution) + " (it makes " + text(nodes) + " nodes)");
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
