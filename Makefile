@@ -70,7 +70,7 @@ format: $(VENV)/lint.stamp
 	$(BIN)/clang-format -i $(CXX_FILES)
 	$(BIN)/gersemi --in-place $(CMAKE_FILES)
 
-bench: deps-bench $(VENV)/test.stamp
+bench: deps-bench $(VENV)/bench.stamp
 	cmake --preset bench
 	cmake --build --preset bench --parallel $(JOBS)
 	$(BIN)/python bench/run.py
@@ -98,6 +98,10 @@ $(VENV)/test.stamp: $(SOURCES) | $(VENV)/bin/pip
 
 $(VENV)/lint.stamp: $(VENV)/test.stamp
 	$(BIN)/pip install --quiet '.[test,lint]'
+	touch $@
+
+$(VENV)/bench.stamp: $(SOURCES) | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet '.[bench]' || $(BIN)/pip install --quiet .  # the peers come where they can be had
 	touch $@
 
 clean:

@@ -1,22 +1,34 @@
-"""Run the benchmarks and append medians with errors to results.csv: python bench/run.py [--keep-dirty]."""
+"""Run the benchmarks and append medians with errors to results.csv: python bench/run.py [--runs N] [--keep-dirty].
+
+Every case runs in a process of its own, so that its peak memory is its own.
+"""
 
 from __future__ import annotations
 
 import argparse
 import csv
+import importlib.util
 import json
 import os
 import platform
+import re
 import statistics
 import subprocess
-from collections import defaultdict
+import sys
+import tempfile
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build" / "bench" / "bench" / "bench_solve"
 RESULTS = Path(__file__).with_name("results.csv")
-COLUMNS = ["date", "commit", "cpu", "threads", "case", "runs", "median_s", "min_s", "max_s", "error", "contact_nodes"]
+COLUMNS = ["date", "commit", "cpu", "threads", "case", "runs", "clock", "median_s", "min_s", "max_s", "error"]
+COLUMNS += ["contact_nodes", "peak_mb", "details"]
+
+HERTZ = [(solver, nodes) for nodes in (256, 512, 1024) for solver in ("viscoroll", "tamaas", "aspher", "aspher_nested")]
+MODULES = {"aspher_nested": "aspher"}
 
 
 def git(*arguments: str) -> str:
@@ -30,53 +42,95 @@ def cpu_name() -> str:
     return platform.processor()
 
 
-def measure(runs: int) -> list[dict[str, object]]:
-    """Return one row for each case, from `runs` repetitions after a warm-up."""
-    arguments = [f"--benchmark_repetitions={runs}", "--benchmark_min_warmup_time=0.1", "--benchmark_format=json"]
-    output = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True).stdout
-    repetitions = defaultdict(list)
-    for run in json.loads(output)["benchmarks"]:
-        if run["run_type"] == "iteration":
-            repetitions[run["run_name"].removesuffix("/real_time").replace("/iterations:1", "")].append(run)
-    rows = []
-    for case, done in repetitions.items():
-        seconds = [run["real_time"] * 1e-3 for run in done]
-        rows.append(
-            {
-                "date": datetime.now(UTC).strftime("%Y-%m-%d"),
-                "commit": git("rev-parse", "--short", "HEAD"),
-                "cpu": cpu_name(),
-                "threads": len(os.sched_getaffinity(0)),
-                "case": case,
-                "runs": len(seconds),
-                "median_s": f"{statistics.median(seconds):.4g}",
-                "min_s": f"{min(seconds):.4g}",
-                "max_s": f"{max(seconds):.4g}",
-                "error": f"{done[0]['error']:.2e}",
-                "contact_nodes": int(done[0].get("contact_nodes", 0)),
-            }
+def run(*command: object) -> tuple[Any, float]:
+    """Return what a command prints as JSON, and its peak memory [MB]."""
+    with tempfile.TemporaryFile("w+") as output:
+        process = subprocess.Popen([str(part) for part in command], stdout=output)
+        _, status, usage = os.wait4(process.pid, 0)
+        if status != 0:
+            raise RuntimeError(f"{command} failed")
+        output.seek(0)
+        return json.load(output), usage.ru_maxrss / 1024.0
+
+
+def row(case: str, clock: str, seconds: list[float], error: float, peak: float, **rest: Any) -> dict[str, object]:
+    return {
+        "date": datetime.now(UTC).strftime("%Y-%m-%d"),
+        "commit": git("rev-parse", "--short", "HEAD"),
+        "cpu": cpu_name(),
+        "threads": len(os.sched_getaffinity(0)) if clock == "wall" else 1,
+        "case": case,
+        "runs": len(seconds),
+        "clock": clock,
+        "median_s": f"{statistics.median(seconds):.4g}",
+        "min_s": f"{min(seconds):.4g}",
+        "max_s": f"{max(seconds):.4g}",
+        "error": f"{abs(error):.2e}",
+        "peak_mb": f"{peak:.0f}",
+    } | rest
+
+
+def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
+    """Cases of bench_solve: wall time on all cores."""
+    names = subprocess.run([PROGRAM, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
+    for name in names.splitlines():
+        case = name.removesuffix("/real_time").replace("/iterations:1", "")
+        if not only.search(case):
+            continue
+        repetitions = [f"--benchmark_repetitions={runs}", "--benchmark_min_warmup_time=0.1"]
+        arguments = [f"--benchmark_filter=^{name}$", *repetitions, "--benchmark_format=json"]
+        output, peak = run(PROGRAM, *arguments)
+        done = [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"]
+        details = {key: int(done[0][key]) for key in ("iterations", "products", "window") if key in done[0]}
+        yield row(
+            case,
+            "wall",
+            [repetition["real_time"] * 1e-3 for repetition in done],
+            done[0]["error"],
+            peak,
+            contact_nodes=int(done[0].get("contact_nodes", 0)),
+            details=text(details) if "products" in details else "",
         )
-    return rows
+
+
+def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
+    """Other solvers, and this one beside them: CPU time on one core."""
+    folder = Path(__file__).parent
+    cases = [(f"hertz/{nodes}/{solver}", folder / "hertz.py", solver, nodes) for solver, nodes in HERTZ]
+    cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]
+    for case, script, solver, *rest in cases:
+        if not only.search(case):
+            continue
+        module = MODULES.get(str(solver), str(solver))
+        if module != "plain" and importlib.util.find_spec(module) is None:
+            print(f"{case:<40} left out: {module} is not installed")
+            continue
+        output, peak = run(sys.executable, script, solver, *rest, "--runs", runs)
+        yield row(case, "cpu", output["seconds"], output["error"], peak, details=text(output["details"]))
+
+
+def text(details: dict[str, object]) -> str:
+    return " ".join(f"{key}={value}" for key, value in details.items())
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=5, help="repetitions of each case")
+    parser.add_argument("--only", type=re.compile, default=re.compile(""), help="cases to run, as a pattern")
     parser.add_argument("--keep-dirty", action="store_true", help="record uncommitted sources as well")
     options = parser.parse_args()
 
-    rows = measure(options.runs)
-    for row in rows:
-        print(f"{row['case']:<40} {row['median_s']:>8} s  [{row['min_s']}, {row['max_s']}]  error {row['error']}")
-    if git("status", "--porcelain", "--", "cpp", "bench") and not options.keep_dirty:
+    rows = []
+    for cases in (library_cases, script_cases):
+        for done in cases(options.runs, options.only):
+            print(f"{done['case']:<40} {done['median_s']:>8} s  [{done['min_s']}, {done['max_s']}]", end="  ")
+            print(f"error {done['error']}  {done['peak_mb']} MB  {done['details']}", flush=True)
+            rows.append(done)
+    if git("status", "--porcelain", "--", "cpp", "python", "bench") and not options.keep_dirty:
         print("sources differ from the commit: not recorded")
         return
-    new = not RESULTS.exists()
     with RESULTS.open("a", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS)
-        if new:
-            writer.writeheader()
-        writer.writerows(rows)
+        csv.DictWriter(file, COLUMNS).writerows(rows)
 
 
 if __name__ == "__main__":

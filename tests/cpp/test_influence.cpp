@@ -52,8 +52,8 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
  protected:
   CoatingTest() {
     const OrderSum orders(cases::unlike_layers(), 2.5, mesh_, 2, watch_);
-    tables_ = std::make_shared<const std::vector<Table>>(
-        orders.tables(displacement_tables(formulation_), 8, 10, 2, watch_));
+    tables_ =
+        std::make_shared<const std::vector<Table>>(orders.tables(displacement_tables(formulation_), 8, 10, 2, watch_));
     lost_work_tables_ = orders.tables(lost_work_tables(formulation_), 8, 10, 2, watch_);
   }
 
@@ -128,9 +128,8 @@ std::vector<OrderBand> one_by_one(const std::vector<OrderBand>& octaves, int nod
   // The octaves telescope: their weights add up to the last step, of which the highest orders show the middle.
   const double middle = 16.0 * nodes_per_revolution;
   const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(count + 1, 0.0, static_cast<double>(count));
-  Eigen::ArrayXd weights = 2.0 * orders.unaryExpr([&](double order) {
-    return 0.5 * std::erfc((order - middle) * 4.8 / middle);
-  });
+  Eigen::ArrayXd weights =
+      2.0 * orders.unaryExpr([&](double order) { return 0.5 * std::erfc((order - middle) * 4.8 / middle); });
   weights[0] *= 0.5;
   return {{.orders = orders, .weights = weights, .reach = nodes_per_revolution / 2}};
 }
@@ -177,14 +176,13 @@ TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Coatings, OctavesTest,
-    testing::Values(OctaveCase{"Paper", cases::paper_sphere(), 2.5, 64, 64},
-                    OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 64, 40},
-                    OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 64, 64},
-                    OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 64, 64},
-                    OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 40, 40}),
-    [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
+                         testing::Values(OctaveCase{"Paper", cases::paper_sphere(), 2.5, 64, 64},
+                                         OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 64, 40},
+                                         OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 64, 64},
+                                         OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 64, 64},
+                                         OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 40, 40}),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace viscoroll::detail

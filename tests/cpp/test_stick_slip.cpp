@@ -17,8 +17,8 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
  protected:
   StickSlipTest() {
     const OrderSum orders(cases::paper_sphere(), 2.5, mesh_, 2, watch_);
-    tables_ = std::make_shared<const std::vector<Table>>(
-        orders.tables(displacement_tables(formulation_), 16, 16, 2, watch_));
+    tables_ =
+        std::make_shared<const std::vector<Table>>(orders.tables(displacement_tables(formulation_), 16, 16, 2, watch_));
     coating_ = std::make_unique<CoatingCompliance>(formulation_, window_, tables_, execution_);
     const WindowShape shape = window_.shape();
     state_.force = VectorField::Zero(shape.size(), 3);

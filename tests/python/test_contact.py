@@ -192,7 +192,9 @@ def test_unlike_spacings_agree(paper_ball):
     ]
     for r in torques:
         assert r.resisting_torque == pytest.approx(11.1854e-3, rel=1e-3)
-        assert r.pressure.shape[0] * r.mesh.spacing == pytest.approx(r.pressure.shape[1] * r.mesh.theta_spacing, rel=0.05)
+        spacings = (r.mesh.spacing, r.mesh.theta_spacing)
+        widths = [count * spacing for count, spacing in zip(r.pressure.shape, spacings, strict=True)]
+        assert widths[0] == pytest.approx(widths[1], rel=0.05)
         patch = paper_ball.outer_radius**2 * r.mesh.spacing * r.mesh.theta_spacing
         assert r.pressure.sum() * patch == pytest.approx(100.0, rel=1e-12)
 

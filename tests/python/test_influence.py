@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 import viscoroll as vr
@@ -117,7 +119,7 @@ def test_all_orders_are_the_limit_of_many(paper_ball):
     ]
     largest = [error.max() / every.max() for error in errors]
     # A sharp end leaves the square of the patch's transform there, 1/N_t each: nine times less for thrice the orders.
-    assert all(finer < coarser / 4.0 for coarser, finer in zip(largest, largest[1:], strict=False))
+    assert all(finer < coarser / 4.0 for coarser, finer in itertools.pairwise(largest))
     assert largest[-1] < 1e-5
 
 

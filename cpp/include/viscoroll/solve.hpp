@@ -114,14 +114,15 @@ struct Result {
   /// sphere, and does the work of the linear model. With the radial compliance, which has no such u, sum of x p + y
   /// t_x.
   double driving_torque = 0.0;
-  double driving_force = 0.0;             ///< Q = -sum of t_x [N]
-  double lateral_force = 0.0;             ///< sum of t_z, of the plane on the sphere [N]
-  std::optional<double> linear_speed;     ///< V_s [m/s]; undetermined without friction, unless given
-  std::optional<double> creepage;         ///< V_s / (Omega r_o) - 1 [-]
-  double bulk_power = 0.0;                ///< lost in the coating, from the spectrum [W]
-  double slip_power = 0.0;                ///< lost by slip on the plane [W]
-  double dissipated_power = 0.0;          ///< bulk_power + slip_power [W]
-  /// |T Omega + Q V_s - dissipated_power| relative to the larger [-], with the lateral force's work where there is some.
+  double driving_force = 0.0;          ///< Q = -sum of t_x [N]
+  double lateral_force = 0.0;          ///< sum of t_z, of the plane on the sphere [N]
+  std::optional<double> linear_speed;  ///< V_s [m/s]; undetermined without friction, unless given
+  std::optional<double> creepage;      ///< V_s / (Omega r_o) - 1 [-]
+  double bulk_power = 0.0;             ///< lost in the coating, from the spectrum [W]
+  double slip_power = 0.0;             ///< lost by slip on the plane [W]
+  double dissipated_power = 0.0;       ///< bulk_power + slip_power [W]
+  /// |T Omega + Q V_s - dissipated_power| relative to the larger [-], with the lateral force's work where there is
+  /// some.
   double power_balance_error = 0.0;
   double centrifugal_displacement = 0.0;  ///< d_R^(c) in the contact condition [m]
 

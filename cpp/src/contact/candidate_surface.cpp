@@ -16,13 +16,15 @@ NodeRange coarse_range(const NodeRange& range) {
   return {-((-range.first - 1) / 2), (range.last - 1) / 2};
 }
 
-/// Sum of a table over a patch of two spacings, a quarter, a half and a quarter in each direction, seen from node (j, l).
+/// Sum of a table over a patch of two spacings, a quarter, a half and a quarter in each direction, seen from node (j,
+/// l).
 double widened(const Table& table, int j, int l) {
   constexpr std::array<double, 3> kShare{0.25, 0.5, 0.25};
   double sum = 0.0;
   for (int dj = -1; dj <= 1; ++dj) {
     for (int dl = -1; dl <= 1; ++dl) {
-      sum += kShare[static_cast<std::size_t>(dj + 1)] * kShare[static_cast<std::size_t>(dl + 1)] * table(j + dj, l + dl);
+      sum +=
+          kShare[static_cast<std::size_t>(dj + 1)] * kShare[static_cast<std::size_t>(dl + 1)] * table(j + dj, l + dl);
     }
   }
   return sum;
@@ -146,9 +148,11 @@ bool touches_edge(const ContactSolution& contact, const WindowShape& shape) {
   });
 }
 
-LocatedContact extended(LocatedContact located, const CandidateSurface& surface, const Execution& execution) {
-  if (!located.window.covers_same(surface.window)) {
-    ContactSolution& contact = located.contact;
+ContactSolution extended(LocatedContact located, const CandidateSurface& surface, const Execution& execution) {
+  ContactSolution contact = std::move(located.contact);
+  if (located.window.covers_same(surface.window)) {
+    contact.displacement = located.coating.displacement(contact.force);
+  } else {
     const auto moved = [&](const auto& values) {
       using Values = std::decay_t<decltype(values)>;
       Values result = Values::Zero(surface.window.shape().size(), values.cols());
@@ -162,12 +166,11 @@ LocatedContact extended(LocatedContact located, const CandidateSurface& surface,
     for (auto* nodes : {&contact.contact, &contact.stick}) {
       for (Index& node : *nodes) node = surface.window.number_of(located.window, node);
     }
-    located.window = surface.window;
-    located.coating = CoatingCompliance(surface.formulation, surface.window, surface.tables, execution);
+    contact.displacement =
+        CoatingCompliance(surface.formulation, surface.window, surface.tables, execution).displacement(contact.force);
   }
-  located.contact.displacement = located.coating.displacement(located.contact.force);
-  located.contact.gap = drop(surface, surface.window) - located.contact.displacement.col(kDown) - located.contact.penetration;
-  return located;
+  contact.gap = drop(surface, surface.window) - contact.displacement.col(kDown) - contact.penetration;
+  return contact;
 }
 
 }  // namespace viscoroll::detail

@@ -53,7 +53,7 @@ struct LocatedContact {
 /// @param[in] located contact, used up
 /// @param[in] surface whose window it is to be on
 /// @param[in] execution threads and progress
-[[nodiscard]] LocatedContact extended(LocatedContact located, const CandidateSurface& surface,
-                                      const Execution& execution);
+[[nodiscard]] ContactSolution extended(LocatedContact located, const CandidateSurface& surface,
+                                       const Execution& execution);
 
 }  // namespace viscoroll::detail

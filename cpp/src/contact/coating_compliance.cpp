@@ -88,7 +88,8 @@ class Terms {
   std::size_t shapes_;
 };
 
-std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation, const SurfaceWindow& window) {
+std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
+                                                           const SurfaceWindow& window) {
   using Eigen::ArrayXd;
   std::vector<std::array<ArrayXd, 3>> directions(components(formulation));
   if (formulation.compliance == Compliance::radial) {
@@ -169,8 +170,7 @@ CoatingCompliance::CoatingCompliance(const Formulation& formulation, const Surfa
       execution_(execution) {}
 
 VectorField CoatingCompliance::displacement(const VectorField& force) const {
-  const Eigen::ArrayXXd components =
-      displacements_.apply(components_.of(force), execution_.threads, execution_.watch);
+  const Eigen::ArrayXXd components = displacements_.apply(components_.of(force), execution_.threads, execution_.watch);
   VectorField result = VectorField::Zero(shape_.size(), 3);
   for (std::size_t p = 0; p < components_.directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
@@ -192,8 +192,9 @@ InverseConvolution CoatingCompliance::make_inverse(WindowShape period) const {
 
 InverseConvolution CoatingCompliance::make_inverse_of(Entry entry, WindowShape period) const {
   const auto place = static_cast<std::size_t>(&table(entry) - tables_->data());
-  return {shape_, period, *tables_, {{.result = 0, .table = place, .operand = 0, .sign = 1.0}}, execution_.threads,
-          execution_.watch};
+  return {
+      shape_,          period, *tables_, {{.result = 0, .table = place, .operand = 0, .sign = 1.0}}, execution_.threads,
+      execution_.watch};
 }
 
 VectorField CoatingCompliance::approximate_force(const InverseConvolution& inverse,
@@ -263,8 +264,7 @@ Eigen::VectorXd CoatingCompliance::vertical_displacement(const NodeRows& nodes, 
 
 double lost_work(const Formulation& formulation, const SurfaceWindow& window, const std::vector<Table>& tables,
                  const VectorField& force, const Execution& execution) {
-  const Convolution product(window.shape(), tables, Terms(formulation).lost_work(), execution.threads,
-                            execution.watch);
+  const Convolution product(window.shape(), tables, Terms(formulation).lost_work(), execution.threads, execution.watch);
   const Eigen::ArrayXXd loads = LoadComponents(formulation, window).of(force);
   return (loads * product.apply(loads, execution.threads, execution.watch)).sum();
 }
@@ -299,18 +299,20 @@ Eigen::MatrixXd CoatingCompliance::block(std::span<const Eigen::Index> targets, 
   const auto columns = static_cast<Eigen::Index>(sources.size());
   const auto axis_count = static_cast<Eigen::Index>(axes.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows * axis_count, columns * axis_count);
-  parallel_for(sources.size(), execution_.threads, execution_.watch, "assembling the compliance", [&](std::size_t source, const Worker&) {
-    const Eigen::ArrayXXd moved = moved_components(targets, sources[source], axes);
-    for (Eigen::Index b = 0; b < axis_count; ++b) {
-      auto column = matrix.col(b * columns + static_cast<Eigen::Index>(source));
-      for (std::size_t p = 0; p < components_.directions.size(); ++p) {
-        const auto component = moved.col(static_cast<Eigen::Index>(p) * axis_count + b);
-        for (Eigen::Index a = 0; a < axis_count; ++a) {
-          column.segment(a * rows, rows).array() += components_.directions[p][axes[a]](targets) * component;
-        }
-      }
-    }
-  });
+  parallel_for(sources.size(), execution_.threads, execution_.watch, "assembling the compliance",
+               [&](std::size_t source, const Worker&) {
+                 const Eigen::ArrayXXd moved = moved_components(targets, sources[source], axes);
+                 for (Eigen::Index b = 0; b < axis_count; ++b) {
+                   auto column = matrix.col(b * columns + static_cast<Eigen::Index>(source));
+                   for (std::size_t p = 0; p < components_.directions.size(); ++p) {
+                     const auto component = moved.col(static_cast<Eigen::Index>(p) * axis_count + b);
+                     for (Eigen::Index a = 0; a < axis_count; ++a) {
+                       column.segment(a * rows, rows).array() +=
+                           components_.directions[p][axes[a]](targets) * component;
+                     }
+                   }
+                 }
+               });
   return matrix;
 }
 

@@ -70,7 +70,6 @@ class CoatingCompliance {
   [[nodiscard]] WindowShape shape() const { return shape_; }
   [[nodiscard]] const Execution& execution() const { return execution_; }
 
-
   /// @param[in] force on every node [N]
   /// @return displacement of every node [m]
   [[nodiscard]] VectorField displacement(const VectorField& force) const;
@@ -114,7 +113,7 @@ class CoatingCompliance {
   Formulation formulation_;
   WindowShape shape_;
   std::shared_ptr<const std::vector<Table>> tables_;
-  std::vector<ConvolutionTerm> displacement_terms_;        // from loaded components to displaced components
+  std::vector<ConvolutionTerm> displacement_terms_;  // from loaded components to displaced components
   LoadComponents components_;
   Convolution displacements_;
   Execution execution_;

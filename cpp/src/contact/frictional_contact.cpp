@@ -23,14 +23,14 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 
 constexpr std::size_t kFewestKrylovNodes = 600;  // below, elimination is quicker and finds a way more often
-constexpr double kTolerance = 1e-10;     // residual of a converged state, per load
-constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
-constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
-constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
-constexpr double kShortestStep = 0.05;   // per Newton step
-constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
-constexpr double kEasyFriction = 0.3;    // second start
-constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
+constexpr double kTolerance = 1e-10;             // residual of a converged state, per load
+constexpr double kRoundOff = 1e-8;               // residual of one that Newton steps no longer improve
+constexpr int kStepsOfOneFriction = 25;          // Newton steps before an intermediate friction is tried
+constexpr int kFreeSteps = 8;                    // of them before their lengths are controlled
+constexpr double kShortestStep = 0.05;           // per Newton step
+constexpr double kSmallestStep = 0.05;           // of the logarithm of friction in a continuation
+constexpr double kEasyFriction = 0.3;            // second start
+constexpr double kRoughStep = 1e-2;  // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
@@ -68,7 +68,9 @@ class FrictionalContactSolver {
  public:
   FrictionalContactSolver(const FrictionalContactProblem& problem, const ContactSolution& start,
                           const ContactOptions& options)
-      : problem_(problem), options_(options), scales_(condition_scales(problem)),
+      : problem_(problem),
+        options_(options),
+        scales_(condition_scales(problem)),
         state_(start),
         has_friction_(start.speed_ratio.has_value()),
         tolerance_(std::max(kTolerance, options.tolerance)) {
@@ -265,7 +267,7 @@ class FrictionalContactSolver {
   double tolerance_;  // residual of a converged state
   double step_tolerance_ = kRoughStep;
   std::unique_ptr<StickSlipPreconditioner> preconditioner_;  // of large contacts
-  double last_residual_ = 1.0;  // the last finite one, for the message of a failure
+  double last_residual_ = 1.0;                               // the last finite one, for the message of a failure
 };
 
 }  // namespace

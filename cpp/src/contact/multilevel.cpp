@@ -41,9 +41,8 @@ NormalContactGuess prolonged_guess(const LocatedContact& coarse, const SurfaceWi
 
 /// The state of a contact as a guess on a window that encloses its own.
 NormalContactGuess guess_from(const LocatedContact& located, const SurfaceWindow& window) {
-  NormalContactGuess guess{.contact = {},
-                           .pressing = ArrayXd::Zero(window.shape().size()),
-                           .penetration = located.contact.penetration};
+  NormalContactGuess guess{
+      .contact = {}, .pressing = ArrayXd::Zero(window.shape().size()), .penetration = located.contact.penetration};
   const ArrayXd pressing = pressing_force(located.contact);
   for (const Index node : located.contact.contact) {
     guess.contact.push_back(window.number_of(located.window, node));
@@ -128,9 +127,11 @@ LocatedContact solve_multilevel(const CandidateSurface& surface, double load, do
   }
 }
 
-LocatedContact solve_on_window(const LocatedContact& start, const CandidateSurface& surface, double load,
-                               const ContactOptions& options) {
-  return solve_on(surface.window, surface, load, guess_from(start, surface.window), options, start.coating.execution());
+LocatedContact solve_on_window(const ContactSolution& start, const CandidateSurface& surface, double load,
+                               const ContactOptions& options, const Execution& execution) {
+  const NormalContactGuess guess{
+      .contact = start.contact, .pressing = pressing_force(start), .penetration = start.penetration};
+  return solve_on(surface.window, surface, load, guess, options, execution);
 }
 
 LocatedContact add_friction(LocatedContact start, const CandidateSurface& surface, const FrictionalLoad& load,

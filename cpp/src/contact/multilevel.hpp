@@ -20,8 +20,8 @@ namespace viscoroll::detail {
                                               const ContactOptions& options, const Execution& execution);
 
 /// @brief The same on the whole window, from a state there.
-[[nodiscard]] LocatedContact solve_on_window(const LocatedContact& start, const CandidateSurface& surface, double load,
-                                             const ContactOptions& options);
+[[nodiscard]] LocatedContact solve_on_window(const ContactSolution& start, const CandidateSurface& surface, double load,
+                                             const ContactOptions& options, const Execution& execution);
 
 /// @brief How a contact with friction is loaded and moved.
 struct FrictionalLoad {

@@ -1,9 +1,9 @@
 #include "contact/normal_contact.hpp"
 
-#include <cstdio>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -22,12 +22,12 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr std::size_t kFewestKrylovNodes = 100;  // below, elimination is quicker
-constexpr double kExact = 1e-11;           // overclosure per penetration that is round-off after elimination
-constexpr double kFirstTolerance = 1e-5;    // of relative residuals, while the set is far from the right one
-constexpr double kTightening = 0.03;         // of the tolerance as the set comes closer
-constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
-constexpr double kOverclosureFactor = 10.0;  // overclosure that is taken for one, per tolerance
-constexpr double kKrylovFailure = 1e-8;      // relative residual that no answer can be built on
+constexpr double kExact = 1e-11;                 // overclosure per penetration that is round-off after elimination
+constexpr double kFirstTolerance = 1e-5;         // of relative residuals, while the set is far from the right one
+constexpr double kTightening = 0.03;             // of the tolerance as the set comes closer
+constexpr double kPredictionStiffness = 0.3;     // of a node's own: rather too many nodes than too few, which join last
+constexpr double kOverclosureFactor = 10.0;      // overclosure that is taken for one, per tolerance
+constexpr double kKrylovFailure = 1e-8;          // relative residual that no answer can be built on
 
 /// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
 struct FlatPressing {
@@ -192,7 +192,10 @@ class NormalContactSolver {
         method_, [&](const VectorXd& vector) { return equations.times(vector); },
         [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
         equations.unknowns(state_), tolerance_);
-    state_.products += solution.products;if(getenv("DBG"))std::fprintf(stderr,"  nodes %zu tol %.1e products %d err %.2e\n",state_.contact.size(),tolerance_,solution.products,solution.error);
+    state_.products += solution.products;
+    if (getenv("DBG"))
+      std::fprintf(stderr, "  nodes %zu tol %.1e products %d err %.2e\n", state_.contact.size(), tolerance_,
+                   solution.products, solution.error);
     krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
     if (!krylov_failed_) take(equations.pressing(solution.unknowns));
     return !krylov_failed_;

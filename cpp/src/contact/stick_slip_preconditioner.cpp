@@ -27,8 +27,7 @@ StickSlipPreconditioner::StickSlipPreconditioner(const CoatingCompliance& coatin
   const std::size_t stride = product_.column_stride();
   for (std::size_t i = 0; i < slip_compliance_.size(); ++i) {
     const double turn = static_cast<double>(i % stride) / period.phi_nodes;
-    slip_compliance_[i] *=
-        static_cast<double>(period.size()) * (1.0 - std::polar(1.0, -2.0 * std::numbers::pi * turn));
+    slip_compliance_[i] *= static_cast<double>(period.size()) * (1.0 - std::polar(1.0, -2.0 * std::numbers::pi * turn));
   }
 }
 

@@ -156,10 +156,10 @@ class Equations {
     result[forces_] = unknowns.head(contacts_).sum();
     result[forces_ + 1] = drive_condition(force) + (prescribes_creepage() ? speed : 0.0);
     if (displaces_lever()) {
-      result[forces_ + 1] += ((state_.force.col(kForward) * moved.col(kDown) -
-                               state_.force.col(kDown) * moved.col(kForward))(contact_))
-                                 .sum() /
-                             arm();
+      result[forces_ + 1] +=
+          ((state_.force.col(kForward) * moved.col(kDown) - state_.force.col(kDown) * moved.col(kForward))(contact_))
+              .sum() /
+          arm();
     }
     return result;
   }
@@ -181,9 +181,13 @@ class Equations {
   Segment forward(VectorXd& v) const { return v.segment(contacts_, stick_.count()); }
   [[nodiscard]] ConstSegment forward(const VectorXd& v) const { return v.segment(contacts_, stick_.count()); }
   Segment sideways(VectorXd& v) const { return v.segment(contacts_ + stick_.count(), stick_.count()); }
-  [[nodiscard]] ConstSegment sideways(const VectorXd& v) const { return v.segment(contacts_ + stick_.count(), stick_.count()); }
+  [[nodiscard]] ConstSegment sideways(const VectorXd& v) const {
+    return v.segment(contacts_ + stick_.count(), stick_.count());
+  }
   Segment across(VectorXd& v) const { return v.segment(contacts_ + 2 * stick_.count(), slip_.count()); }
-  [[nodiscard]] ConstSegment across(const VectorXd& v) const { return v.segment(contacts_ + 2 * stick_.count(), slip_.count()); }
+  [[nodiscard]] ConstSegment across(const VectorXd& v) const {
+    return v.segment(contacts_ + 2 * stick_.count(), slip_.count());
+  }
 
   [[nodiscard]] double arm() const { return problem_.y.maxCoeff(); }
   [[nodiscard]] bool prescribes_creepage() const { return std::holds_alternative<DriveCreepage>(problem_.drive); }

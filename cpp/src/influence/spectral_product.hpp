@@ -51,9 +51,11 @@ class SpectralProduct {
   /// @param[in] watch progress and cancellation
   template <class Value>
   [[nodiscard]] ComplexBuffer spectrum(const Value& value, int threads, Watch& watch) const {
-    return transform([&value](int row, double* line, int columns) {
-      for (int column = 0; column < columns; ++column) line[column] = value(row, column);
-    }, threads, watch);
+    return transform(
+        [&value](int row, double* line, int columns) {
+          for (int column = 0; column < columns; ++column) line[column] = value(row, column);
+        },
+        threads, watch);
   }
 
   /// @brief Fills a row of a field: theta_nodes numbers, which are zero before.

@@ -198,11 +198,11 @@ class Synthesis {
   int theta_reach_;
   std::vector<double> orders_;  // m of all bands
   std::vector<Kernel> kernels_;
-  std::vector<Eigen::ArrayXcd> phi_weights_;                 // [kernel]
+  std::vector<Eigen::ArrayXcd> phi_weights_;                // [kernel]
   std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
-  std::vector<Waves> theta_waves_;                           // [band]
-  std::vector<Waves> phi_waves_;                             // [band]
-  std::vector<ThetaSums> sums_;                              // [kernel]
+  std::vector<Waves> theta_waves_;                          // [band]
+  std::vector<Waves> phi_waves_;                            // [band]
+  std::vector<ThetaSums> sums_;                             // [kernel]
 };
 
 double highest(const std::vector<OrderBand>& bands) {
@@ -227,9 +227,8 @@ OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh&
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
   Synthesis synthesis(requests, phi_bands_, theta_bands_, mesh_, coating_.outer_radius(), theta_reach);
-  parallel_for(synthesis.blocks(), threads, watch, "summing orders", [&](std::size_t block, const Worker& worker) {
-    synthesis.sum_along_theta(block, *spectrum_, worker);
-  });
+  parallel_for(synthesis.blocks(), threads, watch, "summing orders",
+               [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
 
   synthesis.prepare_phi(phi_reach);
   std::vector<Table> tables;

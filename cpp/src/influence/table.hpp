@@ -8,8 +8,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief A table over offsets j in [-phi_reach, phi_reach] and l in [-theta_reach, theta_reach], even or odd in l: half
-/// of it is stored.
+/// @brief A table over offsets j in [-phi_reach, phi_reach] and l in [-theta_reach, theta_reach], even or odd in l:
+/// half of it is stored.
 class Table {
  public:
   Table(int phi_reach, int theta_reach, bool odd)

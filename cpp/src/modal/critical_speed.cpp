@@ -118,10 +118,9 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
     }
     const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds
     if (damping > 1.0 || slowest > 10.0 || is_subcritical(media, m, 0.0)) continue;
-    reject(
-        "angular_speed",
-        "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
-        text(angular_speed) + " rad/s");
+    reject("angular_speed",
+           "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
+           text(angular_speed) + " rad/s");
   }
 }
 

@@ -265,8 +265,8 @@ void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
       for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[i]) {
         double m_power = 1.0;
         for (int power = 0; power <= highest_power(e, j); ++power, m_power *= m2) {
-          target.series.row(e) += eta_power * m_power *
-                                  panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).cast<cplx>();
+          target.series.row(e) +=
+              eta_power * m_power * panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).cast<cplx>();
         }
       }
     }

@@ -28,7 +28,7 @@ class SelfSimilarSpectrum final : public Spectrum {
  private:
   SelfSimilarSpectrum() = default;
 
-  int inertia_order_ = 0;                      // largest j
+  int inertia_order_ = 0;  // largest j
   double highest_n_ = 0.0;
   std::vector<double> orders_;                 // m
   std::vector<std::complex<double>> modulus_;  // g(m Omega) [Pa], for each m

@@ -1,42 +1,69 @@
 #include "rolling/mesh_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
+namespace {
+
+/// Up to this reach the compliance of the orders costs more than their sums: tables of all kinds are made together.
+constexpr int kShortReach = 128;
+
+std::vector<TableRequest> requests(const Formulation& formulation, TableKind kind) {
+  return kind == TableKind::displacement ? displacement_tables(formulation) : lost_work_tables(formulation);
+}
+
+}  // namespace
 
 MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
     : orders_(sphere, angular_speed, mesh, threads, watch),
       centrifugal_(centrifugal_displacement(sphere, angular_speed)) {}
 
-CoatingTables MeshModel::tables(const Formulation& formulation, int phi_reach, int theta_reach,
-                                const Execution& execution) const {
+std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
+                                                            int phi_reach, int theta_reach,
+                                                            const Execution& execution) const {
   const std::scoped_lock lock(mutex_);
-  const auto set = std::find_if(sets_.begin(), sets_.end(), [&](const TableSet& s) { return s.formulation == formulation; });
-  if (set != sets_.end()) {
+  if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
     // Rising loads are to ask for few sets.
     phi_reach = std::min(std::max(phi_reach, 3 * set->phi_reach / 2), mesh().nodes_per_revolution / 2);
     theta_reach = std::min(std::max(theta_reach, 3 * set->theta_reach / 2), theta_nodes_per_revolution(mesh()) / 2);
   }
+  constexpr std::array kAll{TableKind::displacement, TableKind::lost_work};
+  const bool together = std::max(phi_reach, theta_reach) <= kShortReach;
+  add(formulation, together ? std::span<const TableKind>(kAll) : std::span(&kind, 1), phi_reach, theta_reach,
+      execution);
+  return find(formulation, kind)->tables;
+}
 
-  // One sum for both, since they share the compliance of every order.
-  auto requests = displacement_tables(formulation);
-  const auto displacements = static_cast<std::ptrdiff_t>(requests.size());
-  const auto lost_work = lost_work_tables(formulation);
-  requests.insert(requests.end(), lost_work.begin(), lost_work.end());
-  std::vector<Table> tables =
-      orders_.tables(requests, phi_reach, theta_reach, execution.threads, execution.watch);
-  const auto middle = std::make_move_iterator(tables.begin() + displacements);
-  const CoatingTables made{
-      .displacement =
-          std::make_shared<const std::vector<Table>>(std::make_move_iterator(tables.begin()), middle),
-      .lost_work = std::make_shared<const std::vector<Table>>(middle, std::make_move_iterator(tables.end()))};
-  if (set != sets_.end()) sets_.erase(set);
-  sets_.push_back({.formulation = formulation, .phi_reach = phi_reach, .theta_reach = theta_reach, .tables = made});
-  return made;
+void MeshModel::add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
+                    const Execution& execution) const {
+  std::vector<TableRequest> all;
+  for (const TableKind kind : kinds) {
+    const auto wanted = requests(formulation, kind);
+    all.insert(all.end(), wanted.begin(), wanted.end());
+  }
+  std::vector<Table> tables = orders_.tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
+  auto next = std::make_move_iterator(tables.begin());
+  for (const TableKind kind : kinds) {
+    const auto end = next + static_cast<std::ptrdiff_t>(requests(formulation, kind).size());
+    std::erase_if(sets_, [&](const TableSet& set) { return set.formulation == formulation && set.kind == kind; });
+    sets_.push_back({.formulation = formulation,
+                     .kind = kind,
+                     .phi_reach = phi_reach,
+                     .theta_reach = theta_reach,
+                     .tables = std::make_shared<const std::vector<Table>>(next, end)});
+    next = end;
+  }
+}
+
+const MeshModel::TableSet* MeshModel::find(const Formulation& formulation, TableKind kind) const {
+  const auto set = std::find_if(sets_.begin(), sets_.end(),
+                                [&](const TableSet& s) { return s.formulation == formulation && s.kind == kind; });
+  return set == sets_.end() ? nullptr : &*set;
 }
 
 }  // namespace viscoroll::detail

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "contact/coating_compliance.hpp"
@@ -14,10 +15,10 @@
 
 namespace viscoroll::detail {
 
-/// @brief Influence tables of a formulation.
-struct CoatingTables {
-  std::shared_ptr<const std::vector<Table>> displacement;  ///< for `displacement_tables`
-  std::shared_ptr<const std::vector<Table>> lost_work;     ///< for `lost_work_tables`
+/// @brief What influence tables are for.
+enum class TableKind {
+  displacement,  ///< those of `displacement_tables`
+  lost_work,     ///< those of `lost_work_tables`
 };
 
 /// @brief A coating at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
@@ -34,27 +35,34 @@ class MeshModel {
   [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
   [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }
   [[nodiscard]] SurfaceGrid grid() const {
-    return {.radius = coating().outer_radius(),
-            .phi_spacing = phi_spacing(mesh()),
-            .theta_spacing = theta_spacing(mesh())};
+    return {
+        .radius = coating().outer_radius(), .phi_spacing = phi_spacing(mesh()), .theta_spacing = theta_spacing(mesh())};
   }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
   /// @brief Tables of a formulation, as made for an earlier load case where that is enough.
   /// @param[in] formulation which tables
+  /// @param[in] kind which of them
   /// @param[in] phi_reach,theta_reach offsets that they reach at least
   /// @param[in] execution of the sum
-  [[nodiscard]] CoatingTables tables(const Formulation& formulation, int phi_reach, int theta_reach,
-                                     const Execution& execution) const;
+  [[nodiscard]] std::shared_ptr<const std::vector<Table>> tables(const Formulation& formulation, TableKind kind,
+                                                                 int phi_reach, int theta_reach,
+                                                                 const Execution& execution) const;
 
  private:
   struct TableSet {
     Formulation formulation;
+    TableKind kind;
     int phi_reach;
     int theta_reach;
-    CoatingTables tables;
+    std::shared_ptr<const std::vector<Table>> tables;
   };
+
+  /// Sum the tables of some kinds at once, and keep them.
+  void add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
+           const Execution& execution) const;
+  [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
 
   OrderSum orders_;
   double centrifugal_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
 constexpr int kMostNodesPerRevolution = 1000000;
-constexpr double kMostContactNodes = 3e6;           // a third of a gigabyte of fields
+constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of fields
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 
 Mesh make_mesh(double nodes_per_revolution) {
@@ -25,7 +25,8 @@ Mesh make_mesh(double nodes_per_revolution) {
 
 /// Nodes in the estimated contact radius that should do. Nodes that join the contact one by one leave a staircase in
 /// the torque over load or speed, of 0.4 % with 41 nodes across the contact of the paper's example, falling with the
-/// power 2.3 of their number. A tenth of the accuracy is asked of it; the estimate is half as wide again as the contact.
+/// power 2.3 of their number. A tenth of the accuracy is asked of it; the estimate is half as wide again as the
+/// contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 double relative_change(double value, double before, double negligible) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -32,13 +33,14 @@ double semi_axis(const ArrayXd& coordinate, const ArrayXd& weights) {
 
 class Summary {
  public:
-  Summary(const LocatedContact& solved, const ContactConditions& given)
-      : window_(solved.window),
-        contact_(solved.contact),
+  Summary(const SurfaceWindow& window, const ContactSolution& contact, const ContactConditions& given)
+      : window_(window),
+        contact_(contact),
         given_(given),
         size_(window_.shape().size()),
         pressing_(pressing_force(contact_)),
-        flat_area_(ArrayXd::Constant(size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
+        flat_area_(ArrayXd::Constant(
+            size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
         area_(flat_area_ * window_.theta().sin()) {}
 
   void add_status(Result& r) const {
@@ -78,9 +80,11 @@ class Summary {
 
   void add_powers(Result& r) const {
     const LoadCase& load_case = given_.load_case;
-    if (contact_.speed_ratio) {
-      r.creepage = *contact_.speed_ratio - 1.0;
-      r.linear_speed = *contact_.speed_ratio * load_case.angular_speed * radius();
+    std::optional<double> speed_ratio = contact_.speed_ratio;
+    if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) speed_ratio = 1.0 + given->creepage;
+    if (speed_ratio) {
+      r.creepage = *speed_ratio - 1.0;
+      r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
     r.bulk_power = load_case.angular_speed * given_.lost_work;
     if (contact_.slip.rows() > 0) {
@@ -158,8 +162,8 @@ class Summary {
 
 }  // namespace
 
-Result make_result(const LocatedContact& solved, const ContactConditions& given) {
-  const Summary summary(solved, given);
+Result make_result(const SurfaceWindow& window, const ContactSolution& contact, const ContactConditions& given) {
+  const Summary summary(window, contact, given);
   Result r;
   summary.add_status(r);
   summary.add_shape(r);
@@ -168,7 +172,7 @@ Result make_result(const LocatedContact& solved, const ContactConditions& given)
   summary.add_fields(r);
   r.error_estimate = r.power_balance_error;
   r.refinements = {{.mesh = given.mesh,
-                    .contact_nodes = static_cast<int>(solved.contact.contact.size()),
+                    .contact_nodes = static_cast<int>(contact.contact.size()),
                     .resisting_torque = r.resisting_torque,
                     .penetration = r.penetration,
                     .power_balance_error = r.power_balance_error,

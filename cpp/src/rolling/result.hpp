@@ -2,7 +2,8 @@
 /// @brief From a solved contact to what a user asks for.
 #pragma once
 
-#include "contact/multilevel.hpp"
+#include "contact/contact_solution.hpp"
+#include "contact/surface_window.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
@@ -18,6 +19,7 @@ struct ContactConditions {
 };
 
 /// @brief Torques, powers and fields of a solved contact.
-[[nodiscard]] Result make_result(const LocatedContact& solved, const ContactConditions& given);
+[[nodiscard]] Result make_result(const SurfaceWindow& window, const ContactSolution& contact,
+                                 const ContactConditions& given);
 
 }  // namespace viscoroll::detail

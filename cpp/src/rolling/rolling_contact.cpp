@@ -59,24 +59,21 @@ class LoadCaseSolver {
   /// @return nothing where the contact reaches the edge of the window
   [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate) const {
     require_few_nodes(half_phi, half_theta);
-    const CoatingTables tables = model_.tables(formulation_, 2 * half_phi, 2 * half_theta, execution_);
-    const CandidateSurface surface{.formulation = formulation_,
-                                   .window = {grid_, {-half_phi, half_phi}, {-half_theta, half_theta}},
-                                   .tables = tables.displacement,
-                                   .swelling = swelling_};
+    const CandidateSurface surface{
+        .formulation = formulation_,
+        .window = {grid_, {-half_phi, half_phi}, {-half_theta, half_theta}},
+        .tables = model_.tables(formulation_, TableKind::displacement, 2 * half_phi, 2 * half_theta, execution_),
+        .swelling = swelling_};
     try {
       LocatedContact located = solve_contact(surface, estimate);
       for (;;) {
         const bool boxed = !located.window.covers_same(surface.window);
         const bool at_edge = touches_edge(located.contact, located.window.shape());
         if (!boxed && at_edge) return std::nullopt;
-        const double lost =
-            lost_work(formulation_, located.window, *tables.lost_work, located.contact.force, execution_);
-        LocatedContact whole = extended(std::move(located), surface, execution_);
-        if (!boxed) return result(std::move(whole), lost);
-        if (!at_edge && whole.contact.gap.minCoeff() >= -kOverclosure * whole.contact.penetration) {
-          return result(std::move(whole), lost);
-        }
+        const double lost = lost_work(located);
+        const ContactSolution whole = extended(std::move(located), surface, execution_);
+        const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
+        if (!boxed || !(at_edge || overclosed)) return result(surface.window, whole, lost);
         located = solve_whole(whole, surface);
       }
     } catch (const std::length_error& error) {
@@ -85,21 +82,18 @@ class LoadCaseSolver {
     }
   }
 
-  [[nodiscard]] Result result(LocatedContact solved, double lost_work) const {
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-      solved.contact.speed_ratio = 1.0 + given->creepage;
+  [[nodiscard]] Result result(const SurfaceWindow& window, const ContactSolution& contact, double lost_work) const {
+    if (!(contact.penetration > 0.0)) {
+      throw ConvergenceError("the load was found to lift the sphere", contact.iterations, contact.residual);
     }
-    if (!(solved.contact.penetration > 0.0)) {
-      throw ConvergenceError("the load was found to lift the sphere", solved.contact.iterations,
-                             solved.contact.residual);
-    }
-    require_clear_of_core(solved.contact.penetration - model_.centrifugal());
-    return make_result(solved, {.load_case = load_case_,
-                                .mesh = model_.mesh(),
-                                .compliance = options_.compliance,
-                                .patch_load = options_.patch_load,
-                                .centrifugal = model_.centrifugal(),
-                                .lost_work = lost_work});
+    require_clear_of_core(contact.penetration - model_.centrifugal());
+    return make_result(window, contact,
+                       {.load_case = load_case_,
+                        .mesh = model_.mesh(),
+                        .compliance = options_.compliance,
+                        .patch_load = options_.patch_load,
+                        .centrifugal = model_.centrifugal(),
+                        .lost_work = lost_work});
   }
 
   [[nodiscard]] LocatedContact solve_contact(const CandidateSurface& surface, double estimate) const {
@@ -111,17 +105,23 @@ class LoadCaseSolver {
   }
 
   /// The contact again on the whole window, where the box that was thought to hold it does not.
-  [[nodiscard]] LocatedContact solve_whole(const LocatedContact& found, const CandidateSurface& surface) const {
-    LocatedContact located = solve_on_window(found, surface, load_case_.load, limits_);
+  [[nodiscard]] LocatedContact solve_whole(const ContactSolution& found, const CandidateSurface& surface) const {
+    LocatedContact located = solve_on_window(found, surface, load_case_.load, limits_, execution_);
     if (load_case_.friction == 0.0) return located;
     return add_friction(std::move(located), surface, {load_case_, options_.slip_kinematics}, limits_);
+  }
+
+  [[nodiscard]] double lost_work(const LocatedContact& located) const {
+    const WindowShape shape = located.window.shape();
+    const auto tables =
+        model_.tables(formulation_, TableKind::lost_work, shape.phi_nodes - 1, shape.theta_nodes - 1, execution_);
+    return detail::lost_work(formulation_, located.window, *tables, located.contact.force, execution_);
   }
 
   void require_few_nodes(int half_phi, int half_theta) const {
     const double nodes = (2.0 * half_phi + 1.0) * (2.0 * half_theta + 1.0);
     if (nodes <= kMostNodes) return;
-    reject("mesh.nodes_per_revolution",
-           "coarse enough for " + std::to_string(kMostNodes) + " nodes around the contact",
+    reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMostNodes) + " nodes around the contact",
            std::to_string(model_.mesh().nodes_per_revolution) + " (it makes " + text(nodes) + " nodes)");
   }
 

@@ -126,6 +126,8 @@ class _RadialContact:
     """
 
     def __init__(self, mesh: Mesh, radius: float) -> None:
+        assert mesh.max_order is not None, "the paper's meshes have a truncation order"
+        self._max_order = mesh.max_order
         top = int(np.ceil(np.hypot(mesh.max_order, mesh.max_order)))
         #: Orders k at which G is wanted: steps of 2 % resolve it to 1e-8.
         self.orders = np.unique([*range(41), *np.geomspace(40, top, 1 + int(50 * np.log(top / 40))).astype(int), top])
@@ -149,7 +151,7 @@ class _RadialContact:
         """Sum equation (53) over all orders, for all offsets of two nodes of the window."""
         from scipy.interpolate import CubicSpline
 
-        spacing, top = self._mesh.spacing, self._mesh.max_order
+        spacing, top = self._mesh.spacing, self._max_order
         orders = np.arange(-top, top + 1)
         modulus = plain.prony(6e6, [0.5], [0.125], np.abs(orders) * paper.ANGULAR_SPEED)
         modulus = np.where(orders < 0, modulus.conj(), modulus)

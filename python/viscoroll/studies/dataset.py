@@ -101,7 +101,7 @@ def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str,
 
 def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
     """Angles of the nodes where all points have one spacing, else their numbers from the lowest point."""
-    angles = {}
+    angles: dict[str, Any] = {}
     for name, count, prefix in (("phi", rows, ""), ("theta", columns, "theta_")):
         numbers = np.arange(count) - count // 2
         nodes = {outcome.scalars[f"{prefix}nodes_per_revolution"] for outcome in table if outcome.fields}

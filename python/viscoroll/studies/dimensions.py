@@ -156,7 +156,8 @@ def label(value: object) -> str:
     """Return a short text for a value."""
     match value:
         case Mesh():
-            return str(value)
+            theta = f"/{value.theta_nodes_per_revolution}" if value.theta_nodes_per_revolution else ""
+            return f"{value.nodes_per_revolution}{theta} x {'all' if value.max_order is None else value.max_order}"
         case Enum():
             return value.name
         case Drive():
