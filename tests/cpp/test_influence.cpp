@@ -177,11 +177,11 @@ TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
-                         testing::Values(OctaveCase{"Paper", cases::paper_sphere(), 2.5, 64, 64},
-                                         OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 64, 40},
-                                         OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 64, 64},
-                                         OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 64, 64},
-                                         OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 40, 40}),
+                         testing::Values(OctaveCase{"Paper", cases::paper_sphere(), 2.5, 32, 32},
+                                         OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 40, 24},
+                                         OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 32, 32},
+                                         OctaveCase{"ShortMemory", cases::paper_sphere(), 0.01, 32, 32},
+                                         OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 24, 24}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
