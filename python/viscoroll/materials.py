@@ -245,8 +245,9 @@ class FractionalZener(ShearModulus):
 class MasterCurve(ShearModulus):
     """Tabulated modulus, linear in the logarithm of frequency between the entries.
 
-    A rolling sphere uses the frequencies 0, Ω, 2Ω, ... of its harmonics. A first frequency of 0 gives the static
-    modulus and serves zero frequency alone; without it, order m = 0 lies outside the table.
+    A rolling sphere uses the frequencies 0, Ω, 2Ω, ... of its harmonics: up to N_t Ω on a mesh with a truncation order,
+    else up to twice the nodes per revolution times Ω, where higher harmonics are held. A first frequency of 0 gives the
+    static modulus and serves zero frequency alone; without it, order m = 0 lies outside the table.
 
     Parameters
     ----------

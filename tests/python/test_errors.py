@@ -116,6 +116,7 @@ def test_numpy_scalars_are_numbers():
         (vr.Mesh, MESH, {"nodes_per_revolution": 2**40}, "nodes_per_revolution must fit into 32 bits"),
         (vr.Mesh, MESH, {"max_order": 49}, r"mesh.max_order must be in \[50, 200000\] \(fewer orders .* cannot resolve the mesh\), got 49"),
         (vr.Mesh, MESH, {"theta_nodes_per_revolution": 15}, r"mesh.theta_nodes_per_revolution must be in \[16, 1000000\], got 15"),
+        (vr.Mesh, MESH, {"theta_nodes_per_revolution": 20000}, r"mesh.theta_nodes_per_revolution must be in \[1, 10000\], a hundred times"),
         (vr.Mesh, MESH, {"theta_nodes_per_revolution": 300}, r"mesh.max_order must be in \[150, 200000\]"),
         (solve, CASE, {"accuracy": 0.0}, r"accuracy must be in \[1e-4, 0.5\], got 0"),
         (solve, CASE, {"accuracy": math.nan}, r"accuracy must be in \[1e-4, 0.5\], got nan"),

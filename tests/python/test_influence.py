@@ -143,3 +143,13 @@ def test_fine_meshes_see_a_half_space(nodes):
     love *= 0.5 / (2.0 * np.pi * modulus * side**2)  # (1 - nu) / (2 pi G) per unit force
     # The ball's curvature: some spacings against its radius.
     np.testing.assert_allclose(radial, love, rtol=0.0, atol=max(10.0 * mesh.spacing, 1e-8) * love.max())
+
+
+def test_coatings_thinner_than_the_mesh():
+    """Far above the mesh's orders a thin incompressible coating yields most: none of them may be missing."""
+    layer = vr.Layer(thickness=0.25e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])  # a fifth of a spacing
+    every = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100), reach=2)[0, 0]
+    many = vr.influence_tables(ball, 1.0, vr.Mesh(nodes_per_revolution=100, max_order=8050), reach=2)[0, 0]
+    # What 8050 orders leave out: the square of 100 / 8050 of what a half-space would yield at the center.
+    np.testing.assert_allclose(every, many, rtol=0.0, atol=1e-3 * many.max())

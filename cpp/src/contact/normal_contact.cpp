@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -193,9 +192,6 @@ class NormalContactSolver {
         [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
         equations.unknowns(state_), tolerance_);
     state_.products += solution.products;
-    if (getenv("DBG"))
-      std::fprintf(stderr, "  nodes %zu tol %.1e products %d err %.2e\n", state_.contact.size(), tolerance_,
-                   solution.products, solution.error);
     krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
     if (!krylov_failed_) take(equations.pressing(solution.unknowns));
     return !krylov_failed_;
@@ -232,7 +228,7 @@ class NormalContactSolver {
   }
 
   void find_gap() {
-    ++state_.products;
+    if (by_products()) ++state_.products;
     const ArrayXd rise = problem_.coating.vertical_displacement(-state_.force.col(kDown));
     state_.gap = problem_.drop + rise - state_.penetration;
   }

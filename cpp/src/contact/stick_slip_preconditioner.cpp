@@ -6,14 +6,6 @@
 #include "influence/periodic_table.hpp"
 
 namespace viscoroll::detail {
-namespace {
-
-WindowShape doubled(const WindowShape& shape) {
-  return {fast_length(2 * shape.phi_nodes - 1), fast_length(2 * shape.theta_nodes - 1)};
-}
-
-}  // namespace
-
 StickSlipPreconditioner::StickSlipPreconditioner(const CoatingCompliance& coating)
     : coating_(coating),
       inverse_(coating.make_inverse(doubled(coating.shape()))),

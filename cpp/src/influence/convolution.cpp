@@ -9,10 +9,6 @@ namespace {
 /// Offset of a place on a circle, at most half of it.
 int offset(int place, int length) { return place <= length / 2 ? place : place - length; }
 
-WindowShape doubled(const WindowShape& shape) {
-  return {fast_length(2 * shape.phi_nodes - 1), fast_length(2 * shape.theta_nodes - 1)};
-}
-
 }  // namespace
 
 Convolution::Convolution(WindowShape shape, const std::vector<Table>& tables, const std::vector<ConvolutionTerm>& terms,

@@ -33,6 +33,9 @@ void validate(const Mesh& mesh) {
   in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodes, "");
   const int theta_nodes = theta_nodes_per_revolution(mesh);
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodes, "");
+  constexpr int kLargestRatio = 100;  // of spacings; each order of the many would be summed for few offsets
+  in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
+           mesh.nodes_per_revolution * kLargestRatio, ", a hundred times nodes_per_revolution or a hundredth");
   if (mesh.max_order) {
     in_range("mesh.max_order", *mesh.max_order, (std::max(mesh.nodes_per_revolution, theta_nodes) + 1) / 2,
              kHighestOrder, " (fewer orders than half the nodes per revolution cannot resolve the mesh)");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <variant>
 
 namespace viscoroll::detail {
 namespace {
@@ -15,8 +17,21 @@ constexpr double kFirstOctave = 32.0;  // M of the first band, to twice as much
 /// cancel.
 constexpr double kLastOctave = 16.0;
 
-/// Smooth step from 1 to 0 around the order `middle`.
-double chi(double order, double middle) { return 0.5 * std::erfc((order - middle) * kSharpness / middle); }
+/// Of the first step, where the modulus was measured: it must fall within less than its own order.
+constexpr double kSharpnessOfMeasured = 13.0;
+
+/// Orders up to which a measured modulus is taken point by point; beyond, as if it were smooth.
+constexpr double kMostRoughOrders = 2000.0;
+
+/// Smooth step from 1 to 0.
+struct Step {
+  double middle;  ///< order
+  double sharpness = kSharpness;
+
+  [[nodiscard]] double operator()(double order) const { return 0.5 * std::erfc((order / middle - 1.0) * sharpness); }
+  /// Where nothing is left of it.
+  [[nodiscard]] double end() const { return middle * (1.0 + 6.0 / sharpness); }
+};
 
 /// Orders 0, stride, 2 stride, ... with the weights of the trapezoidal rule, those of either sign taken together.
 template <class Weight>
@@ -25,7 +40,7 @@ OrderBand make_band(double stride, double highest, int reach, const Weight& weig
   std::vector<double> weights;
   for (int i = 0; i * stride <= highest; ++i) {
     const double share = weight(i * stride);
-    if (share < kNegligible) continue;
+    if (std::abs(share) < kNegligible) continue;
     orders.push_back(i * stride);
     weights.push_back((i == 0 ? 1.0 : 2.0) * stride * share);
   }
@@ -41,34 +56,64 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
   return {make_band(1.0, max_order, nodes_per_revolution / 2, [](double) { return 1.0; })};
 }
 
-std::vector<OrderBand> octaves(int nodes_per_revolution) {
+std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
   using std::numbers::pi;
   const double spacing = 2.0 * pi / nodes_per_revolution;
-  double top = kLastOctave * nodes_per_revolution;
+  const double first = std::max(kFirstOctave, 1.5 * rough_orders);
+  double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
   int count = 0;
-  for (; top >= 2.0 * kFirstOctave; top /= 2.0) ++count;
+  for (; top >= 2.0 * first; top /= 2.0) ++count;
 
-  double middle = top;
-  std::vector<OrderBand> bands{
-      make_band(1.0, 3.0 * middle, nodes_per_revolution / 2, [&](double order) { return chi(order, middle); })};
-  for (int octave = 1; octave <= count; ++octave, middle *= 2.0) {
+  Step below{.middle = top, .sharpness = rough_orders > 0.0 && count > 0 ? kSharpnessOfMeasured : kSharpness};
+  std::vector<OrderBand> bands{make_band(1.0, below.end(), nodes_per_revolution / 2, below)};
+  for (int octave = 1; octave <= count; ++octave) {
+    const Step step{.middle = std::ldexp(top, octave)};
     // Transform of the lower, narrower step: exp(-(sigma x / 2)^2), sigma = middle / sharpness; then two patches.
-    const double confined = 2.0 * kSharpness * kSharpness / middle + spacing;
+    const double confined = 2.0 * kSharpness * below.sharpness / below.middle + spacing;
     const double stride = pi / confined;  // images of the load stay apart
     const int reach = std::min(nodes_per_revolution / 2, static_cast<int>(confined / spacing));
-    bands.push_back(make_band(stride, 6.0 * middle, reach,
-                              [&](double order) { return chi(order, 2.0 * middle) - chi(order, middle); }));
+    bands.push_back(make_band(stride, step.end(), reach, [&](double order) { return step(order) - below(order); }));
+    below = step;
   }
   return bands;
 }
 
-std::vector<OrderBand> phi_bands(const Mesh& mesh) {
-  return mesh.max_order ? whole_orders(*mesh.max_order, mesh.nodes_per_revolution) : octaves(mesh.nodes_per_revolution);
+namespace {
+
+/// An incompressible layer yields the more the higher the order, up to that of its thickness.
+double finest_order(const CoatedSphere& sphere) {
+  double thinnest = sphere.layers.front().thickness;
+  for (const Layer& layer : sphere.layers) thinnest = std::min(thinnest, layer.thickness);
+  return outer_radius(sphere) / thinnest;
 }
 
-std::vector<OrderBand> theta_bands(const Mesh& mesh) {
+/// Tables are interpolated with kinks, and users' functions may be.
+double rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+  double highest = 0.0;
+  for (const Layer& layer : sphere.layers) {
+    if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
+      if (!curve->frequency.empty()) highest = std::max(highest, curve->frequency.back() / angular_speed);
+    } else if (std::holds_alternative<CustomModulus>(layer.shear_modulus)) {
+      highest = kMostRoughOrders;
+    }
+  }
+  return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // which is approached slowly
+}
+
+}  // namespace
+
+std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+  if (mesh.max_order) return whole_orders(*mesh.max_order, mesh.nodes_per_revolution);
+  return octaves(mesh.nodes_per_revolution, finest_order(sphere), rough_orders(sphere, angular_speed, mesh));
+}
+
+std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh) {
   const int nodes = theta_nodes_per_revolution(mesh);
-  return mesh.max_order ? whole_orders(*mesh.max_order, nodes) : octaves(nodes);
+  return mesh.max_order ? whole_orders(*mesh.max_order, nodes) : octaves(nodes, finest_order(sphere));
+}
+
+double measured_order(const Mesh& mesh) {
+  return mesh.max_order ? std::numeric_limits<double>::infinity() : 2.0 * mesh.nodes_per_revolution;
 }
 
 std::vector<double> all_orders(const std::vector<OrderBand>& bands) {

@@ -25,13 +25,20 @@ struct OrderBand {
 /// @brief Every whole order up to `max_order`, with the same weight.
 [[nodiscard]] std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution);
 
-/// @brief All orders that a patch transmits, to nine digits of a table's center.
-[[nodiscard]] std::vector<OrderBand> octaves(int nodes_per_revolution);
+/// @brief All orders that matter, to nine digits of a table's center.
+/// @param[in] nodes_per_revolution of the patches
+/// @param[in] finest_order order at which the compliance still has features of its own
+/// @param[in] rough_orders orders up to which it may change abruptly: these are summed one by one
+[[nodiscard]] std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order = 0.0,
+                                             double rough_orders = 0.0);
 
 /// @return bands along phi
-[[nodiscard]] std::vector<OrderBand> phi_bands(const Mesh& mesh);
+[[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh);
 /// @return bands along theta
-[[nodiscard]] std::vector<OrderBand> theta_bands(const Mesh& mesh);
+[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh);
+
+/// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicCoating`
+[[nodiscard]] double measured_order(const Mesh& mesh);
 
 /// @return the orders of all bands, one band after the other
 [[nodiscard]] std::vector<double> all_orders(const std::vector<OrderBand>& bands);

@@ -50,6 +50,10 @@ double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 
 }  // namespace
 
+WindowShape doubled(const WindowShape& shape) {
+  return {fast_length(2 * shape.phi_nodes - 1), fast_length(2 * shape.theta_nodes - 1)};
+}
+
 SpectralProduct::SpectralProduct(WindowShape window, WindowShape period)
     : window_(window),
       period_(period),

@@ -20,6 +20,9 @@ struct WindowShape {
   friend bool operator==(const WindowShape&, const WindowShape&) = default;
 };
 
+/// @return the shortest period, of a fast length, on which a field over the window does not meet its images
+[[nodiscard]] WindowShape doubled(const WindowShape& shape);
+
 /// @brief A factor between a field and a result, for all orders.
 struct SpectralTerm {
   std::size_t result;             ///< which result it adds to

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "influence/patch.hpp"
+#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -211,17 +212,25 @@ double highest(const std::vector<OrderBand>& bands) {
   return highest;
 }
 
+/// Bands are made of what has been checked alone.
+const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
+  validate(sphere);
+  require_positive("angular_speed", angular_speed, "rad/s");
+  return sphere;
+}
+
 }  // namespace
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
-    : OrderSum(sphere, angular_speed, mesh, phi_bands(mesh), theta_bands(mesh), threads, watch) {}
+    : OrderSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
+               theta_bands(sphere, mesh), threads, watch) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
                    std::vector<OrderBand> theta_bands, int threads, Watch& watch)
     : mesh_(mesh),
       phi_bands_(std::move(phi_bands)),
       theta_bands_(std::move(theta_bands)),
-      coating_(sphere, angular_speed, all_orders(phi_bands_), mesh.max_order ? 1e300 : 2.0 * mesh.nodes_per_revolution),
+      coating_(sphere, angular_speed, all_orders(phi_bands_), measured_order(mesh)),
       spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch)) {}
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,

@@ -63,7 +63,8 @@ void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1
   panels.push_back(std::move(panel));
 }
 
-/// @brief Append panels that resolve functions on [low, high]: first of a ratio of 8, then halved where needed.
+/// @brief Append panels that resolve functions on [low, high]: first of a ratio of 512, where a power law is resolved,
+/// then halved where needed.
 /// @param[in] low,high interval, low > 0
 /// @param[in] sample returns the values of all functions at a point
 /// @param[in] resolved judges a panel by its series
@@ -71,7 +72,7 @@ void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1
 template <class Scalar, class Sample, class Resolved>
 void append_panels(double low, double high, const Sample& sample, const Resolved& resolved,
                    std::vector<Panel<Scalar>>& panels) {
-  constexpr double kLargestRatio = 8.0;
+  constexpr double kLargestRatio = 512.0;
   constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
   if (high / low <= kLargestRatio) {
     const auto nodes = panel_nodes(low, high);

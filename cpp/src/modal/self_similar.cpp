@@ -236,7 +236,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
   const double most = highest_m * highest_m + highest_n * highest_n;
   std::vector<double> bounds{kZeroOrder};
-  while (bounds.back() < most) bounds.push_back(std::min(8.0 * bounds.back(), most));
+  while (bounds.back() < most) bounds.push_back(std::min(64.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {
     append_panels(

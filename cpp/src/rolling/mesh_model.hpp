@@ -66,7 +66,7 @@ class MeshModel {
 
   OrderSum orders_;
   double centrifugal_;
-  mutable std::mutex mutex_;
+  mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind
 };
 
