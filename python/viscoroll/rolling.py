@@ -122,7 +122,8 @@ def solve(
 class RollingModel:
     """A ball at one speed on one mesh, for many load cases: its influence tables are computed once.
 
-    Threads may solve on it at the same time.
+    Threads may solve on it at the same time. Tables reach as far as the largest load so far has asked for: results may
+    differ in their last digits with the loads that were solved before.
 
     Parameters
     ----------

@@ -267,6 +267,29 @@ def test_an_exception_in_progress_ends_the_solve():
         )
 
 
+def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
+    """Tables of a shared model are made by one thread; the others tell what they wait for, and stop when asked."""
+    model = vr.RollingModel(unlike_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
+    summing, waiting = threading.Event(), threading.Event()
+
+    def first(stage, _fraction):
+        summing.set()
+        waiting.wait(timeout=20.0)
+
+    def second(stage, _fraction):
+        if stage.startswith("waiting"):
+            waiting.set()
+            raise KeyboardInterrupt
+
+    worker = threading.Thread(target=lambda: model.solve(load=50.0, progress=first))
+    worker.start()
+    assert summing.wait(timeout=20.0)
+    with pytest.raises(KeyboardInterrupt):
+        model.solve(load=50.0, progress=second)
+    worker.join()
+    assert waiting.is_set()
+
+
 SOLVE = "vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution={}, max_order={}){})"
 LONG_CALLS = {
     "tables": SOLVE.format(20000, 30000, ""),

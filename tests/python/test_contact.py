@@ -27,6 +27,7 @@ def test_agrees_with_the_dense_reference(unlike_ball, compliance, patch_load):
         unlike_ball, load=60.0, angular_speed=2.5, mesh=mesh, compliance=compliance, patch_load=patch_load
     )
     assert result.contact.sum() > 30
+    assert result.products == 0  # by elimination
 
     radius = unlike_ball.outer_radius
     half = [count // 2 for count in result.x.shape]
@@ -227,3 +228,21 @@ def test_hertz_on_the_finest_meshes(nodes):
     assert r.penetration == pytest.approx(a**2 / radius, rel=2.0 * a / radius + 1e-3)
     assert np.sqrt(r.contact_area / np.pi) == pytest.approx(a, rel=5e-3)  # half a spacing
     assert abs(r.resisting_torque) < 1e-9 * load * a
+
+
+def test_products_agree_with_a_dense_solution(paper_ball):
+    """Some 500 nodes, found by products from a coarser mesh's contact, against NumPy on the same influence tables."""
+    mesh = vr.Mesh(nodes_per_revolution=600, theta_nodes_per_revolution=540)
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    assert r.products > 0
+    rows, columns = r.x.shape
+    table = vr.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
+    i, k = (index.ravel() for index in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
+    matrix = table[i[:, None] - i + rows - 1, k[:, None] - k + columns - 1]
+    swelling = 1.0 + vr.centrifugal_displacement(paper_ball, 2.5) / paper_ball.outer_radius
+    depth = np.sqrt(paper_ball.outer_radius**2 - r.x**2 - r.z**2).ravel()
+    force, height = contact.solve_normal_contact(matrix, swelling * depth, 100.0)
+    patch = paper_ball.outer_radius**2 * mesh.spacing * mesh.theta_spacing
+    # A relative residual of 1e-11, and a share of the radius' round-off in the depth.
+    np.testing.assert_allclose(r.pressure.ravel() * patch, -force, rtol=0.0, atol=1e-8 * np.abs(force).max())
+    assert r.center_height == pytest.approx(height, rel=1e-12)
