@@ -65,7 +65,7 @@ class Summary {
     const ArrayXd forward = contact_.force.col(kForward);
     r.resisting_torque = (window_.x() * pressing_).sum();
     r.rolling_resistance_coefficient = r.resisting_torque / (given_.load_case.load * radius());
-    r.driving_force = -forward.sum();
+    r.driving_force = 0.0 - forward.sum();  // no force is 0, not -0
     r.lateral_force = contact_.force.col(kSideways).sum();
 
     const double swelling = 1.0 + given_.centrifugal / radius();
