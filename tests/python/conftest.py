@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import signal
+
 import pytest
 import viscoroll as vr
 from viscoroll import paper
+
+# A shell that starts the tests in the background makes them ignore SIGINT, and so all programs that they start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")

@@ -317,5 +317,8 @@ except KeyboardInterrupt:
         assert process.poll() is None, "the solve is too short for this test"
         process.send_signal(signal.SIGINT)
         # It takes 0.3 s at most; the bound only keeps a failure from hanging, since timings decide no test.
-        output, _ = process.communicate(timeout=20)
+        try:
+            output, _ = process.communicate(timeout=20)
+        finally:
+            process.kill()
         assert output == "stopped\n"
