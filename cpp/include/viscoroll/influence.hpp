@@ -11,6 +11,9 @@
 
 namespace viscoroll {
 
+/// @brief Most nodes per revolution of a mesh: with more, a spacing's height is lost in the radius' round-off.
+inline constexpr int kMostNodesPerRevolution = 1000000;
+
 /// @brief Surface mesh: nodes at equal spacings in phi and theta, one of them at the lowest point.
 struct Mesh {
   int nodes_per_revolution = 0;  ///< 2 pi / spacing along phi, >= 16

@@ -16,8 +16,7 @@ NodeRange coarse_range(const NodeRange& range) {
   return {-((-range.first - 1) / 2), (range.last - 1) / 2};
 }
 
-/// Sum of a table over a patch of two spacings, a quarter, a half and a quarter in each direction, seen from node (j,
-/// l).
+/// Sum of a table over a patch of two spacings, seen from node (j, l): a quarter, a half and a quarter each way.
 double widened(const Table& table, int j, int l) {
   constexpr std::array<double, 3> kShare{0.25, 0.5, 0.25};
   double sum = 0.0;

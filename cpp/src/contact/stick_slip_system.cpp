@@ -1,10 +1,8 @@
 #include "contact/stick_slip_system.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <variant>
 
 #include "contact/dense_lu.hpp"

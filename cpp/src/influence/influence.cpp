@@ -22,7 +22,6 @@ double theta_spacing(const Mesh& mesh) { return 2.0 * std::numbers::pi / theta_n
 
 void validate(const Mesh& mesh) {
   constexpr int kFewestNodes = 16;
-  constexpr int kMostNodes = 1000000;  // beyond, depths of penetration are lost in the round-off of the radius
   constexpr int kHighestOrder = 200000;
   const auto in_range = [](const char* name, int value, int low, int high, const std::string& why) {
     if (value < low || value > high) {
@@ -30,9 +29,9 @@ void validate(const Mesh& mesh) {
                      std::to_string(value));
     }
   };
-  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodes, "");
+  in_range("mesh.nodes_per_revolution", mesh.nodes_per_revolution, kFewestNodes, kMostNodesPerRevolution, "");
   const int theta_nodes = theta_nodes_per_revolution(mesh);
-  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodes, "");
+  in_range("mesh.theta_nodes_per_revolution", theta_nodes, kFewestNodes, kMostNodesPerRevolution, "");
   constexpr int kLargestRatio = 100;  // of spacings; each order of the many would be summed for few offsets
   in_range("mesh.theta_nodes_per_revolution", theta_nodes, mesh.nodes_per_revolution / kLargestRatio,
            mesh.nodes_per_revolution * kLargestRatio, ", a hundred times nodes_per_revolution or a hundredth");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSharpness = 4.8;     // M / sigma of chi: what is left of it at order 0 is erfc(4.8) / 2 = 6e-12
 constexpr double kNegligible = 1e-13;  // weight of orders left out
-constexpr double kFirstOctave = 32.0;  // M of the first band, to twice as much
+constexpr double kFirstOctave = 32.0;  // M of the first band
 
 /// The last octave, in nodes per revolution: so many oscillations of a patch's transform fit into its end that they
 /// cancel.
@@ -59,15 +59,14 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
 std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
   using std::numbers::pi;
   const double spacing = 2.0 * pi / nodes_per_revolution;
-  const double first = std::max(kFirstOctave, 1.5 * rough_orders);
-  double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
-  int count = 0;
-  for (; top >= 2.0 * first; top /= 2.0) ++count;
+  const double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
+  const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
+  const auto count = static_cast<int>(std::ceil(std::log2(top / first)));
 
-  Step below{.middle = top, .sharpness = rough_orders > 0.0 && count > 0 ? kSharpnessOfMeasured : kSharpness};
+  Step below{.middle = first, .sharpness = rough_orders > 0.0 && count > 0 ? kSharpnessOfMeasured : kSharpness};
   std::vector<OrderBand> bands{make_band(1.0, below.end(), nodes_per_revolution / 2, below)};
   for (int octave = 1; octave <= count; ++octave) {
-    const Step step{.middle = std::ldexp(top, octave)};
+    const Step step{.middle = first * std::pow(top / first, static_cast<double>(octave) / count)};
     // Transform of the lower, narrower step: exp(-(sigma x / 2)^2), sigma = middle / sharpness; then two patches.
     const double confined = 2.0 * kSharpness * below.sharpness / below.middle + spacing;
     const double stride = pi / confined;  // images of the load stay apart

@@ -2,10 +2,11 @@
 /// @brief The orders that are summed in one direction, theory.md section 4.
 ///
 /// A sum cut at an order N_t, as in the paper, takes every whole order up to it. The sum over all orders needs far
-/// fewer: it is split by P_b = chi(order / 2^b), chi smooth, into the band P_0, summed order by order, and the bands
-/// P_b - P_{b-1}, an octave each. Beyond the first, the compliance varies as slowly as its order grows, so a band is
-/// smooth, its sum may be taken with a stride, and what it adds to a table is confined to a neighborhood of the load
-/// that shrinks as the stride grows: some sixty orders serve every octave.
+/// fewer: it is split by smooth steps P_b from 1 to 0, each at twice the order of the one before or a little less, into
+/// the band P_0, summed order by order, and the bands P_b - P_{b-1}, the octaves. Beyond the first, the compliance
+/// varies as slowly as its order grows, so a band is smooth, its sum may be taken with a stride, and what it adds to a
+/// table is confined to a neighborhood of the load that shrinks as the stride grows: some sixty orders serve every
+/// octave.
 #pragma once
 
 #include <Eigen/Core>

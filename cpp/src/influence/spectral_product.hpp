@@ -42,7 +42,6 @@ class SpectralProduct {
   /// @param[in] period of the domain, at least the window
   SpectralProduct(WindowShape window, WindowShape period);
 
-  [[nodiscard]] WindowShape window() const { return window_; }
   [[nodiscard]] WindowShape period() const { return period_; }
 
   /// @return numbers from one column of a spectrum to the next: place p of column q is number q * column_stride() + p

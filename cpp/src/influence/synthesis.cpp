@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <complex>
 #include <numbers>
 #include <utility>
 

@@ -21,11 +21,6 @@ struct Panel {
   double low;
   double high;
   Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes, Eigen::RowMajor> series;
-
-  /// @return where x lies on the panel, -1 at `low` and 1 at `high`
-  [[nodiscard]] double coordinate(double x) const {
-    return low > 0.0 ? 2.0 * std::log(x / low) / std::log(high / low) - 1.0 : 0.0;
-  }
 };
 
 /// @return Chebyshev nodes of the first kind of a panel

@@ -1,11 +1,9 @@
 #include "rolling/refinement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "rolling/contact_estimate.hpp"
 #include "rolling/rolling_contact.hpp"
@@ -14,7 +12,6 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
-constexpr int kMostNodesPerRevolution = 1000000;
 constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of fields
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 

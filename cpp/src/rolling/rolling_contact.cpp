@@ -1,13 +1,11 @@
 #include "rolling/rolling_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
