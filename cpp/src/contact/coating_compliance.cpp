@@ -99,6 +99,10 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
       directions[p].fill(ArrayXd::Zero(count));
       directions[p][axis_of[p]].setConstant(p == 0 ? 1.0 : -1.0);
     }
+    if (formulation.tangential) {
+      directions[0][kForward] = window.x() / window.grid().radius;
+      directions[0][kSideways] = window.z() / window.grid().radius;
+    }
     return directions;
   }
   const auto axes = window.axes();

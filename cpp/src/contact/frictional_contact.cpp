@@ -275,7 +275,7 @@ class FrictionalContactSolver {
 double contact_moment(const FrictionalContactProblem& problem, const ContactSolution& contact) {
   const double displaced = problem.lever_arm == LeverArm::displaced ? 1.0 : 0.0;
   const ArrayXd x = problem.x + displaced * contact.displacement.col(kForward);
-  const ArrayXd y = problem.y + displaced * contact.displacement.col(kDown);
+  const ArrayXd y = problem.y + contact.displacement.col(kDown);
   return (y * contact.force.col(kForward) - x * contact.force.col(kDown)).sum();
 }
 

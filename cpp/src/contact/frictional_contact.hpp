@@ -13,7 +13,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief The moment that `DriveTorque` prescribes, sum of (x + u_x) p + (y + u_y) t_x.
+/// @brief The lever arm of the pressure in the moment that `DriveTorque` prescribes, sum of (x + u_x) p + (y + u_y) t_x:
+/// with the radial compliance, whose pressure does no work along the plane, x alone.
 enum class LeverArm { displaced, undisplaced };
 
 /// @brief Besides the conditions of `NormalContactProblem`, a node in contact slides from its upstream neighbor by

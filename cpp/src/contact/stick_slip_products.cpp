@@ -155,11 +155,11 @@ class Equations {
     across(result) = ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * turned).matrix();
     result[forces_] = unknowns.head(contacts_).sum();
     result[forces_ + 1] = drive_condition(force) + (prescribes_creepage() ? speed : 0.0);
-    if (displaces_lever()) {
-      result[forces_ + 1] +=
-          ((state_.force.col(kForward) * moved.col(kDown) - state_.force.col(kDown) * moved.col(kForward))(contact_))
-              .sum() /
-          arm();
+    if (prescribes_torque()) {
+      result[forces_ + 1] += ((state_.force.col(kForward) * moved.col(kDown) -
+                               pressure_lever() * state_.force.col(kDown) * moved.col(kForward))(contact_))
+                                 .sum() /
+                             arm();
     }
     return result;
   }
@@ -191,34 +191,28 @@ class Equations {
 
   [[nodiscard]] double arm() const { return problem_.y.maxCoeff(); }
   [[nodiscard]] bool prescribes_creepage() const { return std::holds_alternative<DriveCreepage>(problem_.drive); }
-  [[nodiscard]] bool displaces_lever() const {
-    return std::holds_alternative<DriveTorque>(problem_.drive) && problem_.lever_arm == LeverArm::displaced;
-  }
+  [[nodiscard]] bool prescribes_torque() const { return std::holds_alternative<DriveTorque>(problem_.drive); }
+  /// Share of u_x in the lever arm of the pressure.
+  [[nodiscard]] double pressure_lever() const { return problem_.lever_arm == LeverArm::displaced ? 1.0 : 0.0; }
 
   [[nodiscard]] double drive_value() const {
     if (const auto* given = std::get_if<DriveCreepage>(&problem_.drive)) {
       return (1.0 + given->creepage) * problem_.step * scales_.tangential;
     }
     if (const auto* pull = std::get_if<DriveForce>(&problem_.drive)) return -pull->force;
-    double moment = std::get<DriveTorque>(problem_.drive).torque;
-    if (displaces_lever()) {
-      moment += ((state_.force.col(kForward) * state_.displacement.col(kDown) -
-                  state_.force.col(kDown) * state_.displacement.col(kForward))(contact_))
-                    .sum();
-    }
-    return moment / arm();
+    const double displaced =
+        ((state_.force.col(kForward) * state_.displacement.col(kDown) -
+          pressure_lever() * state_.force.col(kDown) * state_.displacement.col(kForward))(contact_))
+            .sum();
+    return (std::get<DriveTorque>(problem_.drive).torque + displaced) / arm();
   }
 
   /// The condition on the speed, but for what displacements and the speed itself add to it.
   [[nodiscard]] double drive_condition(const VectorField& force) const {
     if (prescribes_creepage()) return 0.0;
     if (std::holds_alternative<DriveForce>(problem_.drive)) return force.col(kForward).sum();
-    ArrayXd x = problem_.x;
-    ArrayXd y = problem_.y;
-    if (displaces_lever()) {
-      x += state_.displacement.col(kForward);
-      y += state_.displacement.col(kDown);
-    }
+    const ArrayXd x = problem_.x + pressure_lever() * state_.displacement.col(kForward);
+    const ArrayXd y = problem_.y + state_.displacement.col(kDown);
     return (y * force.col(kForward) - x * force.col(kDown)).sum() / arm();
   }
 

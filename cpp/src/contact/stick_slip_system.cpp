@@ -224,21 +224,21 @@ class System {
   void prescribe_moment(double moment, const ContactSolution& state) {
     const Index row = forces_ + 1;
     const double arm = problem_.step;  // any length turns the condition into one on a force
-    const bool displaced = problem_.lever_arm == LeverArm::displaced;
+    const double displaced = problem_.lever_arm == LeverArm::displaced ? 1.0 : 0.0;
     right_(row) = moment / arm;
     for (Index u = 0; u < forces_; ++u) {
       const Index i = node(u);
-      const double x = problem_.x[i] + (displaced ? state.displacement(i, kForward) : 0.0);
-      const double y = problem_.y[i] + (displaced ? state.displacement(i, kDown) : 0.0);
+      const double x = problem_.x[i] + displaced * state.displacement(i, kForward);
+      const double y = problem_.y[i] + state.displacement(i, kDown);
       matrix_(row, u) = weight(u) / arm * (y * force(u, kForward) - x * force(u, kDown));
     }
-    if (!displaced) return;
     for (const Index i : carriers_.nodes()) {
       const double factor = carriers_.weight(i) / arm;
-      matrix_.row(row).head(forces_) += factor * (state.force(i, kForward) * response_.displacement(i, kDown) -
-                                                  state.force(i, kDown) * response_.displacement(i, kForward));
+      matrix_.row(row).head(forces_) +=
+          factor * (state.force(i, kForward) * response_.displacement(i, kDown) -
+                    displaced * state.force(i, kDown) * response_.displacement(i, kForward));
       right_(row) += factor * (state.force(i, kForward) * state.displacement(i, kDown) -
-                               state.force(i, kDown) * state.displacement(i, kForward));
+                               displaced * state.force(i, kDown) * state.displacement(i, kForward));
     }
   }
 

@@ -73,8 +73,8 @@ class Summary {
     ArrayXd y = swelling * window_.y();
     if (given_.compliance == Compliance::vertical) {
       x += contact_.displacement.col(kForward);
-      y += contact_.displacement.col(kDown);
     }
+    y += contact_.displacement.col(kDown);
     r.driving_torque = (x * pressing_ + y * forward).sum();
   }
 
