@@ -13,6 +13,13 @@ std::string text(double value) {
   return {buffer.data(), end};
 }
 
+std::string rounded(double value) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr;
+  return {buffer.data(), end};
+}
+
 void reject(std::string_view name, std::string_view requirement, std::string_view value) {
   throw std::invalid_argument(std::string(name) + " must be " + std::string(requirement) + ", got " +
                               std::string(value));

@@ -10,6 +10,9 @@ namespace viscoroll::detail {
 /// @return the shortest decimal text that reads back as `value`
 [[nodiscard]] std::string text(double value);
 
+/// @return decimal text of three significant digits
+[[nodiscard]] std::string rounded(double value);
+
 /// @brief Refuse a value: "<name> must be <requirement>, got <value>".
 /// @throws std::invalid_argument always
 [[noreturn]] void reject(std::string_view name, std::string_view requirement, std::string_view value);

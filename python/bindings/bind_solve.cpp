@@ -1,6 +1,9 @@
 #include <pybind11/native_enum.h>
 #include <pybind11/stl.h>
 
+#include <map>
+#include <string>
+
 #include "bindings.hpp"
 #include "viscoroll/solve.hpp"
 
@@ -62,12 +65,18 @@ auto vector_field(std::vector<double> Result::* member) {
   };
 }
 
+std::map<WarningKind, std::string> warnings_by_kind(const Result& result) {
+  std::map<WarningKind, std::string> texts;
+  for (const Warning& warning : result.warnings) texts.emplace(warning.kind, warning.message);
+  return texts;
+}
+
 }  // namespace
 
 void bind_solve(py::module_& m) {
   py::native_enum<Compliance>(m, "Compliance", "enum.Enum", "The compliance in the contact condition.")
-      .value("VERTICAL", Compliance::vertical, "C_WW, the model itself")
-      .value("RADIAL", Compliance::radial, "C_RR, the paper's shortcut")
+      .value("RADIAL", Compliance::radial, "C_RR: pressure along the radius, the one nearer to finite strain")
+      .value("VERTICAL", Compliance::vertical, "C_WW: pressure on the normals of the undeformed sphere")
       .finalize();
   py::native_enum<PatchLoad>(m, "PatchLoad", "enum.Enum", "Traction on the patch of a node.")
       .value("FLAT", PatchLoad::flat, "uniform in (phi, theta), equation (53)")
@@ -79,6 +88,13 @@ void bind_solve(py::module_& m) {
       .value("ACCURACY_NOT_REACHED", Status::accuracy_not_reached, "the finest mesh allowed is not accurate enough")
       .finalize();
 
+  py::native_enum<WarningKind>(m, "WarningKind", "enum.Enum", "What a user should know before relying on a result.")
+      .value("MAX_ITERATIONS", WarningKind::max_iterations, "the contact still changed when the iterations ran out")
+      .value("ACCURACY_NOT_REACHED", WarningKind::accuracy_not_reached,
+             "the error estimate is above what was asked for")
+      .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
+      .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
+      .finalize();
   py::native_enum<SlipKinematics>(m, "SlipKinematics", "enum.Enum",
                                   "How far material travels between nodes of an undeformed sphere.")
       .value("EXACT", SlipKinematics::exact, "the difference of x = r_o sin(theta) cos(phi)")
@@ -116,6 +132,7 @@ void bind_solve(py::module_& m) {
       .def_readonly("rolling_resistance_coefficient", &Result::rolling_resistance_coefficient)
       .def_readonly("center_height", &Result::center_height)
       .def_readonly("penetration", &Result::penetration)
+      .def_readonly("strain", &Result::strain)
       .def_readonly("semi_axis_x", &Result::semi_axis_x)
       .def_readonly("semi_axis_z", &Result::semi_axis_z)
       .def_readonly("contact_area", &Result::contact_area)
@@ -133,6 +150,7 @@ void bind_solve(py::module_& m) {
       .def_readonly("mesh", &Result::mesh)
       .def_readonly("error_estimate", &Result::error_estimate)
       .def_readonly("refinements", &Result::refinements)
+      .def_property_readonly("warnings", &warnings_by_kind)
       .def_property_readonly("x", field(&Result::x))
       .def_property_readonly("z", field(&Result::z))
       .def_property_readonly("pressure", field(&Result::pressure))

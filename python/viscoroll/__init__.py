@@ -20,8 +20,10 @@ from ._core import (
     PatchLoad,
     SlipKinematics,
     Status,
+    WarningKind,
     __version__,
 )
+from .caution import ResultWarning
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .materials import (
@@ -64,11 +66,13 @@ __all__ = [
     "Prony",
     "Refinement",
     "Result",
+    "ResultWarning",
     "RollingModel",
     "ShearModulus",
     "SlipKinematics",
     "StandardLinearSolid",
     "Status",
+    "WarningKind",
     "__version__",
     "analytic",
     "centrifugal_displacement",

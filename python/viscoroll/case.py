@@ -81,7 +81,7 @@ class _Numerics(_Table):
     nodes_per_revolution: int | None = None
     max_order: int | None = None
     theta_nodes_per_revolution: int | None = None
-    compliance: Literal["vertical", "radial"] = "vertical"
+    compliance: Literal["radial", "vertical"] = "radial"
     patch_load: Literal["flat", "spherical"] = "flat"
     slip_kinematics: Literal["exact", "flat"] = "exact"
 

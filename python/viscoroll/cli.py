@@ -6,7 +6,7 @@ import io
 import json
 import math
 import sys
-from collections.abc import Iterator
+import warnings
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -17,10 +17,10 @@ from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from . import ConvergenceError, Result, Status, __version__, paper
+from . import ConvergenceError, Result, ResultWarning, Status, __version__, paper
 from ._core import Compliance
 from ._text import one_line, shown
-from .case import Case, example_text, load_case
+from .case import example_text, load_case
 from .result import SCALARS, SUFFIXES
 from .rolling import solve as solve_rolling
 
@@ -41,7 +41,6 @@ app = typer.Typer(
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130
 _PICTURES = (".png", ".svg", ".pdf")
-_COARSE_ERROR, _COARSE_NODES = 0.3, 10
 _messages = Console(stderr=True)
 _output = Console()
 
@@ -50,6 +49,7 @@ def run() -> None:
     """Run the command line: exit code 2 for bad input, 1 where no answer was found, 130 on Ctrl-C."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # where Ω cannot be written, "?" will do; stderr writes escapes
+    warnings.simplefilter("ignore", ResultWarning)  # they are printed below the results
     try:
         app()
     except OSError as error:
@@ -106,8 +106,8 @@ def solve(
         typer.echo(_json(result.scalars()))
     else:
         _output.print(_result_table(result))
-    for warning in _warnings(loaded, result):
-        _print_message(f"warning: {warning}")
+    for message in result.warnings.values():
+        _print_message(f"warning: {message}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
     if save is not None:
@@ -290,18 +290,6 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
         for name, value in scalars.items()
     }
     return json.dumps(finite, indent=2, allow_nan=False)
-
-
-def _warnings(case: Case, result: Result) -> Iterator[str]:
-    if result.status is not Status.CONVERGED:
-        yield _STATUS_TEXT[result.status]
-    nodes = int(result.contact.sum())
-    if not result.error_estimate <= _COARSE_ERROR or nodes < _COARSE_NODES:
-        advice = "ask for a better accuracy" if case.mesh is None else "refine it, or leave it out"
-        yield (
-            f"the mesh is too coarse: {nodes} nodes in contact (good from {_COARSE_NODES}), error estimate "
-            f"{result.error_estimate:.2g} (good up to {_COARSE_ERROR:g}); {advice}"
-        )
 
 
 def _progress_bar() -> Progress:

@@ -49,12 +49,25 @@ def plot_contact(result: Result) -> Figure:
     for axes in stick_slip_map:
         _draw_stick_and_slip(axes, result)
     _draw_profile(profile, result)
-    figure.suptitle(
-        f"$P$ = {result.load:g} N, $Ω$ = {result.angular_speed:g} rad/s"
-        + (f", $μ$ = {result.friction:g}, creepage {result.creepage:.4g}:   " if frictional else ":   ")
-        + f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m,   penetration {result.penetration * _MM:.3g} mm"
-    )
+    figure.suptitle(_headline(result), fontsize="medium")
     return figure
+
+
+def _headline(result: Result) -> str:
+    """Say what was given on one line, and what follows from it on the next."""
+    given = [f"$P$ = {result.load:g} N", f"$Ω$ = {result.angular_speed:g} rad/s"]
+    found = [f"power lost / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
+    if result.friction == 0.0:
+        found.append(f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m")
+    else:
+        given.append(f"$μ$ = {result.friction:g}")
+        found += [
+            f"$T$ = {result.driving_torque * 1e3:.4g} mN m",
+            f"$Q$ = {result.driving_force:.4g} N",
+            f"creepage {result.creepage:.4g}",
+        ]
+    found.append(f"penetration {result.penetration * _MM:.3g} mm")
+    return ",   ".join(given) + "\n" + ",   ".join(found)
 
 
 def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> Figure:

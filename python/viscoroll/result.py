@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Compliance, PatchLoad, Status
+from ._core import Compliance, PatchLoad, Status, WarningKind
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
@@ -63,17 +63,18 @@ class Refinement:
 
 #: Scalar results: name, unit, what it is.
 SCALARS = {
-    "resisting_torque": ("N m", "resisting torque T_r"),
-    "rolling_resistance_coefficient": ("1", "coefficient T_r / (P r_o)"),
+    "rolling_resistance_coefficient": ("1", "rolling resistance coefficient, power lost / (P V)"),
+    "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
+    "driving_torque": ("N m", "driving torque T"),
+    "driving_force": ("N", "driving force Q"),
+    "lateral_force": ("N", "lateral force on the ball"),
     "penetration": ("m", "penetration r_o - H"),
+    "strain": ("1", "strain, penetration per thickness of the coating"),
     "center_height": ("m", "height of the center H"),
     "max_pressure": ("Pa", "largest contact pressure"),
     "contact_area": ("m^2", "contact area"),
     "semi_axis_x": ("m", "contact semi-axis along x"),
     "semi_axis_z": ("m", "contact semi-axis along z"),
-    "driving_torque": ("N m", "driving torque T"),
-    "driving_force": ("N", "driving force Q"),
-    "lateral_force": ("N", "lateral force on the ball"),
     "linear_speed": ("m/s", "speed of the center V_s"),
     "creepage": ("1", "creepage V_s / (Ω r_o) - 1"),
     "bulk_power": ("W", "power lost in the coating"),
@@ -123,12 +124,16 @@ class Result:
     residual : float
         Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
         norm of all violations, as forces, relative to the load.
-    resisting_torque : float
-        T_r = Σ x p, the offset of the normal resultant times the load [N m].
     rolling_resistance_coefficient : float
-        T_r / (P r_o) [-].
+        Power lost per load and way, dissipated_power / (P |V|), whatever drives the ball [-]. V is the speed of the
+        center, or Ω r_o where that is undetermined; infinite where the center stands still.
+    resisting_torque : float
+        T_r = Σ x p, the offset of the normal resultant times the load [N m]. It is what turns the ball where nothing
+        pulls it, and no friction or no force on the center acts.
     penetration : float
         r_o - H [m].
+    strain : float
+        Penetration per thickness of the coating [-]: the model's error grows with it.
     center_height : float
         H, center of the ball above the plane [m].
     max_pressure : float
@@ -138,9 +143,9 @@ class Result:
     semi_axis_x, semi_axis_z : float
         Semi-axes of the ellipse with the contact's second moments [m].
     driving_torque : float
-        T, moment of the contact forces at displaced points, Σ (x + u_x) p + Σ (y + u_y) t_x [N m]: what turns the ball,
-        and does the work of the linear model. With the radial compliance, which has no such displacements,
-        Σ x p + Σ y t_x. It differs from `resisting_torque` by a share of the order of the strain.
+        T, moment of the contact forces about the center [N m]: what turns the ball, and does the work of the model.
+        With the radial compliance Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one
+        Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
     driving_force : float
         Q = -Σ t_x, the force on the center [N].
     lateral_force : float
@@ -162,10 +167,12 @@ class Result:
     mesh : Mesh
         The mesh of this solution.
     error_estimate : float
-        Relative error estimate [-]: the power-balance error on a given mesh, else the larger of it and the changes from
-        the mesh before.
+        Relative error estimate [-]: the power-balance error on a given mesh, else the largest of it and the changes,
+        from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
     refinements : tuple of Refinement
         The meshes tried, coarse to fine.
+    warnings : dict of WarningKind to str
+        What to know before relying on this: the texts of the `ResultWarning` that the solve gave.
     x, z : ndarray
         Coordinates of the undeformed nodes [m]: x forward, z sideways.
     pressure : ndarray
@@ -197,6 +204,7 @@ class Result:
     resisting_torque: float
     rolling_resistance_coefficient: float
     penetration: float
+    strain: float
     center_height: float
     max_pressure: float
     contact_area: float
@@ -215,6 +223,7 @@ class Result:
     mesh: Mesh
     error_estimate: float
     refinements: tuple[Refinement, ...]
+    warnings: dict[WarningKind, str]
     x: NDArray[np.float64]
     z: NDArray[np.float64]
     pressure: NDArray[np.float64]
@@ -248,9 +257,14 @@ class Result:
     def __repr__(self) -> str:
         """Return a summary of one screen."""
         rows = [
-            ("resisting torque T_r", f"{self.resisting_torque:.6g} N m"),
             ("rolling resistance coefficient", f"{self.rolling_resistance_coefficient:.6g}"),
-            ("penetration", f"{self.penetration:.6g} m"),
+            ("driving torque T", f"{self.driving_torque:.6g} N m"),
+            (
+                "driving force Q, lateral force",
+                f"{self.driving_force:.6g} N, {self.lateral_force:.6g} N",
+            ),
+            ("resisting torque T_r", f"{self.resisting_torque:.6g} N m"),
+            ("penetration", f"{self.penetration:.6g} m (strain {self.strain:.3g})"),
             ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m"),
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
@@ -259,6 +273,7 @@ class Result:
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
             ("status", f"{self.status.name}, {self._effort()}, residual {self.residual:.1e}"),
+            *(("warning", message) for message in self.warnings.values()),
         ]
         width = max(len(label) for label, _ in rows)
         head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({self.compliance.name} compliance)"
@@ -273,7 +288,6 @@ class Result:
         sticking = int(self.stick.sum()) / int(self.contact.sum())
         return [
             ("friction", f"{self.friction:g}, {sticking:.0%} of the nodes in contact stick"),
-            ("driving torque T, force Q", f"{self.driving_torque:.6g} N m, {self.driving_force:.6g} N"),
             ("creepage", f"{self.creepage:.6g}"),
             ("power lost by slip", f"{self.slip_power:.6g} W"),
         ]
@@ -295,6 +309,7 @@ class Result:
             "max_order": self.mesh.max_order,
             "compliance": self.compliance.name,
             "patch_load": self.patch_load.name,
+            "warnings": "; ".join(self.warnings.values()),
         }
         return values
 

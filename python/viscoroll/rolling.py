@@ -8,6 +8,7 @@ from . import _core
 from ._arrays import as_float, as_int, require_callable, require_type
 from ._core import Compliance, PatchLoad, SlipKinematics
 from ._text import shown
+from .caution import warn
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
@@ -28,7 +29,7 @@ def solve(
     accuracy: float | None = None,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-    compliance: Compliance = Compliance.VERTICAL,
+    compliance: Compliance = Compliance.RADIAL,
     patch_load: PatchLoad = PatchLoad.FLAT,
     slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
     max_iterations: int = 500,
@@ -50,15 +51,18 @@ def solve(
     mesh : Mesh, optional
         Surface mesh. Without it, meshes are refined until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
-        Wanted relative error [-], in [1e-4, 0.5]; only without `mesh`. The estimate is the larger of the power-balance
-        error and the changes of torque and penetration from the mesh before.
+        Wanted relative error [-], in [1e-4, 0.5]; only without `mesh`. The estimate is the largest of the power-balance
+        error and the changes, from the mesh before, of all that is not given: penetration, torques, forces, speed and
+        powers.
     friction : float, default 0
         Coulomb's coefficient μ between coating and plane [-], ≥ 0.
     drive : Drive, default Drive(force=0.0)
         What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
         of 0 or a creepage.
-    compliance : Compliance, default Compliance.VERTICAL
-        In the contact condition: C_WW, the model itself, or C_RR, the paper's shortcut.
+    compliance : Compliance, default Compliance.RADIAL
+        In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
+        on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear
+        theory does not know.
     patch_load : PatchLoad, default PatchLoad.FLAT
         Traction on the patch of a node: equation (53) or (38) of the paper.
     slip_kinematics : SlipKinematics, default SlipKinematics.EXACT
@@ -87,6 +91,12 @@ def solve(
         Where no usable state was found; the message gives the residual.
     KeyboardInterrupt
         On Ctrl-C, within 0.3 s.
+
+    Warns
+    -----
+    ResultWarning
+        Where the accuracy was not reached, a given mesh is coarse (fewer than ten nodes across the contact), or the
+        strain is above 0.2; also in `Result.warnings`.
 
     References
     ----------
@@ -188,7 +198,7 @@ class RollingModel:
         load: float,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-        compliance: Compliance = Compliance.VERTICAL,
+        compliance: Compliance = Compliance.RADIAL,
         patch_load: PatchLoad = PatchLoad.FLAT,
         slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
         max_iterations: int = 500,
@@ -240,5 +250,8 @@ def _core_case(
 def _result(
     solution: _core.Result, ball: CoatedSphere, angular_speed: float, drive: Drive, case: dict[str, Any]
 ) -> Result:
+    """Make the result, and warn the caller of the public function that calls this."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
-    return Result._from_core(solution, ball=ball, angular_speed=angular_speed, drive=drive, **given)
+    result = Result._from_core(solution, ball=ball, angular_speed=angular_speed, drive=drive, **given)
+    warn(result.warnings.values(), stacklevel=2)
+    return result

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -44,10 +45,11 @@ struct LoadCase {
   Drive drive;                 ///< without friction, a force of 0 or a creepage
 };
 
-/// @brief The compliance in the contact condition (46).
+/// @brief The compliance in the contact condition (46). Their difference is of the order of the strain: a measure of
+/// what linear theory does not know.
 enum class Compliance {
-  vertical,  ///< C_WW, the vertical block of Q^T C_s Q: the model itself
-  radial,    ///< C_RR in its place, the paper's shortcut (section 12), with which its tables were made
+  radial,    ///< C_RR (the paper's section 12): pressure along the radius; the one nearer to finite strain, theory.md 5
+  vertical,  ///< C_WW, the vertical block of Q^T C_s Q: pressure on the normals of the undeformed sphere
 };
 
 /// @brief Traction on the patch of a node under unit nodal force.
@@ -66,7 +68,7 @@ enum class SlipKinematics {
 struct Options {
   std::optional<Mesh> mesh;                                ///< none: chosen and refined until `accuracy` is reached
   double accuracy = 0.01;                                  ///< wanted relative error without a mesh [-], in [1e-4, 0.5]
-  Compliance compliance = Compliance::vertical;            ///< compliance in the contact condition
+  Compliance compliance = Compliance::radial;              ///< compliance in the contact condition
   PatchLoad patch_load = PatchLoad::flat;                  ///< traction on a node's patch
   SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< with friction
   int max_iterations = 500;                                ///< linear systems on a mesh, >= 1
@@ -81,6 +83,20 @@ enum class Status {
   accuracy_not_reached,  ///< solved on the finest mesh allowed, with an error estimate above the wanted accuracy
 };
 
+/// @brief What a user should know before relying on a result.
+enum class WarningKind {
+  max_iterations,        ///< the active set still changed when the iterations ran out
+  accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
+  coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh, or a large error estimate there
+  large_strain,          ///< beyond what linear theory is good for
+};
+
+/// @brief A warning and its text for people.
+struct Warning {
+  WarningKind kind;
+  std::string message;
+};
+
 /// @brief One mesh of a solve that chooses its own.
 struct Refinement {
   Mesh mesh;                         ///< the mesh
@@ -88,7 +104,7 @@ struct Refinement {
   double resisting_torque = 0.0;     ///< [N m]
   double penetration = 0.0;          ///< [m]
   double power_balance_error = 0.0;  ///< [-]
-  double error_estimate = 0.0;       ///< largest of power balance and change from the mesh before [-]
+  double error_estimate = 0.0;       ///< largest of power balance and changes from the mesh before [-]
 };
 
 /// @brief Solution on the candidate window. Fields are row-major [phi][theta].
@@ -101,18 +117,21 @@ struct Result {
   /// norm of all of them, as forces relative to the load [-].
   double residual = 0.0;
 
-  double resisting_torque = 0.0;                ///< T_r = sum of x p, offset of the normal resultant times load [N m]
-  double rolling_resistance_coefficient = 0.0;  ///< T_r / (P r_o) [-]
-  double center_height = 0.0;                   ///< H, centre of the sphere above the plane [m]
-  double penetration = 0.0;                     ///< r_o - H [m]
-  double semi_axis_x = 0.0;                     ///< of the ellipse with the contact's second moments [m]
-  double semi_axis_z = 0.0;                     ///< of the ellipse with the contact's second moments [m]
-  double contact_area = 0.0;                    ///< [m^2]
-  double max_pressure = 0.0;                    ///< [Pa]
+  double resisting_torque = 0.0;  ///< T_r = sum of x p, offset of the normal resultant times load [N m]
+  /// Power lost per load and way, dissipated_power / (P |V|), whatever drives the sphere [-]; V is the speed of the
+  /// center where it is determined, else Omega r_o. Infinite where the center stands still.
+  double rolling_resistance_coefficient = 0.0;
+  double center_height = 0.0;  ///< H, centre of the sphere above the plane [m]
+  double penetration = 0.0;    ///< r_o - H [m]
+  double strain = 0.0;         ///< penetration per thickness of the coating [-]
+  double semi_axis_x = 0.0;    ///< of the ellipse with the contact's second moments [m]
+  double semi_axis_z = 0.0;    ///< of the ellipse with the contact's second moments [m]
+  double contact_area = 0.0;   ///< [m^2]
+  double max_pressure = 0.0;   ///< [Pa]
 
-  /// T, moment of the contact forces at displaced points, sum of (x + u_x) p + (y + u_y) t_x [N m]: what turns the
-  /// sphere, and does the work of the linear model. With the radial compliance, which has no such u, sum of x p + y
-  /// t_x.
+  /// T, moment of the contact forces about the center [N m]: what turns the sphere, and does the work of the model.
+  /// With the radial compliance sum of x p + (y + u_y) t_x = T_r - Q H, with the vertical one, whose pressure does work
+  /// along the plane too, sum of (x + u_x) p + (y + u_y) t_x.
   double driving_torque = 0.0;
   double driving_force = 0.0;          ///< Q = -sum of t_x [N]
   double lateral_force = 0.0;          ///< sum of t_z, of the plane on the sphere [N]
@@ -140,8 +159,11 @@ struct Result {
   std::vector<double> shear_traction;  ///< on the coating, along x and z [Pa], [2][phi][theta]
   std::vector<double> slip_velocity;   ///< of the coating over the plane, along x and z, in contact [m/s], likewise
 
-  double error_estimate = 0.0;          ///< relative error estimate [-]: the power balance with a mesh given
+  /// Relative error estimate [-]: with a mesh given the power balance, else the largest of it and of the changes, from
+  /// the mesh before, of all that was not given: penetration, torques, forces, speed and powers.
+  double error_estimate = 0.0;
   std::vector<Refinement> refinements;  ///< the meshes tried, coarse to fine; one entry with a mesh given
+  std::vector<Warning> warnings;        ///< what to know before relying on this
 };
 
 /// @brief Solve steady rolling of a coated sphere on a rigid plane: paper sections 11 to 13 with the solvers of

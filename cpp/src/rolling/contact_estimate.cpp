@@ -1,26 +1,41 @@
 #include "rolling/contact_estimate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 namespace viscoroll::detail {
+namespace {
 
-double estimate_contact_radius(const HarmonicCoating& coating, double load) {
-  double shear = std::numeric_limits<double>::infinity();
-  double confined = shear;
-  for (const Medium<std::complex<double>>& medium : coating.media(0)) {
-    shear = std::min(shear, medium.mu.real());
-    if (medium.b.real() > 0.0) confined = std::min(confined, medium.mu.real() / medium.b.real());
+/// Of the softest layer.
+struct Softness {
+  double shear;     ///< modulus [Pa]
+  double confined;  ///< modulus of what cannot spread [Pa]
+};
+
+/// Moduli of what rolls, at a frequency of passing.
+Softness softest(const CoatedSphere& sphere, double frequency) {
+  Softness least{.shear = std::numeric_limits<double>::infinity(), .confined = std::numeric_limits<double>::infinity()};
+  for (const Layer& layer : sphere.layers) {
+    const auto moduli = complex_modulus(layer.shear_modulus, std::array{0.0, frequency});
+    const double shear = std::max(moduli.front().real(), 0.5 * std::abs(moduli.back()));
+    const double ratio = shear_ratio(layer, shear);
+    least.shear = std::min(least.shear, shear);
+    if (ratio > 0.0) least.confined = std::min(least.confined, shear / ratio);
   }
+  return least;
+}
+
+double contact_radius(const CoatedSphere& sphere, const Softness& moduli, double load) {
   const double pi = std::numbers::pi;
-  const double radius = coating.outer_radius();
-  const double thickness = coating_thickness(coating.sphere());
+  const double radius = outer_radius(sphere);
+  const double thickness = coating_thickness(sphere);
   const auto load_at = [&](double a) {
-    const double hertz = 8.0 / 3.0 * shear * a * a * a / radius;  // nu = 0, the softest
-    const double incompressible = pi * shear * std::pow(a, 6) / (32.0 * radius * std::pow(thickness, 3));
-    const double compressible = pi * confined * std::pow(a, 4) / (4.0 * radius * thickness);
+    const double hertz = 8.0 / 3.0 * moduli.shear * a * a * a / radius;  // nu = 0, the softest
+    const double incompressible = pi * moduli.shear * std::pow(a, 6) / (32.0 * radius * std::pow(thickness, 3));
+    const double compressible = pi * moduli.confined * std::pow(a, 4) / (4.0 * radius * thickness);
     return hertz + std::min(incompressible, compressible);
   };
   double low = 0.0;
@@ -32,6 +47,18 @@ double estimate_contact_radius(const HarmonicCoating& coating, double load) {
     (load_at(middle) < load ? low : high) = middle;
   }
   return high;
+}
+
+}  // namespace
+
+double estimate_contact_radius(const CoatedSphere& sphere, double angular_speed, double load) {
+  constexpr int kPasses = 3;  // a fixed number of them makes it a smooth function of the load
+  double radius = contact_radius(sphere, softest(sphere, 0.0), load);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const double frequency = angular_speed * std::max(1.0, outer_radius(sphere) / radius);
+    radius = contact_radius(sphere, softest(sphere, frequency), load);
+  }
+  return radius;
 }
 
 double unbearable_load(const HarmonicCoating& coating) {

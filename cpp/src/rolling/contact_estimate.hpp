@@ -6,15 +6,18 @@
 
 namespace viscoroll::detail {
 
-/// @brief Contact radius of a static sphere on a plane from above, for the size of the candidate window.
+/// @brief Contact radius of a rolling sphere on a plane, rather from above, for the size of the candidate window.
 ///
 /// The load is the sum of Hertz's, P = 8 G a^3 / (3 (1 - nu) R), and of the thin bonded layer's, the softer of
 /// P = pi G a^6 / (32 R h^3) (incompressible) and P = pi M a^4 / (4 R h) (confined modulus M); the true load at a given
-/// a exceeds it, and the softest modulus of all layers is taken.
-/// @param[in] coating layers at the harmonics of rolling
+/// a exceeds it, and the softest modulus of all layers is taken. A layer's modulus is the relaxed one, or half of that
+/// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
+/// but not in so short a time, is as stiff as it rolls.
+/// @param[in] sphere rigid core and layers
+/// @param[in] angular_speed Omega [rad/s]
 /// @param[in] load P [N]
 /// @return a [m]
-[[nodiscard]] double estimate_contact_radius(const HarmonicCoating& coating, double load);
+[[nodiscard]] double estimate_contact_radius(const CoatedSphere& sphere, double angular_speed, double load);
 
 /// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
 /// incompressible bonded layer for a contact as wide as the sphere, of the stiffest layer at the highest harmonic.

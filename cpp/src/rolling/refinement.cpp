@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <new>
 #include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "rolling/contact_estimate.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -16,8 +23,9 @@ constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 
 Mesh make_mesh(double nodes_per_revolution) {
-  const auto nodes = static_cast<int>(std::lround(nodes_per_revolution));
-  return {.nodes_per_revolution = std::clamp(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution)};
+  const double nodes = std::round(nodes_per_revolution);
+  return {.nodes_per_revolution =
+              static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution))};
 }
 
 /// Nodes in the estimated contact radius that should do. Nodes that join the contact one by one leave a staircase in
@@ -26,11 +34,6 @@ Mesh make_mesh(double nodes_per_revolution) {
 /// contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
-double relative_change(double value, double before, double negligible) {
-  return std::abs(value - before) /
-         std::max({std::abs(value), std::abs(before), negligible, std::numeric_limits<double>::min()});
-}
-
 /// Whether the next mesh would ask for more than is at hand.
 bool is_finest(const Result& result, double friction) {
   const double next = 4.0 * result.refinements.back().contact_nodes;
@@ -38,36 +41,121 @@ bool is_finest(const Result& result, double friction) {
          next > (friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes);
 }
 
+/// A number that the caller did not give, and the size by which its errors are judged.
+struct Answer {
+  double value;
+  double size;
+};
+
+/// What a user may read first: always in the same order for the same load case.
+std::vector<Answer> answers(const Result& result, const LoadCase& load_case) {
+  const double torque = std::abs(result.resisting_torque);
+  const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
+  const double force = torque / (result.center_height + result.penetration);
+  std::vector<Answer> answers{{result.penetration, std::abs(result.penetration)},
+                              {result.resisting_torque, std::max(torque, negligible)}};
+  if (load_case.friction == 0.0) return answers;
+  answers.push_back(
+      {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
+  if (!std::holds_alternative<DriveTorque>(load_case.drive)) {
+    answers.push_back({result.driving_torque, std::max({std::abs(result.driving_torque), torque, negligible})});
+  }
+  if (!std::holds_alternative<DriveForce>(load_case.drive)) {
+    answers.push_back({result.driving_force, std::max(std::abs(result.driving_force), force)});
+  }
+  if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
+    if (given->lateral_creepage != 0.0) {
+      answers.push_back({result.lateral_force, std::max(std::abs(result.lateral_force), force)});
+    }
+  } else {
+    answers.push_back({*result.linear_speed, std::abs(*result.linear_speed)});
+  }
+  return answers;
+}
+
+/// Largest change of an answer, relative to its size on either mesh.
+double largest_change(const std::vector<Answer>& now, const std::vector<Answer>& before) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const double size = std::max({now[i].size, before[i].size, std::numeric_limits<double>::min()});
+    largest = std::max(largest, std::abs(now[i].value - before[i].value) / size);
+  }
+  return largest;
+}
+
+/// Meshes of twice the nodes each, until two of them agree.
+class Refiner {
+ public:
+  Refiner(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch)
+      : sphere_(sphere), load_case_(load_case), options_(options), watch_(watch) {
+    const double radius = estimate_contact_radius(sphere, load_case.angular_speed, load_case.load);
+    // The first mesh is to show the error of the second, which should do.
+    mesh_ = make_mesh(std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius);
+  }
+
+  [[nodiscard]] Result solve() {
+    while (advance()) {
+    }
+    if (!best_) std::rethrow_exception(failure_);
+    if (best_->status == Status::converged && !(best_->error_estimate <= options_.accuracy)) {
+      best_->status = Status::accuracy_not_reached;
+    }
+    best_->refinements = std::move(refinements_);
+    return *std::move(best_);
+  }
+
+ private:
+  /// Solve on the next mesh. @return whether another one is to follow
+  [[nodiscard]] bool advance() {
+    try {
+      const MeshModel model(sphere_, load_case_.angular_speed, mesh_, options_.threads, watch_);
+      note(solve_load_case(model, load_case_, options_, watch_));
+    } catch (const MeshTooFine&) {
+      failure_ = std::current_exception();
+      return !best_ && restart_from(mesh_.nodes_per_revolution / 4.0);
+    } catch (const std::bad_alloc&) {
+      failure_ = std::current_exception();
+      return !best_ && restart_from(mesh_.nodes_per_revolution / 4.0);
+    } catch (const ConvergenceError&) {
+      const bool first_failure = !failure_;
+      failure_ = std::current_exception();
+      return !best_ && first_failure && restart_from(2.0 * mesh_.nodes_per_revolution);
+    }
+    if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
+    return !is_finest(*best_, load_case_.friction) && restart_from(2.0 * mesh_.nodes_per_revolution);
+  }
+
+  /// @return whether that is another mesh
+  bool restart_from(double nodes_per_revolution) {
+    return mesh_ != std::exchange(mesh_, make_mesh(nodes_per_revolution));
+  }
+
+  void note(Result&& result) {
+    Refinement& step = result.refinements.back();
+    std::vector<Answer> found = answers(result, load_case_);
+    // There is nothing to compare the first mesh with.
+    step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
+    result.error_estimate = step.error_estimate;
+    refinements_.push_back(step);
+    answers_ = std::move(found);
+    best_ = std::move(result);
+  }
+
+  const CoatedSphere& sphere_;
+  const LoadCase& load_case_;
+  const Options& options_;
+  Watch& watch_;
+  Mesh mesh_;
+  std::optional<Result> best_;  // on the finest mesh that was solved
+  std::vector<Answer> answers_;
+  std::vector<Refinement> refinements_;
+  std::exception_ptr failure_;
+};
+
 }  // namespace
 
 Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch) {
-  const double radius =
-      estimate_contact_radius(HarmonicCoating(sphere, load_case.angular_speed, {0.0}), load_case.load);
-  // The first mesh is to show the error of the second, which should do.
-  double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius;
-  std::vector<Refinement> refinements;
-  for (;; nodes *= 2.0) {
-    const Mesh mesh = make_mesh(nodes);
-    const MeshModel model(sphere, load_case.angular_speed, mesh, options.threads, watch);
-    Result result = solve_load_case(model, load_case, options, watch);
-    Refinement& step = result.refinements.back();
-    step.error_estimate = 1.0;  // nothing to compare the first mesh with
-    if (!refinements.empty()) {
-      const double negligible = 1e-10 * load_case.load * result.semi_axis_x;
-      step.error_estimate =
-          std::max({step.power_balance_error,
-                    relative_change(result.resisting_torque, refinements.back().resisting_torque, negligible),
-                    relative_change(result.penetration, refinements.back().penetration, 0.0)});
-    }
-    result.error_estimate = step.error_estimate;
-    refinements.push_back(step);
-    const bool accurate = result.error_estimate <= options.accuracy;
-    if (accurate || is_finest(result, load_case.friction) || result.status != Status::converged) {
-      if (!accurate && result.status == Status::converged) result.status = Status::accuracy_not_reached;
-      result.refinements = std::move(refinements);
-      return result;
-    }
-  }
+  return Refiner(sphere, load_case, options, watch).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -25,6 +25,12 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
   return values;
 }
 
+/// A sum of forces or moments without the round-off of what cancels in it.
+double settled(double sum, double largest_summand) {
+  constexpr double kRoundOff = 1e-12;
+  return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
+}
+
 /// Half length of the ellipse with the second moment of `weights` along `coordinate`.
 double semi_axis(const ArrayXd& coordinate, const ArrayXd& weights) {
   const double center = (coordinate * weights).sum() / weights.sum();
@@ -55,6 +61,7 @@ class Summary {
     touching(contact_.contact) = 1.0;
     r.penetration = contact_.penetration - given_.centrifugal;
     r.center_height = radius() - r.penetration;
+    r.strain = r.penetration / given_.coating_thickness;
     r.centrifugal_displacement = given_.centrifugal;
     r.semi_axis_x = semi_axis(window_.x(), touching * area_);
     r.semi_axis_z = semi_axis(window_.z(), touching * area_);
@@ -64,9 +71,9 @@ class Summary {
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
     r.resisting_torque = (window_.x() * pressing_).sum();
-    r.rolling_resistance_coefficient = r.resisting_torque / (given_.load_case.load * radius());
-    r.driving_force = 0.0 - forward.sum();  // no force is 0, not -0
-    r.lateral_force = contact_.force.col(kSideways).sum();
+    const double load = given_.load_case.load;
+    r.driving_force = settled(-forward.sum(), load);
+    r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
 
     const double swelling = 1.0 + given_.centrifugal / radius();
     ArrayXd x = swelling * window_.x();
@@ -75,7 +82,7 @@ class Summary {
       x += contact_.displacement.col(kForward);
     }
     y += contact_.displacement.col(kDown);
-    r.driving_torque = (x * pressing_ + y * forward).sum();
+    r.driving_torque = settled((x * pressing_ + y * forward).sum(), load * radius());
   }
 
   void add_powers(Result& r) const {
@@ -91,6 +98,9 @@ class Summary {
       r.slip_power = slip_power();
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
+    const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
+    r.rolling_resistance_coefficient =
+        r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
     double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
     if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
       work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();

@@ -14,8 +14,9 @@ struct ContactConditions {
   Mesh mesh;
   Compliance compliance;
   PatchLoad patch_load;
-  double centrifugal;  ///< d_R^(c) [m]
-  double lost_work;    ///< in the coating, per radian [N m]
+  double coating_thickness;  ///< [m]
+  double centrifugal;        ///< d_R^(c) [m]
+  double lost_work;          ///< in the coating, per radian [N m]
 };
 
 /// @brief Torques, powers and fields of a solved contact.

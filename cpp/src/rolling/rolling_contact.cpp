@@ -1,11 +1,13 @@
 #include "rolling/rolling_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
@@ -36,7 +38,8 @@ class LoadCaseSolver {
 
   [[nodiscard]] Result solve() const {
     if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
-    const double estimate = estimate_contact_radius(model_.coating(), load_case_.load);
+    const double estimate =
+        estimate_contact_radius(model_.coating().sphere(), load_case_.angular_speed, load_case_.load);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
     const int theta_limit = theta_nodes_per_revolution(model_.mesh()) / 6;
@@ -90,6 +93,7 @@ class LoadCaseSolver {
                         .mesh = model_.mesh(),
                         .compliance = options_.compliance,
                         .patch_load = options_.patch_load,
+                        .coating_thickness = coating_thickness(model_.coating().sphere()),
                         .centrifugal = model_.centrifugal(),
                         .lost_work = lost_work});
   }
@@ -118,13 +122,28 @@ class LoadCaseSolver {
 
   void require_few_nodes(int half_phi, int half_theta) const {
     const double nodes = (2.0 * half_phi + 1.0) * (2.0 * half_theta + 1.0);
-    if (nodes <= kMostNodes) return;
-    reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMostNodes) + " nodes around the contact",
-           std::to_string(model_.mesh().nodes_per_revolution) + " (it makes " + text(nodes) + " nodes)");
+    if (nodes > kMostNodes) throw MeshTooFine(model_.mesh().nodes_per_revolution, nodes, kMostNodes);
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
-    reject("load", "small enough for the coating", text(load_case_.load) + " N (the sphere " + reason + ")");
+    reject("load", "small enough for the coating",
+           text(load_case_.load) + " N (the sphere " + reason + relaxation_note() + ")");
+  }
+
+  /// What makes a load too large that a layer would bear if it did not relax.
+  [[nodiscard]] std::string relaxation_note() const {
+    constexpr double kNextToNothing = 1e-3;  // of the modulus with which the layer passes the contact
+    const std::vector<Layer>& layers = model_.coating().sphere().layers;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const std::array frequencies{0.0, load_case_.angular_speed * model_.mesh().nodes_per_revolution / 2.0};
+      const auto moduli = complex_modulus(layers[i].shear_modulus, frequencies);
+      const double share = moduli.front().real() / std::abs(moduli.back());
+      if (share < kNextToNothing) {
+        return "; layers[" + std::to_string(i) + "].shear_modulus relaxes to " + rounded(moduli.front().real()) +
+               " Pa, " + rounded(share) + " of what it is in rolling, and steady rolling has relaxed for ever";
+      }
+    }
+    return "";
   }
 
   void require_clear_of_core(double penetration) const {
@@ -146,6 +165,11 @@ class LoadCaseSolver {
 };
 
 }  // namespace
+
+MeshTooFine::MeshTooFine(int nodes_per_revolution, double window_nodes, int most)
+    : std::invalid_argument("mesh.nodes_per_revolution must be coarse enough for " + std::to_string(most) +
+                            " nodes around the contact, got " + std::to_string(nodes_per_revolution) + " (it makes " +
+                            text(window_nodes) + " nodes)") {}
 
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
   return LoadCaseSolver(model, load_case, options, watch).solve();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <stdexcept>
 
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
@@ -13,12 +14,19 @@ namespace viscoroll::detail {
 /// @brief Unknown forces of a dense matrix: 0.8 GB.
 constexpr Eigen::Index kMaxUnknowns = 10000;
 
+/// @brief A mesh that makes more nodes around the contact than can be held.
+class MeshTooFine : public std::invalid_argument {
+ public:
+  MeshTooFine(int nodes_per_revolution, double window_nodes, int most);
+};
+
 /// @brief Solve one load case: tables, contact, powers. A window whose edge is touched grows.
 /// @param[in] model coating at the load case's speed, on a mesh
 /// @param[in] load_case load, friction and drive
 /// @param[in] options how to solve; its mesh and accuracy are not looked at
 /// @param[in] watch progress and cancellation
-/// @throws std::invalid_argument where the load presses the plane to the core or the mesh needs too many nodes
+/// @throws std::invalid_argument where the load presses the plane to the core
+/// @throws MeshTooFine where the mesh needs too many nodes
 [[nodiscard]] Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch);
 

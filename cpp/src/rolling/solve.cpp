@@ -5,12 +5,14 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "rolling/warnings.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -57,6 +59,11 @@ void validate(const Options& options) {
   detail::require_thread_count(options.threads);
 }
 
+Result with_warnings(Result result, const Options& options, bool mesh_given) {
+  result.warnings = detail::warnings_of(result, options, mesh_given);
+  return result;
+}
+
 }  // namespace
 
 Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options) {
@@ -64,9 +71,11 @@ Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Option
   validate(load_case);
   validate(options);
   detail::Watch watch(options.observer);
-  if (!options.mesh) return detail::solve_to_accuracy(sphere, load_case, options, watch);
+  if (!options.mesh) {
+    return with_warnings(detail::solve_to_accuracy(sphere, load_case, options, watch), options, false);
+  }
   const detail::MeshModel model(sphere, load_case.angular_speed, *options.mesh, options.threads, watch);
-  return detail::solve_load_case(model, load_case, options, watch);
+  return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
 
 struct RollingModel::Impl {
@@ -99,7 +108,7 @@ Result RollingModel::solve(const LoadCase& load_case, const Options& options) co
     detail::reject("mesh", "left out, or that of the model", "another one");
   }
   detail::Watch watch(options.observer);
-  return detail::solve_load_case(impl_->model, load_case, options, watch);
+  return with_warnings(detail::solve_load_case(impl_->model, load_case, options, watch), options, true);
 }
 
 }  // namespace viscoroll

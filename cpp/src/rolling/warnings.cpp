@@ -1,0 +1,62 @@
+#include "rolling/warnings.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr int kFewestNodesAcross = 10;    // the example with 5 nodes in contact is 14 % off, by its own estimate 1 %
+constexpr double kLargestEstimate = 0.1;  // of a mesh that is worth something
+constexpr double kLargestStrain = 0.2;    // beyond, no finite-strain computation stands behind the error of the model
+
+/// Lines of nodes that cross the contact, in the direction with fewer of them.
+int nodes_across(const Result& result) {
+  const auto columns = static_cast<std::size_t>(result.theta_nodes);
+  std::vector<bool> rows_touched(static_cast<std::size_t>(result.phi_nodes));
+  std::vector<bool> columns_touched(columns);
+  for (std::size_t node = 0; node < result.contact.size(); ++node) {
+    if (result.contact[node] == 0) continue;
+    rows_touched[node / columns] = true;
+    columns_touched[node % columns] = true;
+  }
+  return static_cast<int>(std::min(std::count(rows_touched.begin(), rows_touched.end(), true),
+                                   std::count(columns_touched.begin(), columns_touched.end(), true)));
+}
+
+std::string coarse_mesh_text(int across, double estimate) {
+  return "the mesh is too coarse: " + std::to_string(across) + " nodes across the contact (good from " +
+         std::to_string(kFewestNodesAcross) + "), error estimate " + rounded(estimate) + " (good up to " +
+         rounded(kLargestEstimate) + "); refine it, or leave it out";
+}
+
+}  // namespace
+
+std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
+  std::vector<Warning> warnings;
+  if (result.status == Status::max_iterations) {
+    warnings.push_back({WarningKind::max_iterations, "the contact still changed when the " +
+                                                         std::to_string(options.max_iterations) +
+                                                         " iterations ran out (max_iterations)"});
+  }
+  if (result.status == Status::accuracy_not_reached) {
+    warnings.push_back({WarningKind::accuracy_not_reached, "the error estimate is " + rounded(result.error_estimate) +
+                                                               ", above the accuracy asked for, " +
+                                                               rounded(options.accuracy)});
+  }
+  const int across = nodes_across(result);
+  if (mesh_given && (across < kFewestNodesAcross || !(result.error_estimate <= kLargestEstimate))) {
+    warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
+  }
+  if (result.strain > kLargestStrain) {
+    warnings.push_back(
+        {WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
+                                        rounded(result.strain) + " (good up to " + rounded(kLargestStrain) +
+                                        "): linear theory is checked against finite strain up to there"});
+  }
+  return warnings;
+}
+
+}  // namespace viscoroll::detail
