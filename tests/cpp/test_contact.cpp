@@ -1,47 +1,116 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-#include <cstdlib>
+#include <memory>
+#include <utility>
+#include <vector>
 
-#include "contact/dense_lu.hpp"
-#include "viscoroll/errors.hpp"
+#include "cases.hpp"
+#include "contact/normal_contact.hpp"
+#include "contact/transfer.hpp"
+#include "dense_oracle.hpp"
+#include "influence/synthesis.hpp"
+#include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-/// Unsymmetric, with a positive definite symmetric part, like a compliance with memory.
-Eigen::MatrixXd unsymmetric(Eigen::Index size) {
-  std::srand(1);
-  const Eigen::MatrixXd a = Eigen::MatrixXd::Random(size, size);
-  return a * a.transpose() / static_cast<double>(size) + 0.1 * Eigen::MatrixXd::Identity(size, size) +
-         0.5 * (a - a.transpose());
+CoatedSphere elastic_sphere() {
+  return {.core_radius = 20e-3, .layers = {{.thickness = 3e-3, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.45}}};
 }
 
-TEST(SolveDense, AgreesWithFullPivoting) {
-  const Observer observer;
-  Watch watch(observer);
-  for (const Eigen::Index size : {1, 5, 96, 97, 400}) {
-    const Eigen::MatrixXd matrix = unsymmetric(size);
-    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
-    const Eigen::MatrixXd expected = matrix.fullPivLu().solve(right);
-    const Eigen::MatrixXd solution = solve_dense(matrix, right, 2, watch);
-    EXPECT_LT((solution - expected).norm(), 1e-10 * expected.norm()) << size;
+/// A sphere on a mesh.
+struct Model {
+  Model(const CoatedSphere& sphere, Formulation formulation, const Window& window, int nodes_per_revolution = 160)
+      : mesh{.nodes_per_revolution = nodes_per_revolution, .max_order = nodes_per_revolution},
+        orders(sphere, 2.5, mesh, 2, watch),
+        nodes({outer_radius(sphere), phi_spacing(mesh), theta_spacing(mesh)}, window) {
+    const auto tables = [this](const std::vector<TableRequest>& requests, int phi_reach, int theta_reach) {
+      return std::make_shared<const std::vector<Table>>(orders.tables(requests, phi_reach, theta_reach, 2, watch));
+    };
+    const WindowShape shape = window.shape();
+    surface = std::make_shared<TableOperator>(
+        formulation, nodes, tables(displacement_tables(formulation), shape.phi_nodes - 1, shape.theta_nodes - 1),
+        [tables, formulation](int phi_reach, int theta_reach) {
+          return tables(dissipation_tables(formulation), phi_reach, theta_reach);
+        },
+        Execution{2, watch});
   }
+
+  [[nodiscard]] ContactProblem problem(double normal_force) const {
+    return {.surface = surface, .initial_gap = nodes.height(), .normal_force = normal_force, .friction = std::nullopt};
+  }
+
+  Observer observer;
+  Watch watch{observer};
+  Mesh mesh;
+  OrderSum orders;
+  SurfaceWindow nodes;
+  std::shared_ptr<const SurfaceOperator> surface;
+};
+
+class NormalContactTest : public testing::TestWithParam<std::tuple<bool, Compliance, PatchLoad>> {};
+
+TEST_P(NormalContactTest, AgreesWithADenseSolution) {
+  const auto& [lossless, compliance, patch_load] = GetParam();
+  const Model model(lossless ? elastic_sphere() : cases::unlike_layers(),
+                    {.compliance = compliance, .patch_load = patch_load, .tangential = false}, {{-10, 10}, {-9, 9}});
+  const ContactProblem problem = model.problem(60.0);
+  const NormalContactGuess guess{
+      .contact = {model.nodes.window().number_of(0, 0)}, .pressing = Eigen::ArrayXd::Zero(21 * 19), .penetration = 0.0};
+  const ContactSolution contact = solve_normal_contact(problem, guess, {.max_iterations = 100});
+  EXPECT_TRUE(contact.converged);
+  EXPECT_GT(contact.contact.size(), 40);
+  const Eigen::VectorXd dense = oracle::press_flat(problem, oracle::compliance(*model.surface, false), contact.contact);
+  const auto count = static_cast<Eigen::Index>(contact.contact.size());
+  const Eigen::VectorXd pressing = pressing_force(contact)(contact.contact).matrix();
+  EXPECT_LT((pressing - dense.head(count)).cwiseAbs().maxCoeff(), 1e-9 * dense.head(count).maxCoeff());
+  EXPECT_NEAR(contact.penetration, dense[count], 1e-9 * dense[count]);
+  EXPECT_GE(contact.gap.minCoeff(), -1e-9 * contact.penetration);
 }
 
-TEST(SolveDense, DoesNotDependOnTheNumberOfThreads) {
-  const Observer observer;
-  Watch watch(observer);
-  const Eigen::MatrixXd matrix = unsymmetric(500);
-  const Eigen::MatrixXd right = Eigen::MatrixXd::Ones(500, 1);
-  EXPECT_EQ(solve_dense(matrix, right, 1, watch), solve_dense(matrix, right, 3, watch));
+INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,
+                         testing::Combine(testing::Bool(), testing::Values(Compliance::vertical, Compliance::radial),
+                                          testing::Values(PatchLoad::flat, PatchLoad::spherical)));
+
+/// What every other node does is what the fine nodes do whose patches make up theirs.
+TEST(SurfaceOperator, CoarserSelfIsTheSameSurface) {
+  const Model model(cases::unlike_layers(), {Compliance::radial, PatchLoad::flat, true}, {{-9, 11}, {-10, 10}});
+  LocatedContact coarse{.problem = coarsened(model.problem(1.0)), .contact = {}};
+  const Window& window = coarse.window();
+  VectorField force = VectorField::Zero(window.shape().size(), 3);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    force.col(axis) = Eigen::ArrayXd::LinSpaced(force.rows(), 1.0, 9.0 + static_cast<double>(axis)).sin();
+  }
+  coarse.contact.force = force;
+  const VectorField fine_force = prolonged_force(coarse, model.nodes.window());
+  const VectorField moved = coarse.problem.surface->displacement(force);
+  const VectorField fine_moved = model.surface->displacement(fine_force);
+  const double largest = moved.abs().maxCoeff();
+  for (int i = window.phi.first; i <= window.phi.last; ++i) {
+    for (int k = window.theta.first; k <= window.theta.last; ++k) {
+      const auto difference =
+          moved.row(window.number_of(i, k)) - fine_moved.row(model.nodes.window().number_of(2 * i, 2 * k));
+      EXPECT_LT(difference.abs().maxCoeff(), 1e-12 * largest) << i << " " << k;
+    }
+  }
+  const double lost = model.surface->dissipation(fine_force);
+  EXPECT_NEAR(coarse.problem.surface->dissipation(force), lost, 1e-10 * lost);
 }
 
-TEST(SolveDense, StopsOnRequest) {
-  const Observer observer{.cancelled = [] { return true; }};
-  Watch watch(observer);
-  const Eigen::MatrixXd matrix = unsymmetric(1500);
-  EXPECT_THROW(std::ignore = solve_dense(matrix, Eigen::MatrixXd::Ones(1500, 1), 2, watch), Cancelled);
+TEST(SurfaceOperator, ScalesDoNotDependOnTheWindow) {
+  // The middle of the list of nodes is not the lowest one where a box has an even count of rows.
+  const Formulation formulation{Compliance::radial, PatchLoad::flat, true};
+  const Model model(cases::paper_sphere(), formulation, {{-12, 12}, {-9, 9}});
+  for (const Window& box : {Window{{-7, 6}, {-5, 5}}, Window{{-12, 3}, {-9, 9}}}) {
+    const auto part = model.surface->within(box);
+    EXPECT_EQ(part->normal_stiffness(), model.surface->normal_stiffness());
+    EXPECT_EQ(part->slip_stiffness(), model.surface->slip_stiffness());
+  }
+  const Eigen::MatrixXd matrix = oracle::compliance(*model.surface);
+  const Eigen::Index lowest = model.nodes.window().number_of(0, 0);
+  const Eigen::Index nodes = model.nodes.shape().size();
+  EXPECT_NEAR(model.surface->normal_stiffness() * matrix(nodes + lowest, nodes + lowest), 1.0, 1e-12);
+  EXPECT_NEAR(model.surface->slip_stiffness() * (matrix(lowest, lowest) - matrix(lowest - 19, lowest)), 1.0, 1e-12);
 }
 
 }  // namespace

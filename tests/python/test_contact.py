@@ -27,7 +27,7 @@ def test_agrees_with_the_dense_reference(unlike_ball, compliance, patch_load):
         unlike_ball, load=60.0, angular_speed=2.5, mesh=mesh, compliance=compliance, patch_load=patch_load
     )
     assert result.contact.sum() > 30
-    assert result.products == 0  # by elimination
+    assert result.products > 0
 
     radius = unlike_ball.outer_radius
     half = [count // 2 for count in result.x.shape]

@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "contact/coating_compliance.hpp"
+#include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Forces and where they act.
 struct ContactSolution {
-  VectorField force;                  ///< on the coating at every node [N]: the pressing one along y is <= 0
+  VectorField force;                  ///< on the surface at every node [N]: the pressing one along y is <= 0
   VectorField displacement;           ///< of every node [m]; empty where nobody has asked for it yet
   Eigen::ArrayXd gap;                 ///< of every node to the plane [m]
   std::vector<Eigen::Index> contact;  ///< nodes in contact
@@ -20,12 +20,12 @@ struct ContactSolution {
 
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
   Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
-  std::optional<double> speed_ratio;  ///< V_s / (Omega r_o) [-]; undetermined without friction, unless given
+  std::optional<double> speed_ratio;  ///< of the speed to the undeformed surface's; undetermined without friction
 
-  int iterations = 0;      ///< linear systems solved
-  int products = 0;        ///< of the compliance with a field, where systems were solved without their matrix
-  bool converged = false;  ///< every condition holds
-  double residual = 0.0;   ///< largest violation of the conditions [-], see the solver
+  int iterations = 0;             ///< linear systems solved
+  int operator_applications = 0;  ///< by which they were solved
+  bool converged = false;         ///< every condition holds
+  double residual = 0.0;          ///< largest violation of the conditions [-], see the solver
 };
 
 /// @return force that presses each node [N], >= 0

@@ -9,28 +9,24 @@
 #include <utility>
 #include <vector>
 
+#include "contact/newton_step.hpp"
 #include "contact/stick_slip_preconditioner.hpp"
-#include "contact/stick_slip_products.hpp"
-#include "contact/stick_slip_system.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-using Eigen::ArrayX2d;
-using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr std::size_t kFewestKrylovNodes = 600;  // below, elimination is quicker and finds a way more often
-constexpr double kTolerance = 1e-10;             // residual of a converged state, per load
-constexpr double kRoundOff = 1e-8;               // residual of one that Newton steps no longer improve
-constexpr int kStepsOfOneFriction = 25;          // Newton steps before an intermediate friction is tried
-constexpr int kFreeSteps = 8;                    // of them before their lengths are controlled
-constexpr double kShortestStep = 0.05;           // per Newton step
-constexpr double kSmallestStep = 0.05;           // of the logarithm of friction in a continuation
-constexpr double kEasyFriction = 0.3;            // second start
-constexpr double kRoughStep = 1e-2;  // residual of a step by products: as much as a step's change of sets is worth
+constexpr double kTolerance = 1e-10;     // residual of a converged state, per load
+constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
+constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
+constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
+constexpr double kShortestStep = 0.05;   // per Newton step
+constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
+constexpr double kEasyFriction = 0.3;    // second start
+constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
@@ -66,17 +62,18 @@ class CycleBreaker {
 
 class FrictionalContactSolver {
  public:
-  FrictionalContactSolver(const FrictionalContactProblem& problem, const ContactSolution& start,
-                          const ContactOptions& options)
+  FrictionalContactSolver(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options)
       : problem_(problem),
         options_(options),
-        scales_(condition_scales(problem)),
+        friction_(*problem.friction),
+        stride_(problem.surface->shape().theta_nodes),
+        scales_(condition_scales(*problem.surface)),
+        preconditioner_(*problem.surface),
         state_(start),
         has_friction_(start.speed_ratio.has_value()),
         tolerance_(std::max(kTolerance, options.tolerance)) {
     if (has_friction_) return;
-    const auto* given = std::get_if<DriveCreepage>(&problem.drive);
-    state_.speed_ratio = 1.0 + (given != nullptr ? given->creepage : 0.0);
+    state_.speed_ratio = friction_.drive->likely_speed_ratio();
     state_.converged = false;
   }
 
@@ -84,14 +81,16 @@ class FrictionalContactSolver {
   /// an easy friction or step by step.
   [[nodiscard]] ContactSolution solve() {
     const ContactSolution start = state_;
-    if (has_friction_ && (iterate(problem_.friction) || (restart_from(start) && iterate_exactly()))) return finished();
+    if (has_friction_ && (iterate(friction_.coefficient) || (restart_from(start) && iterate_exactly())))
+      return finished();
     restart_from(start);
     iterate(std::numeric_limits<double>::infinity());
     const ContactSolution stick = state_;
-    const double large = 10.0 * std::max(1.0, problem_.friction);  // hardly different from full stick
-    const bool found = iterate(problem_.friction) ||
-                       (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, problem_.friction)) ||
-                       (restart_from(stick) && approach(large, std::sqrt(large * problem_.friction)));
+    const double large = 10.0 * std::max(1.0, friction_.coefficient);  // hardly different from full stick
+    const bool found =
+        iterate(friction_.coefficient) ||
+        (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, friction_.coefficient)) ||
+        (restart_from(stick) && approach(large, std::sqrt(large * friction_.coefficient)));
     if (!found) {
       throw ConvergenceError("no state of stick and slip was found in " + std::to_string(state_.iterations) +
                                  " iterations: the residual is " + text(last_residual_) + " of the load",
@@ -109,18 +108,18 @@ class FrictionalContactSolver {
   /// Newton steps that are solved with care, where rough ones have failed.
   bool iterate_exactly() {
     step_tolerance_ = kExactStep;
-    const bool found = iterate(problem_.friction);
+    const bool found = iterate(friction_.coefficient);
     step_tolerance_ = kRoughStep;
     return found;
   }
 
   /// Go from the present state, at the friction `reached`, by way of `next` to the one wanted, halving steps that fail.
   bool approach(double reached, double next) {
-    while (reached != problem_.friction) {
+    while (reached != friction_.coefficient) {
       const ContactSolution before = state_;
       if (iterate(next)) {
         reached = next;
-        next = problem_.friction;
+        next = friction_.coefficient;
       } else {
         if (state_.iterations >= options_.max_iterations) return false;
         restart_from(before);
@@ -134,23 +133,23 @@ class FrictionalContactSolver {
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
   bool restart_from(const ContactSolution& other) {
     const int iterations = state_.iterations;
-    const int products = state_.products;
+    const int applications = state_.operator_applications;
     state_ = other;
     state_.iterations = iterations;
-    state_.products = products;
+    state_.operator_applications = applications;
     return true;
   }
 
   /// Newton steps at a given friction, from the present state.
   bool iterate(double friction) {
-    CycleBreaker breaker(problem_.shape.size());
+    CycleBreaker breaker(problem_.initial_gap.size());
     for (int step = 0;; ++step) {
       const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
       ContactSets sets = classify(friction);
       if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
-      const bool stalled = state_.residual > (preconditioner_ ? 0.5 : 0.1) * before_step;
+      const bool stalled = state_.residual > 0.5 * before_step;
       if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;
@@ -165,13 +164,8 @@ class FrictionalContactSolver {
   }
 
   void take_step(double friction, const ContactSets& sets, int step) {
-    if (sets.contact.size() <= kFewestKrylovNodes) {
-      take_newton_step(problem_, friction, scales_, sets, options_, state_);
-      return;
-    }
-    if (!preconditioner_) preconditioner_ = std::make_unique<StickSlipPreconditioner>(problem_.normal.coating);
     const double tolerance = step < kFreeSteps ? step_tolerance_ : 0.1 * step_tolerance_;
-    take_newton_step_by_products(problem_, friction, scales_, sets, *preconditioner_, tolerance, state_);
+    take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state_);
   }
 
   /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
@@ -188,32 +182,20 @@ class FrictionalContactSolver {
   }
 
   void find_displacements() {
-    const NormalContactProblem& normal = problem_.normal;
-    const Index stride = problem_.shape.theta_nodes;
-    const Index rest = problem_.shape.size() - stride;
-    state_.displacement = normal.coating.displacement(state_.force);
-    if (preconditioner_) ++state_.products;
-    state_.gap = normal.drop - state_.displacement.col(kDown) - state_.penetration;
-    state_.slip.resize(problem_.shape.size(), 2);
-    state_.slip.topRows(stride).setZero();  // no contact there, see `classify`
-    state_.slip.bottomRows(rest).col(0) =
-        *state_.speed_ratio * problem_.step + problem_.ways.tail(rest) +
-        (state_.displacement.col(kForward).tail(rest) - state_.displacement.col(kForward).head(rest));
-    state_.slip.bottomRows(rest).col(1) =
-        state_.displacement.col(kSideways).tail(rest) - state_.displacement.col(kSideways).head(rest);
-    if (const auto* given = std::get_if<DriveCreepage>(&problem_.drive)) {
-      state_.slip.bottomRows(rest).col(1) += given->lateral_creepage * problem_.step;
-    }
+    state_.displacement = problem_.surface->displacement(state_.force);
+    ++state_.operator_applications;
+    state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
+    state_.slip = slip(friction_, stride_, state_.displacement, *state_.speed_ratio);
   }
 
   /// Who touches, sticks and slips next, and how far all conditions are from holding.
   ContactSets classify(double friction) {
     ContactSets sets;
     double violation = std::pow(imbalance(), 2);
-    for (Index node = 0; node < problem_.shape.size(); ++node) {
+    for (Index node = 0; node < problem_.initial_gap.size(); ++node) {
       const double pressing = -state_.force(node, kDown);
       const double predicted = pressing - scales_.normal * state_.gap[node];
-      const bool touches = predicted > 0.0 && node >= problem_.shape.theta_nodes;
+      const bool touches = predicted > 0.0 && node >= stride_;
       violation += std::pow(touches ? scales_.normal * state_.gap[node] : pressing, 2);
       const Eigen::Array2d traction(state_.force(node, kForward), state_.force(node, kSideways));
       if (!touches) {
@@ -235,20 +217,16 @@ class FrictionalContactSolver {
         violation += (traction - limit * direction).square().sum();
       }
     }
-    state_.residual = std::sqrt(violation) / problem_.normal.load;
+    state_.residual = std::sqrt(violation) / problem_.normal_force;
     return sets;
   }
 
   /// How far load and drive are from balance [N].
   [[nodiscard]] double imbalance() const {
-    const double load = -state_.force.col(kDown).sum() - problem_.normal.load;
-    if (const auto* pull = std::get_if<DriveForce>(&problem_.drive)) {
-      return std::hypot(load, state_.force.col(kForward).sum() + pull->force);
-    }
-    if (const auto* turn = std::get_if<DriveTorque>(&problem_.drive)) {
-      return std::hypot(load, (contact_moment(problem_, state_) - turn->torque) / problem_.y.maxCoeff());
-    }
-    return load;
+    const double load = -state_.force.col(kDown).sum() - problem_.normal_force;
+    const DriveRow drive =
+        friction_.drive->row(friction_.arms, state_.force, state_.displacement, scales_.tangential * friction_.step);
+    return std::hypot(load, drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value);
   }
 
   void note_sets(const ContactSets& sets) {
@@ -259,27 +237,22 @@ class FrictionalContactSolver {
     }
   }
 
-  const FrictionalContactProblem& problem_;
+  const ContactProblem& problem_;
   const ContactOptions& options_;
+  const Friction& friction_;
+  Index stride_;  // from a node to its downstream neighbor
   ConditionScales scales_;
+  StickSlipPreconditioner preconditioner_;
   ContactSolution state_;
   bool has_friction_;
   double tolerance_;  // residual of a converged state
   double step_tolerance_ = kRoughStep;
-  std::unique_ptr<StickSlipPreconditioner> preconditioner_;  // of large contacts
-  double last_residual_ = 1.0;                               // the last finite one, for the message of a failure
+  double last_residual_ = 1.0;  // the last finite one, for the message of a failure
 };
 
 }  // namespace
 
-double contact_moment(const FrictionalContactProblem& problem, const ContactSolution& contact) {
-  const double displaced = problem.lever_arm == LeverArm::displaced ? 1.0 : 0.0;
-  const ArrayXd x = problem.x + displaced * contact.displacement.col(kForward);
-  const ArrayXd y = problem.y + contact.displacement.col(kDown);
-  return (y * contact.force.col(kForward) - x * contact.force.col(kDown)).sum();
-}
-
-ContactSolution solve_frictional_contact(const FrictionalContactProblem& problem, const ContactSolution& start,
+ContactSolution solve_frictional_contact(const ContactProblem& problem, const ContactSolution& start,
                                          const ContactOptions& options) {
   return FrictionalContactSolver(problem, start, options).solve();
 }

@@ -1,137 +1,113 @@
 #include "contact/krylov.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
-#include <unsupported/Eigen/IterativeSolvers>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace viscoroll::detail {
-
-class ProductMatrix;
-
-}  // namespace viscoroll::detail
-
-namespace Eigen::internal {
-
-/// Eigen's iterative solvers take what behaves like a sparse matrix.
-template <>
-struct traits<viscoroll::detail::ProductMatrix> : traits<SparseMatrix<double>> {};
-
-}  // namespace Eigen::internal
-
-namespace viscoroll::detail {
-
-/// A linear operator in the shape of a matrix.
-class ProductMatrix : public Eigen::EigenBase<ProductMatrix> {
- public:
-  using Scalar = double;
-  using RealScalar = double;
-  using StorageIndex = int;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
-
-  ProductMatrix(const LinearOperator& product, Eigen::Index size) : product_(product), size_(size) {}
-
-  [[nodiscard]] Eigen::Index rows() const { return size_; }
-  [[nodiscard]] Eigen::Index cols() const { return size_; }
-
-  template <class Right>
-  [[nodiscard]] Eigen::Product<ProductMatrix, Right, Eigen::AliasFreeProduct> operator*(
-      const Eigen::MatrixBase<Right>& right) const {
-    return {*this, right.derived()};
-  }
-
-  [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& right) const { return product_(right); }
-
- private:
-  const LinearOperator& product_;
-  Eigen::Index size_;
-};
-
 namespace {
 
-constexpr int kMostIterations = 200;  // some ten are enough
-constexpr int kMostGmresIterations = 60;
+using Eigen::Index;
+using Eigen::VectorXd;
 
-class OperatorPreconditioner {
+constexpr Index kMostDirections = 120;  // kept before a restart
+constexpr int kMostProducts = 360;      // some ten are enough
+constexpr double kStagnation = 0.5;     // of the residual over a restart
+
+/// Orthonormal directions of a Krylov space, with the least residual over it.
+class Arnoldi {
  public:
-  void set(const LinearOperator& inverse) { inverse_ = &inverse; }
+  explicit Arnoldi(const VectorXd& residual) : right_side_{residual.norm()} {
+    directions_.push_back(residual / right_side_.front());
+  }
 
-  // What Eigen calls on the way.
-  template <class Matrix>
-  OperatorPreconditioner& analyzePattern(const Matrix&) {
-    return *this;
-  }
-  template <class Matrix>
-  OperatorPreconditioner& factorize(const Matrix&) {
-    return *this;
-  }
-  template <class Matrix>
-  OperatorPreconditioner& compute(const Matrix&) {
-    return *this;
-  }
-  [[nodiscard]] Eigen::ComputationInfo info() { return Eigen::Success; }
+  [[nodiscard]] const VectorXd& last() const { return directions_.back(); }
+  [[nodiscard]] Index count() const { return static_cast<Index>(rotations_.size()); }
+  [[nodiscard]] double residual() const { return std::abs(right_side_.back()); }
 
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return (*inverse_)(right); }
+  /// Add the image of the last direction. @return whether it adds anything
+  bool extend(VectorXd image) {
+    const Index n = count();
+    VectorXd column = VectorXd::Zero(n + 2);
+    const double before = image.norm();
+    for (int pass = 0; pass < 2; ++pass) {  // twice is enough for orthogonality to round-off
+      for (Index i = 0; i <= n; ++i) {
+        const double share = directions_[static_cast<std::size_t>(i)].dot(image);
+        image -= share * directions_[static_cast<std::size_t>(i)];
+        column[i] += share;
+      }
+    }
+    const double rest = image.norm();
+    column[n + 1] = rest;
+    for (Index i = 0; i < n; ++i) rotations_[static_cast<std::size_t>(i)].apply(column[i], column[i + 1]);
+    const double length = std::hypot(column[n], column[n + 1]);
+    rotations_.push_back({.cosine = column[n] / length, .sine = column[n + 1] / length});
+    column[n] = length;
+    right_side_.push_back(0.0);
+    rotations_.back().apply(right_side_[static_cast<std::size_t>(n)], right_side_[static_cast<std::size_t>(n + 1)]);
+    columns_.push_back(column.head(n + 1));
+    const bool adds = rest > 1e-15 * before;
+    if (adds) directions_.push_back(image / rest);
+    return adds;
+  }
+
+  /// The combination of directions with the least residual.
+  [[nodiscard]] VectorXd combination() const {
+    const Index n = count();
+    VectorXd shares(n);
+    for (Index i = n - 1; i >= 0; --i) {
+      double sum = right_side_[static_cast<std::size_t>(i)];
+      for (Index j = i + 1; j < n; ++j) sum -= columns_[static_cast<std::size_t>(j)][i] * shares[j];
+      shares[i] = sum / columns_[static_cast<std::size_t>(i)][i];
+    }
+    VectorXd result = VectorXd::Zero(directions_.front().size());
+    for (Index i = 0; i < n; ++i) result += shares[i] * directions_[static_cast<std::size_t>(i)];
+    return result;
+  }
 
  private:
-  const LinearOperator* inverse_ = nullptr;
-};
-
-}  // namespace
-}  // namespace viscoroll::detail
-
-namespace Eigen::internal {
-
-template <class Right>
-struct generic_product_impl<viscoroll::detail::ProductMatrix, Right, SparseShape, DenseShape, GemvProduct>
-    : generic_product_impl_base<viscoroll::detail::ProductMatrix, Right,
-                                generic_product_impl<viscoroll::detail::ProductMatrix, Right>> {
-  using Scalar = double;
-
-  template <class Destination>
-  static void scaleAndAddTo(Destination& destination, const viscoroll::detail::ProductMatrix& left, const Right& right,
-                            const Scalar& scale) {
-    destination.noalias() += scale * left.times(right);
-  }
-};
-
-}  // namespace Eigen::internal
-
-namespace viscoroll::detail {
-
-namespace {
-
-template <class Solver>
-KrylovSolution solve_with(Solver&& solver, const LinearOperator& matrix, const LinearOperator& preconditioner,
-                          const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
-  int products = 0;
-  const LinearOperator counted = [&](const Eigen::VectorXd& vector) {
-    ++products;
-    return matrix(vector);
+  struct Rotation {
+    void apply(double& first, double& second) const {
+      const double turned = cosine * first + sine * second;
+      second = cosine * second - sine * first;
+      first = turned;
+    }
+    double cosine;
+    double sine;
   };
-  const ProductMatrix product(counted, right.size());
-  solver.preconditioner().set(preconditioner);
-  solver.setTolerance(tolerance);
-  solver.setMaxIterations(kMostIterations);
-  solver.compute(product);
-  Eigen::VectorXd unknowns = solver.solveWithGuess(right, guess);
-  return {.unknowns = std::move(unknowns), .products = products, .error = solver.error()};
-}
+
+  std::vector<VectorXd> directions_;
+  std::vector<VectorXd> columns_;  // of the triangle that rotations make of the Hessenberg matrix
+  std::vector<Rotation> rotations_;
+  std::vector<double> right_side_;  // rotated alike; its last number is the residual
+};
 
 }  // namespace
 
-KrylovSolution solve_krylov(KrylovMethod method, const LinearOperator& matrix, const LinearOperator& preconditioner,
-                            const Eigen::VectorXd& right, const Eigen::VectorXd& guess, double tolerance) {
-  if (method == KrylovMethod::cg) {
-    return solve_with(Eigen::ConjugateGradient<ProductMatrix, Eigen::Lower | Eigen::Upper, OperatorPreconditioner>(),
-                      matrix, preconditioner, right, guess, tolerance);
+KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
+                            const VectorXd& guess, const KrylovTolerance& tolerance) {
+  KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
+  double small = tolerance.absolute;
+  for (;;) {
+    const VectorXd residual = right - matrix(solution.unknowns);
+    ++solution.products;
+    const double before = solution.residual;
+    solution.residual = residual.norm();
+    if (solution.products == 1) small = std::max(small, tolerance.relative * solution.residual);
+    const bool stagnates = solution.products > 1 && !(solution.residual < kStagnation * before);
+    if (!(solution.residual > small) || stagnates || solution.products >= kMostProducts) return solution;
+    Arnoldi space(residual);
+    for (bool adds = true; adds && space.residual() > small && space.count() < kMostDirections;) {
+      adds = space.extend(matrix(preconditioner(space.last())));
+      ++solution.products;
+    }
+    solution.unknowns += preconditioner(space.combination());
+    if (space.residual() <= small) {
+      solution.residual = space.residual();
+      return solution;
+    }
   }
-  if (method == KrylovMethod::gmres) {
-    Eigen::GMRES<ProductMatrix, OperatorPreconditioner> solver;
-    solver.set_restart(kMostGmresIterations);
-    return solve_with(solver, matrix, preconditioner, right, guess, tolerance);
-  }
-  return solve_with(Eigen::BiCGSTAB<ProductMatrix, OperatorPreconditioner>(), matrix, preconditioner, right, guess,
-                    tolerance);
 }
 
 }  // namespace viscoroll::detail

@@ -13,26 +13,25 @@ using LinearOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 /// @brief What a Krylov solve came to.
 struct KrylovSolution {
   Eigen::VectorXd unknowns;
-  int products;  ///< with the matrix
-  double error;  ///< relative residual
+  int products;     ///< with the matrix
+  double residual;  ///< norm of b - A x
 };
 
-/// @brief Which method solves a system.
-enum class KrylovMethod {
-  cg,        ///< conjugate gradients, for a symmetric positive definite matrix: one product per iteration
-  bicgstab,  ///< for any other: two
-  gmres,     ///< for any other: one, and memory for a vector; the residuals are those of the preconditioned system
+/// @brief When a residual is small enough: as soon as its norm is below one of the two.
+struct KrylovTolerance {
+  double absolute = 0.0;
+  double relative = 0.0;  ///< to the residual of the guess
 };
 
-/// @brief Solve A x = b.
-/// @param[in] method BiCGSTAB, or CG where A and the preconditioner allow it
+/// @brief Solve A x = b by GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869), preconditioned from
+/// the right, so that the residuals are those of the system itself.
 /// @param[in] matrix A
 /// @param[in] preconditioner approximate inverse of A
 /// @param[in] right b
 /// @param[in] guess to start from
-/// @param[in] tolerance of the relative residual
-[[nodiscard]] KrylovSolution solve_krylov(KrylovMethod method, const LinearOperator& matrix,
-                                          const LinearOperator& preconditioner, const Eigen::VectorXd& right,
-                                          const Eigen::VectorXd& guess, double tolerance);
+/// @param[in] tolerance of the residual
+[[nodiscard]] KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner,
+                                          const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
+                                          const KrylovTolerance& tolerance);
 
 }  // namespace viscoroll::detail

@@ -1,14 +1,10 @@
 #include "contact/normal_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
-#include "contact/dense_lu.hpp"
 #include "contact/krylov.hpp"
 #include "influence/inverse_convolution.hpp"
 #include "viscoroll/errors.hpp"
@@ -20,13 +16,11 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t kFewestKrylovNodes = 100;  // below, elimination is quicker
-constexpr double kExact = 1e-11;                 // overclosure per penetration that is round-off after elimination
-constexpr double kFirstTolerance = 1e-5;         // of relative residuals, while the set is far from the right one
-constexpr double kTightening = 0.03;             // of the tolerance as the set comes closer
-constexpr double kPredictionStiffness = 0.3;     // of a node's own: rather too many nodes than too few, which join last
-constexpr double kOverclosureFactor = 10.0;      // overclosure that is taken for one, per tolerance
-constexpr double kKrylovFailure = 1e-8;          // relative residual that no answer can be built on
+constexpr double kFirstTolerance = 1e-5;      // of relative residuals, while the set is far from the right one
+constexpr double kTightening = 0.03;          // of the tolerance as the set comes closer
+constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
+constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
+constexpr double kFailure = 1e-8;             // relative residual that no answer can be built on
 
 /// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
 struct FlatPressing {
@@ -34,39 +28,26 @@ struct FlatPressing {
   double penetration;
 };
 
-FlatPressing press_by_elimination(const NormalContactProblem& problem, const std::vector<Index>& contact) {
-  const auto count = static_cast<Index>(contact.size());
-  Eigen::MatrixXd right_sides(count, 2);
-  right_sides.col(0) = -problem.drop(contact).matrix();
-  right_sides.col(1).setOnes();
-  const Execution& execution = problem.coating.execution();
-  const Eigen::MatrixXd forces = solve_dense(problem.coating.block(contact, contact, std::array{kDown}),
-                                             std::move(right_sides), execution.threads, execution.watch);
-  const double penetration = (problem.load - forces.col(0).sum()) / forces.col(1).sum();
-  return {.forces = forces.col(0) + penetration * forces.col(1), .penetration = penetration};
-}
-
 /// The equations of flat pressing without their matrix. Forces come first, then the penetration times a stiffness.
 ///
 /// The preconditioner leaves no sum of forces, so that from a guess that bears the load all steps do: what a Krylov
 /// method sees is the compliance on forces without a sum, symmetric where the coating is lossless.
 class FlatEquations {
  public:
-  FlatEquations(const NormalContactProblem& problem, const InverseConvolution& inverse,
-                const std::vector<Index>& contact)
+  FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse, const std::vector<Index>& contact)
       : problem_(problem),
         inverse_(inverse),
         contact_(contact),
-        rows_(problem.coating.shape(), contact),
+        rows_(problem.surface->shape(), contact),
         count_(static_cast<Index>(contact.size())),
-        stiffness_(1.0 / problem.coating.table(Entry::rr)(0, 0)),
+        stiffness_(problem.surface->normal_stiffness()),
         balance_(1.0 / std::sqrt(static_cast<double>(count_))),
         uniform_(precondition_forces(VectorXd::Ones(count_))) {}
 
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(count_ + 1);
-    right.head(count_) = -stiffness_ * problem_.drop(contact_).matrix();
-    right[count_] = balance_ * problem_.load;
+    right.head(count_) = -stiffness_ * problem_.initial_gap(contact_).matrix();
+    right[count_] = balance_ * problem_.normal_force;
     return right;
   }
 
@@ -76,20 +57,20 @@ class FlatEquations {
     unknowns.head(count_) = -state.force.col(kDown)(contact_).matrix();
     unknowns[count_] = stiffness_ * state.penetration;
     VectorXd missing = VectorXd::Zero(count_ + 1);
-    missing[count_] = balance_ * (problem_.load - unknowns.head(count_).sum());
+    missing[count_] = balance_ * (problem_.normal_force - unknowns.head(count_).sum());
     return unknowns + precondition(missing);
   }
 
   /// What unknowns mean, with forces that bear the load to the last digit.
   [[nodiscard]] FlatPressing pressing(const VectorXd& unknowns) const {
-    const double missing = problem_.load - unknowns.head(count_).sum();
+    const double missing = problem_.normal_force - unknowns.head(count_).sum();
     return {.forces = unknowns.head(count_) + missing / uniform_.sum() * uniform_,
             .penetration = unknowns[count_] / stiffness_};
   }
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
     VectorXd result(count_ + 1);
-    result.head(count_) = stiffness_ * problem_.coating.vertical_displacement(rows_, unknowns.head(count_));
+    result.head(count_) = stiffness_ * problem_.surface->normal_displacement(rows_, unknowns.head(count_));
     result.head(count_).array() -= unknowns[count_];
     result[count_] = balance_ * unknowns.head(count_).sum();
     return result;
@@ -106,11 +87,11 @@ class FlatEquations {
 
  private:
   [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
-    const Execution& execution = problem_.coating.execution();
+    const Execution& execution = problem_.surface->execution();
     return inverse_.apply(rows_, right / stiffness_, execution.threads, execution.watch);
   }
 
-  const NormalContactProblem& problem_;
+  const ContactProblem& problem_;
   const InverseConvolution& inverse_;
   const std::vector<Index>& contact_;
   NodeRows rows_;
@@ -120,25 +101,11 @@ class FlatEquations {
   VectorXd uniform_;  // forces that lower all nodes alike
 };
 
-/// Whether material does not remember which way it went: then the matrix is symmetric.
-bool is_symmetric(const Table& table) {
-  const double round_off = 1e-13 * table(0, 0);
-  for (int j = 1; j <= table.phi_reach(); ++j) {
-    for (int l = 0; l <= table.theta_reach(); ++l) {
-      if (std::abs(table(j, l) - table(-j, l)) > round_off) return false;
-    }
-  }
-  return true;
-}
-
 class NormalContactSolver {
  public:
-  NormalContactSolver(const NormalContactProblem& problem, const NormalContactGuess& guess,
-                      const ContactOptions& options)
-      : problem_(problem),
-        options_(options),
-        method_(is_symmetric(problem.coating.table(Entry::rr)) ? KrylovMethod::cg : KrylovMethod::bicgstab) {
-    state_.force = VectorField::Zero(problem.drop.size(), 3);
+  NormalContactSolver(const ContactProblem& problem, const NormalContactGuess& guess, const ContactOptions& options)
+      : problem_(problem), options_(options) {
+    state_.force = VectorField::Zero(problem.initial_gap.size(), 3);
     state_.force.col(kDown) = -guess.pressing;
     state_.contact = guess.contact;
     state_.penetration = guess.penetration;
@@ -146,11 +113,11 @@ class NormalContactSolver {
 
   [[nodiscard]] ContactSolution solve() {
     tolerance_ = std::max(kFirstTolerance, options_.tolerance);
-    if (by_products() && state_.penetration > 0.0) predict_contact();
+    if (state_.penetration > 0.0) predict_contact();
     while (state_.iterations < options_.max_iterations && !state_.converged) {
       ++state_.iterations;
       press();
-      const bool rough = by_products() && tolerance_ > options_.tolerance;
+      const bool rough = tolerance_ > options_.tolerance;
       bool changed = drop_tensile();
       if (state_.contact.empty()) throw ConvergenceError("no node carries load", state_.iterations, 1.0);
       if (!changed) {
@@ -169,38 +136,34 @@ class NormalContactSolver {
   }
 
  private:
-  [[nodiscard]] bool by_products() const { return !krylov_failed_ && state_.contact.size() > kFewestKrylovNodes; }
-
   void press() {
-    if (by_products() && press_by_products()) return;
-    if (static_cast<Index>(state_.contact.size()) > options_.max_unknowns) {
-      throw std::length_error(std::to_string(state_.contact.size()) + " nodes in contact, for elimination alone");
-    }
-    take(press_by_elimination(problem_, state_.contact));
-  }
-
-  /// @return whether it worked: not where memory is so strong that the symbol is far from the matrix
-  bool press_by_products() {
     if (!inverse_) {
-      const WindowShape shape = problem_.coating.shape();
+      const WindowShape shape = problem_.surface->shape();
       const WindowShape period{fast_length(shape.phi_nodes), fast_length(shape.theta_nodes)};
-      inverse_ = std::make_unique<InverseConvolution>(problem_.coating.make_inverse_of(Entry::rr, period));
+      const Execution& execution = problem_.surface->execution();
+      inverse_ = std::make_unique<InverseConvolution>(
+          shape, period, std::vector{&problem_.surface->local().table(Entry::rr)},
+          std::vector<ConvolutionTerm>{{.result = 0, .table = 0, .operand = 0, .sign = 1.0}}, execution.threads,
+          execution.watch);
     }
     const FlatEquations equations(problem_, *inverse_, state_.contact);
-    const KrylovSolution solution = solve_krylov(
-        method_, [&](const VectorXd& vector) { return equations.times(vector); },
-        [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
-        equations.unknowns(state_), tolerance_);
-    state_.products += solution.products;
-    krylov_failed_ = !(solution.error < std::max(kKrylovFailure, 2.0 * tolerance_));
-    if (!krylov_failed_) take(equations.pressing(solution.unknowns));
-    return !krylov_failed_;
+    const VectorXd right_side = equations.right_side();
+    const KrylovSolution solution =
+        solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
+                     [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side,
+                     equations.unknowns(state_), {.absolute = tolerance_ * right_side.norm()});
+    state_.operator_applications += solution.products;
+    const double error = solution.residual / right_side.norm();
+    if (!(error < std::max(kFailure, 2.0 * tolerance_))) {
+      throw ConvergenceError("the contact equations were not solved", state_.iterations, error);
+    }
+    take(equations.pressing(solution.unknowns));
   }
 
   /// Who touches, by the forces of the guess and the gaps that they leave.
   void predict_contact() {
     find_gap();
-    const double stiffness = kPredictionStiffness / problem_.coating.table(Entry::rr)(0, 0);
+    const double stiffness = kPredictionStiffness * problem_.surface->normal_stiffness();
     const ArrayXd predicted = -state_.force.col(kDown) - stiffness * state_.gap;
     std::vector<Index> contact;
     for (Index node = 0; node < predicted.size(); ++node) {
@@ -228,13 +191,13 @@ class NormalContactSolver {
   }
 
   void find_gap() {
-    if (by_products()) ++state_.products;
-    const ArrayXd rise = problem_.coating.vertical_displacement(-state_.force.col(kDown));
-    state_.gap = problem_.drop + rise - state_.penetration;
+    ++state_.operator_applications;
+    const ArrayXd rise = problem_.surface->normal_displacement(-state_.force.col(kDown));
+    state_.gap = problem_.initial_gap + rise - state_.penetration;
   }
 
   bool add_overclosed() {
-    const double tolerance = by_products() ? kOverclosureFactor * tolerance_ : kExact;
+    const double tolerance = kOverclosureFactor * tolerance_;
     std::vector<Index> added;
     for (Index node = 0; node < state_.gap.size(); ++node) {
       const bool overclosed = state_.gap[node] < -tolerance * state_.penetration;
@@ -252,18 +215,16 @@ class NormalContactSolver {
     return std::max(overclosure, opening) / state_.penetration;
   }
 
-  const NormalContactProblem& problem_;
+  const ContactProblem& problem_;
   const ContactOptions& options_;
   ContactSolution state_;
-  KrylovMethod method_;
   double tolerance_ = 0.0;
-  bool krylov_failed_ = false;
   std::unique_ptr<InverseConvolution> inverse_;
 };
 
 }  // namespace
 
-ContactSolution solve_normal_contact(const NormalContactProblem& problem, const NormalContactGuess& guess,
+ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                      const ContactOptions& options) {
   return NormalContactSolver(problem, guess, options).solve();
 }

@@ -6,14 +6,31 @@
 #include "influence/periodic_table.hpp"
 
 namespace viscoroll::detail {
-StickSlipPreconditioner::StickSlipPreconditioner(const CoatingCompliance& coating)
-    : coating_(coating),
-      inverse_(coating.make_inverse(doubled(coating.shape()))),
-      product_(coating.shape(), doubled(coating.shape())) {
+namespace {
+
+/// All nine entries of the compliance, in the order (r, phi, theta).
+InverseConvolution make_inverse(const SurfaceOperator& surface) {
+  std::vector<const Table*> tables;
+  for (const auto& table : surface.local().tables) tables.push_back(table.get());
+  std::vector<ConvolutionTerm> terms;
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const SignedEntry source = entry_of(p, q);
+      terms.push_back({p, static_cast<std::size_t>(source.entry), q, source.sign});
+    }
+  }
+  const Execution& execution = surface.execution();
+  return {surface.shape(), doubled(surface.shape()), tables, terms, execution.threads, execution.watch};
+}
+
+}  // namespace
+
+StickSlipPreconditioner::StickSlipPreconditioner(const SurfaceOperator& surface)
+    : surface_(surface), inverse_(make_inverse(surface)), product_(surface.shape(), doubled(surface.shape())) {
   const WindowShape period = product_.period();
-  const PeriodicTable forward(coating.table(Entry::phiphi), coating.shape(), period);
-  const PeriodicTable sideways(coating.table(Entry::thetatheta), coating.shape(), period);
-  const Execution& execution = coating.execution();
+  const PeriodicTable forward(surface.local().table(Entry::phiphi), surface.shape(), period);
+  const PeriodicTable sideways(surface.local().table(Entry::thetatheta), surface.shape(), period);
+  const Execution& execution = surface.execution();
   slip_compliance_ = product_.spectrum([&](int j, int l) { return 0.5 * (forward(j, l) + sideways(j, l)); },
                                        execution.threads, execution.watch);
   const std::size_t stride = product_.column_stride();
@@ -21,6 +38,25 @@ StickSlipPreconditioner::StickSlipPreconditioner(const CoatingCompliance& coatin
     const double turn = static_cast<double>(i % stride) / period.phi_nodes;
     slip_compliance_[i] *= static_cast<double>(period.size()) * (1.0 - std::polar(1.0, -2.0 * std::numbers::pi * turn));
   }
+}
+
+VectorField StickSlipPreconditioner::force(const VectorField& displacement) const {
+  const auto& directions = surface_.local().directions;
+  Eigen::ArrayXXd moved(displacement.rows(), static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    moved.col(static_cast<Eigen::Index>(p)) = directions[p][0] * displacement.col(0) +
+                                              directions[p][1] * displacement.col(1) +
+                                              directions[p][2] * displacement.col(2);
+  }
+  const Execution& execution = surface_.execution();
+  const Eigen::ArrayXXd loads = inverse_.apply(moved, execution.threads, execution.watch);
+  VectorField force = VectorField::Zero(displacement.rows(), 3);
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    for (const Axis axis : {kForward, kDown, kSideways}) {
+      force.col(axis) += directions[p][axis] * loads.col(static_cast<Eigen::Index>(p));
+    }
+  }
+  return force;
 }
 
 ComplexBuffer StickSlipPreconditioner::turning_symbol(double rigidity, double scale) const {
@@ -33,7 +69,7 @@ ComplexBuffer StickSlipPreconditioner::turning_symbol(double rigidity, double sc
 }
 
 Eigen::ArrayXd StickSlipPreconditioner::apply(const ComplexBuffer& symbol, const Eigen::ArrayXd& field) const {
-  const Execution& execution = coating_.execution();
+  const Execution& execution = surface_.execution();
   return product_.apply(field, {{0, &symbol, 0, 1.0}}, 1, execution.threads, execution.watch);
 }
 

@@ -4,22 +4,20 @@
 
 #include <Eigen/Core>
 
-#include "contact/coating_compliance.hpp"
 #include "influence/inverse_convolution.hpp"
 #include "influence/spectral_product.hpp"
+#include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Inverse symbols on the doubled window, for all steps on one window.
 class StickSlipPreconditioner {
  public:
-  explicit StickSlipPreconditioner(const CoatingCompliance& coating);
+  explicit StickSlipPreconditioner(const SurfaceOperator& surface);
 
   /// @param[in] displacement of every node [m]
   /// @return forces that would bring it about [N]
-  [[nodiscard]] VectorField force(const VectorField& displacement) const {
-    return coating_.approximate_force(inverse_, displacement);
-  }
+  [[nodiscard]] VectorField force(const VectorField& displacement) const;
 
   /// @brief Symbol of the inverse of (1 - kappa) + kappa c D C, D the difference from the upstream neighbor and C the
   /// mean compliance along the plane: what turns the traction of a slipping node.
@@ -31,7 +29,7 @@ class StickSlipPreconditioner {
   [[nodiscard]] Eigen::ArrayXd apply(const ComplexBuffer& symbol, const Eigen::ArrayXd& field) const;
 
  private:
-  const CoatingCompliance& coating_;
+  const SurfaceOperator& surface_;
   InverseConvolution inverse_;
   SpectralProduct product_;
   ComplexBuffer slip_compliance_;  // of D C

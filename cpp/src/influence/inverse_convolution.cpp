@@ -32,7 +32,7 @@ std::vector<ComplexBuffer> inverse(const std::vector<ComplexBuffer>& spectra, co
 
 }  // namespace
 
-InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
+InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, const std::vector<const Table*>& tables,
                                        const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch)
     : product_(shape, period), fields_(0) {
   for (const ConvolutionTerm& term : terms) fields_ = std::max(fields_, term.result + 1);
@@ -40,7 +40,7 @@ InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, co
   for (const ConvolutionTerm& term : terms) {
     ComplexBuffer& spectrum = spectra[term.table];
     if (spectrum.empty()) {
-      spectrum = product_.spectrum(PeriodicTable(tables[term.table], shape, period), threads, watch);
+      spectrum = product_.spectrum(PeriodicTable(*tables[term.table], shape, period), threads, watch);
     }
   }
   // The spectrum is divided by the number of points, and so must its inverse be.

@@ -22,7 +22,7 @@ class InverseConvolution {
   /// @param[in] terms of a convolution of as many fields as results
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  InverseConvolution(WindowShape shape, WindowShape period, const std::vector<Table>& tables,
+  InverseConvolution(WindowShape shape, WindowShape period, const std::vector<const Table*>& tables,
                      const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
 
   /// @param[in] fields over the window, a column for each

@@ -14,7 +14,7 @@ namespace {
 constexpr int kShortReach = 128;
 
 std::vector<TableRequest> requests(const Formulation& formulation, TableKind kind) {
-  return kind == TableKind::displacement ? displacement_tables(formulation) : lost_work_tables(formulation);
+  return kind == TableKind::displacement ? displacement_tables(formulation) : dissipation_tables(formulation);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& f
     phi_reach = std::min(std::max(phi_reach, 3 * set->phi_reach / 2), mesh().nodes_per_revolution / 2);
     theta_reach = std::min(std::max(theta_reach, 3 * set->theta_reach / 2), theta_nodes_per_revolution(mesh()) / 2);
   }
-  constexpr std::array kAll{TableKind::displacement, TableKind::lost_work};
+  constexpr std::array kAll{TableKind::displacement, TableKind::dissipation};
   const bool together = std::max(phi_reach, theta_reach) <= kShortReach;
   add(formulation, together ? std::span<const TableKind>(kAll) : std::span(&kind, 1), phi_reach, theta_reach,
       execution);

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "contact/coating_compliance.hpp"
-#include "contact/surface_window.hpp"
 #include "influence/synthesis.hpp"
 #include "parallel.hpp"
+#include "surface/surface_window.hpp"
+#include "surface/table_operator.hpp"
 #include "viscoroll/influence.hpp"
 
 namespace viscoroll::detail {
@@ -18,7 +18,7 @@ namespace viscoroll::detail {
 /// @brief What influence tables are for.
 enum class TableKind {
   displacement,  ///< those of `displacement_tables`
-  lost_work,     ///< those of `lost_work_tables`
+  dissipation,   ///< those of `dissipation_tables`
 };
 
 /// @brief A coating at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.

@@ -53,7 +53,7 @@ class Summary {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
     r.iterations = contact_.iterations;
     r.residual = contact_.residual;
-    r.products = contact_.products;
+    r.products = contact_.operator_applications;
   }
 
   void add_shape(Result& r) const {
@@ -93,7 +93,7 @@ class Summary {
       r.creepage = *speed_ratio - 1.0;
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
-    r.bulk_power = load_case.angular_speed * given_.lost_work;
+    r.bulk_power = load_case.angular_speed * given_.dissipation;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }

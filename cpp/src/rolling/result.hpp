@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/contact_solution.hpp"
-#include "contact/surface_window.hpp"
+#include "surface/surface_window.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
@@ -16,7 +16,7 @@ struct ContactConditions {
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]
   double centrifugal;        ///< d_R^(c) [m]
-  double lost_work;          ///< in the coating, per radian [N m]
+  double dissipation;        ///< in the coating, per radian [N m]
 };
 
 /// @brief Torques, powers and fields of a solved contact.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "contact/multilevel.hpp"
@@ -31,7 +32,7 @@ class LoadCaseSolver {
         options_(options),
         formulation_{
             .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
-        limits_{.max_iterations = options.max_iterations, .max_unknowns = kMaxUnknowns},
+        limits_{.max_iterations = options.max_iterations},
         execution_{.threads = options.threads, .watch = watch},
         grid_(model.grid()),
         swelling_(1.0 + model.centrifugal() / grid_.radius) {}
@@ -60,30 +61,80 @@ class LoadCaseSolver {
   /// @return nothing where the contact reaches the edge of the window
   [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate) const {
     require_few_nodes(half_phi, half_theta);
-    const CandidateSurface surface{
-        .formulation = formulation_,
-        .window = {grid_, {-half_phi, half_phi}, {-half_theta, half_theta}},
-        .tables = model_.tables(formulation_, TableKind::displacement, 2 * half_phi, 2 * half_theta, execution_),
-        .swelling = swelling_};
-    try {
-      LocatedContact located = solve_contact(surface, estimate);
-      for (;;) {
-        const bool boxed = !located.window.covers_same(surface.window);
-        const bool at_edge = touches_edge(located.contact, located.window.shape());
-        if (!boxed && at_edge) return std::nullopt;
-        const double lost = lost_work(located);
-        const ContactSolution whole = extended(std::move(located), surface, execution_);
-        const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
-        if (!boxed || !(at_edge || overclosed)) return result(surface.window, whole, lost);
-        located = solve_whole(whole, surface);
+    const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
+    const ContactProblem problem = make_problem(nodes);
+    const double depth =
+        grid_.radius - std::sqrt(std::max(std::pow(grid_.radius, 2) - std::pow(0.8 * estimate, 2), 0.0));
+    LocatedContact located = solve_contact(problem, swelling_ * depth);
+    for (;;) {
+      const bool boxed = located.window() != nodes.window();
+      const bool at_edge = touches_edge(located);
+      if (!boxed && at_edge) return std::nullopt;
+      const ContactSolution whole = extended(located, problem);
+      const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
+      if (!boxed || !(at_edge || overclosed)) {
+        return result(nodes, whole, located.problem.surface->dissipation(located.contact.force));
       }
-    } catch (const std::length_error& error) {
-      reject("mesh.nodes_per_revolution", "coarse enough for " + std::to_string(kMaxUnknowns) + " unknown forces",
-             std::to_string(model_.mesh().nodes_per_revolution) + " (" + error.what() + ")");
+      // The box that was thought to hold the contact does not.
+      located = solve_on_window(problem, whole, limits_);
     }
   }
 
-  [[nodiscard]] Result result(const SurfaceWindow& window, const ContactSolution& contact, double lost_work) const {
+  [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
+    const WindowShape shape = nodes.shape();
+    const auto tables = [this](TableKind kind) {
+      return [this, kind](int phi_reach, int theta_reach) {
+        return model_.tables(formulation_, kind, phi_reach, theta_reach, execution_);
+      };
+    };
+    ContactProblem problem{
+        .surface = std::make_shared<TableOperator>(
+            formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
+            tables(TableKind::dissipation), execution_),
+        .initial_gap = swelling_ * nodes.height(),
+        .normal_force = load_case_.load,
+        .friction = std::nullopt};
+    if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
+    return problem;
+  }
+
+  [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
+    return {.coefficient = load_case_.friction,
+            .rigid_slip = rigid_slip(nodes),
+            .step = grid_.radius * grid_.phi_spacing,
+            .arms = {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()},
+            .drive = make_drive()};
+  }
+
+  /// Of material over the plane, from row to row, were the speed 0.
+  [[nodiscard]] Eigen::ArrayX2d rigid_slip(const SurfaceWindow& nodes) const {
+    const double step = grid_.radius * grid_.phi_spacing;
+    const Eigen::Index stride = nodes.shape().theta_nodes;
+    const Eigen::Index rest = nodes.shape().size() - stride;
+    Eigen::ArrayX2d slip = Eigen::ArrayX2d::Zero(nodes.shape().size(), 2);
+    if (options_.slip_kinematics == SlipKinematics::exact) {
+      slip.col(0).tail(rest) = swelling_ * (nodes.x().tail(rest) - nodes.x().head(rest));
+    } else {
+      slip.col(0).tail(rest).setConstant(-step);
+    }
+    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
+      slip.col(1).tail(rest).setConstant(given->lateral_creepage * step);
+    }
+    return slip;
+  }
+
+  [[nodiscard]] std::shared_ptr<const Drive> make_drive() const {
+    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
+      return std::make_shared<GivenSpeed>(1.0 + given->creepage);
+    }
+    if (const auto* pull = std::get_if<DriveForce>(&load_case_.drive)) return std::make_shared<GivenForce>(pull->force);
+    return std::make_shared<GivenMoment>(std::get<DriveTorque>(load_case_.drive).torque, pressure_share());
+  }
+
+  /// With the radial compliance pressure does no work along the plane.
+  [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
+
+  [[nodiscard]] Result result(const SurfaceWindow& window, const ContactSolution& contact, double dissipation) const {
     if (!(contact.penetration > 0.0)) {
       throw ConvergenceError("the load was found to lift the sphere", contact.iterations, contact.residual);
     }
@@ -95,29 +146,33 @@ class LoadCaseSolver {
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.coating().sphere()),
                         .centrifugal = model_.centrifugal(),
-                        .lost_work = lost_work});
+                        .dissipation = dissipation});
   }
 
-  [[nodiscard]] LocatedContact solve_contact(const CandidateSurface& surface, double estimate) const {
-    if (load_case_.friction > 0.0) {
-      return solve_multilevel(surface, FrictionalLoad{load_case_, options_.slip_kinematics}, estimate, limits_,
-                              execution_);
+  [[nodiscard]] LocatedContact solve_contact(const ContactProblem& problem, double likely_depth) const {
+    try {
+      return solve_multilevel(problem, likely_depth, limits_);
+    } catch (const ConvergenceError&) {
+      if (const auto* turn = std::get_if<DriveTorque>(&load_case_.drive)) {
+        require_rolling(problem, likely_depth, turn->torque);
+      }
+      throw;
     }
-    return solve_multilevel(surface, load_case_.load, estimate, limits_, execution_);
   }
 
-  /// The contact again on the whole window, where the box that was thought to hold it does not.
-  [[nodiscard]] LocatedContact solve_whole(const ContactSolution& found, const CandidateSurface& surface) const {
-    LocatedContact located = solve_on_window(found, surface, load_case_.load, limits_, execution_);
-    if (load_case_.friction == 0.0) return located;
-    return add_friction(std::move(located), surface, {load_case_, options_.slip_kinematics}, limits_);
-  }
-
-  [[nodiscard]] double lost_work(const LocatedContact& located) const {
-    const WindowShape shape = located.window.shape();
-    const auto tables =
-        model_.tables(formulation_, TableKind::lost_work, shape.phi_nodes - 1, shape.theta_nodes - 1, execution_);
-    return detail::lost_work(formulation_, located.window, *tables, located.contact.force, execution_);
+  /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
+  void require_rolling(ContactProblem problem, double likely_depth, double torque) const {
+    std::array<double, 2> limits{};
+    for (const std::size_t side : {0, 1}) {
+      problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
+      const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
+      limits[side] = moment(sliding.problem.friction->arms, sliding.contact.force) +
+                     displaced_moment(sliding.contact.displacement, sliding.contact.force, pressure_share());
+    }
+    if (torque > limits[0] && torque < limits[1]) return;
+    reject("drive.torque",
+           "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
+           text(torque) + " N m");
   }
 
   void require_few_nodes(int half_phi, int half_theta) const {

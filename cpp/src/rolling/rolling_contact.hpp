@@ -2,7 +2,6 @@
 /// @brief One load case on one mesh, from input to result.
 #pragma once
 
-#include <Eigen/Core>
 #include <stdexcept>
 
 #include "parallel.hpp"
@@ -10,9 +9,6 @@
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Unknown forces of a dense matrix: 0.8 GB.
-constexpr Eigen::Index kMaxUnknowns = 10000;
 
 /// @brief A mesh that makes more nodes around the contact than can be held.
 class MeshTooFine : public std::invalid_argument {

@@ -1,4 +1,4 @@
-#include "contact/surface_window.hpp"
+#include "surface/surface_window.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -20,8 +20,8 @@ struct Angle {
 
 }  // namespace
 
-SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, NodeRange phi, NodeRange theta)
-    : grid_(grid), phi_range_(phi), theta_range_(theta) {
+SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window) : grid_(grid), window_(window) {
+  const auto& [phi, theta] = window;
   const Eigen::Index count = shape().size();
   x_.resize(count);
   y_.resize(count);
@@ -43,23 +43,17 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, NodeRange phi, NodeRange t
   }
 }
 
-Eigen::Index SurfaceWindow::number_of(const SurfaceWindow& other, Eigen::Index node) const {
-  const Eigen::Index i = node / other.shape().theta_nodes + other.phi_range_.first - phi_range_.first;
-  const Eigen::Index k = node % other.shape().theta_nodes + other.theta_range_.first - theta_range_.first;
-  return i * shape().theta_nodes + k;
-}
-
 Eigen::ArrayXd SurfaceWindow::phi() const {
   const Eigen::Index columns = shape().theta_nodes;
   return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
-    return std::numbers::pi / 2.0 + static_cast<double>(phi_range_.first + node / columns) * grid_.phi_spacing;
+    return std::numbers::pi / 2.0 + static_cast<double>(window_.phi.first + node / columns) * grid_.phi_spacing;
   });
 }
 
 Eigen::ArrayXd SurfaceWindow::theta() const {
   const Eigen::Index columns = shape().theta_nodes;
   return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
-    return std::numbers::pi / 2.0 + static_cast<double>(theta_range_.first + node % columns) * grid_.theta_spacing;
+    return std::numbers::pi / 2.0 + static_cast<double>(window_.theta.first + node % columns) * grid_.theta_spacing;
   });
 }
 

@@ -5,18 +5,9 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "influence/spectral_product.hpp"
+#include "surface/window.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Consecutive nodes along a direction, counted from the lowest point.
-struct NodeRange {
-  int first;
-  int last;  ///< the last one itself
-
-  [[nodiscard]] int count() const { return last - first + 1; }
-  friend bool operator==(const NodeRange&, const NodeRange&) = default;
-};
 
 /// @brief The sphere with its grid of nodes at equal spacings in phi and theta, one of them at the lowest point
 /// phi = theta = pi/2.
@@ -30,21 +21,12 @@ struct SurfaceGrid {
 class SurfaceWindow {
  public:
   /// @param[in] grid all nodes
-  /// @param[in] phi,theta nodes of the window, less than a quarter revolution from the lowest point
-  SurfaceWindow(const SurfaceGrid& grid, NodeRange phi, NodeRange theta);
+  /// @param[in] window its nodes, less than a quarter revolution from the lowest point
+  SurfaceWindow(const SurfaceGrid& grid, const Window& window);
 
-  [[nodiscard]] WindowShape shape() const { return {phi_range_.count(), theta_range_.count()}; }
+  [[nodiscard]] WindowShape shape() const { return window_.shape(); }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
-  [[nodiscard]] NodeRange phi_range() const { return phi_range_; }
-  [[nodiscard]] NodeRange theta_range() const { return theta_range_; }
-
-  /// @return whether another window of the same grid has the same nodes
-  [[nodiscard]] bool covers_same(const SurfaceWindow& other) const {
-    return phi_range_ == other.phi_range_ && theta_range_ == other.theta_range_;
-  }
-
-  /// @return the number, in this window, of the node of another one that has number `node` there; inside this window
-  [[nodiscard]] Eigen::Index number_of(const SurfaceWindow& other, Eigen::Index node) const;
+  [[nodiscard]] const Window& window() const { return window_; }
 
   /// Undeformed positions [m]: x forward, y down, z sideways.
   [[nodiscard]] const Eigen::ArrayXd& x() const { return x_; }
@@ -63,8 +45,7 @@ class SurfaceWindow {
 
  private:
   SurfaceGrid grid_;
-  NodeRange phi_range_;
-  NodeRange theta_range_;
+  Window window_;
   Eigen::ArrayXd x_, y_, z_, height_;
 };
 

@@ -1,4 +1,4 @@
-#include "contact/stick_slip_products.hpp"
+#include "contact/newton_step.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -19,9 +19,10 @@ constexpr double kMostRigidity = 0.9;
 
 /// Nodes that stick, and the runs along phi that they lie in.
 struct StickRuns {
-  StickRuns(const FrictionalContactProblem& problem, const ContactSets& sets) {
-    const Index stride = problem.shape.theta_nodes;
-    std::vector<Index> place(static_cast<std::size_t>(problem.shape.size()), -1);
+  StickRuns(const ContactProblem& problem, const ContactSets& sets) {
+    const WindowShape shape = problem.surface->shape();
+    const Index stride = shape.theta_nodes;
+    std::vector<Index> place(static_cast<std::size_t>(shape.size()), -1);
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       if (!sets.states[i].stick) continue;
       const Index node = sets.contact[i];  // ascending, so that the upstream neighbor has been here
@@ -31,28 +32,31 @@ struct StickRuns {
       nodes.push_back(node);
       heads.push_back(before < 0 ? node - stride : heads[upstream]);
       lengths.push_back(1.0 + (before < 0 ? 0.0 : lengths[upstream]));
-      ways.push_back(problem.ways[node] + (before < 0 ? 0.0 : ways[upstream]));
+      const Eigen::Array2d way = problem.friction->rigid_slip.row(node).transpose();
+      rigid_slip.push_back(before < 0 ? way : way + rigid_slip[upstream]);
     }
   }
 
   [[nodiscard]] Index count() const { return static_cast<Index>(nodes.size()); }
   [[nodiscard]] auto length() const { return Eigen::Map<const ArrayXd>(lengths.data(), count()); }
-  [[nodiscard]] auto way() const { return Eigen::Map<const ArrayXd>(ways.data(), count()); }
+  [[nodiscard]] ArrayXd way(Index axis) const {
+    return ArrayXd::NullaryExpr(count(), [&](Index i) { return rigid_slip[static_cast<std::size_t>(i)][axis]; });
+  }
 
   std::vector<Index> nodes;
   std::vector<Index> heads;  // the node upstream of the run's first
   std::vector<double> lengths;
-  std::vector<double> ways;  // from the head on
+  std::vector<Eigen::Array2d> rigid_slip;  // from the head on
 };
 
 /// Nodes that slip, and where to.
 struct SlippingNodes {
-  SlippingNodes(const FrictionalContactProblem& problem, const ContactSets& sets) {
+  SlippingNodes(const ContactProblem& problem, const ContactSets& sets) {
     std::vector<TangentialState> states;
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       if (sets.states[i].stick) continue;
       nodes.push_back(sets.contact[i]);
-      upstream.push_back(sets.contact[i] - problem.shape.theta_nodes);
+      upstream.push_back(sets.contact[i] - problem.surface->shape().theta_nodes);
       places.push_back(static_cast<Index>(i));
       states.push_back(sets.states[i]);
     }
@@ -77,10 +81,11 @@ struct SlippingNodes {
 /// speed ratio times step * scales.tangential: all of them forces.
 class Equations {
  public:
-  Equations(const FrictionalContactProblem& problem, double friction, const ConditionScales& scales,
-            const ContactSets& sets, const StickSlipPreconditioner& preconditioner, const ContactSolution& state)
+  Equations(const ContactProblem& problem, double coefficient, const ConditionScales& scales, const ContactSets& sets,
+            const StickSlipPreconditioner& preconditioner, const ContactSolution& state)
       : problem_(problem),
-        friction_(std::isfinite(friction) ? friction : 0.0),
+        friction_(*problem.friction),
+        coefficient_(std::isfinite(coefficient) ? coefficient : 0.0),
         scales_(scales),
         contact_(sets.contact),
         stick_(problem, sets),
@@ -88,10 +93,9 @@ class Equations {
         preconditioner_(preconditioner),
         state_(state),
         contacts_(static_cast<Index>(contact_.size())),
-        forces_(contacts_ + 2 * stick_.count() + slip_.count()) {
-    if (const auto* drive = std::get_if<DriveCreepage>(&problem.drive)) {
-      lateral_way_ = drive->lateral_creepage * problem.step;
-    }
+        forces_(contacts_ + 2 * stick_.count() + slip_.count()),
+        drive_(
+            friction_.drive->row(friction_.arms, state.force, state.displacement, scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
       const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMostRigidity);
       turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);
@@ -101,14 +105,15 @@ class Equations {
 
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(forces_ + 2);
-    right.head(contacts_) = -scales_.normal * problem_.normal.drop(contact_).matrix();
-    forward(right) = -scales_.normal * stick_.way().matrix();
-    sideways(right) = -scales_.normal * lateral_way_ * stick_.length().matrix();
+    right.head(contacts_) = -scales_.normal * problem_.initial_gap(contact_).matrix();
+    forward(right) = -scales_.normal * stick_.way(0).matrix();
+    sideways(right) = -scales_.normal * stick_.way(1).matrix();
+    const Eigen::ArrayX2d way = friction_.rigid_slip(slip_.nodes, Eigen::all);
     across(right) = (-scales_.tangential * slip_.rigidity *
-                     (slip_.direction.col(0) * lateral_way_ - slip_.direction.col(1) * problem_.ways(slip_.nodes)))
+                     (slip_.direction.col(0) * way.col(1) - slip_.direction.col(1) * way.col(0)))
                         .matrix();
-    right[forces_] = problem_.normal.load;
-    right[forces_ + 1] = drive_value();
+    right[forces_] = problem_.normal_force;
+    right[forces_ + 1] = drive_.value;
     return right;
   }
 
@@ -121,16 +126,16 @@ class Equations {
                         slip_.direction.col(1) * state_.force.col(kForward)(slip_.nodes))
                            .matrix();
     unknowns[forces_] = state_.penetration * scales_.normal;
-    unknowns[forces_ + 1] = *state_.speed_ratio * scales_.tangential * problem_.step;
+    unknowns[forces_ + 1] = *state_.speed_ratio * speed_force();
     return unknowns;
   }
 
   [[nodiscard]] VectorField force(const VectorXd& unknowns) const {
-    VectorField force = VectorField::Zero(problem_.shape.size(), 3);
+    VectorField force = VectorField::Zero(state_.force.rows(), 3);
     force.col(kDown)(contact_) = -unknowns.head(contacts_).array();
     force.col(kForward)(stick_.nodes) = forward(unknowns).array();
     force.col(kSideways)(stick_.nodes) = sideways(unknowns).array();
-    const ArrayXd limit = friction_ * unknowns(slip_.places).array();
+    const ArrayXd limit = coefficient_ * unknowns(slip_.places).array();
     const ArrayXd turned = across(unknowns).array();
     force.col(kForward)(slip_.nodes) = limit * slip_.direction.col(0) - turned * slip_.direction.col(1);
     force.col(kSideways)(slip_.nodes) = limit * slip_.direction.col(1) + turned * slip_.direction.col(0);
@@ -139,7 +144,7 @@ class Equations {
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
     const VectorField force = this->force(unknowns);
-    const VectorField moved = problem_.normal.coating.displacement(force);
+    const VectorField moved = problem_.surface->displacement(force);
     const double speed = unknowns[forces_ + 1];
     VectorXd result(forces_ + 2);
     result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
@@ -154,13 +159,7 @@ class Equations {
         scales_.tangential * (e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward)) - e.col(1) * speed;
     across(result) = ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * turned).matrix();
     result[forces_] = unknowns.head(contacts_).sum();
-    result[forces_ + 1] = drive_condition(force) + (prescribes_creepage() ? speed : 0.0);
-    if (prescribes_torque()) {
-      result[forces_ + 1] += ((state_.force.col(kForward) * moved.col(kDown) -
-                               pressure_lever() * state_.force.col(kDown) * moved.col(kForward))(contact_))
-                                 .sum() /
-                             arm();
-    }
+    result[forces_ + 1] = drive_.of(force, moved, speed / speed_force());
     return result;
   }
 
@@ -189,37 +188,13 @@ class Equations {
     return v.segment(contacts_ + 2 * stick_.count(), slip_.count());
   }
 
-  [[nodiscard]] double arm() const { return problem_.y.maxCoeff(); }
-  [[nodiscard]] bool prescribes_creepage() const { return std::holds_alternative<DriveCreepage>(problem_.drive); }
-  [[nodiscard]] bool prescribes_torque() const { return std::holds_alternative<DriveTorque>(problem_.drive); }
-  /// Share of u_x in the lever arm of the pressure.
-  [[nodiscard]] double pressure_lever() const { return problem_.lever_arm == LeverArm::displaced ? 1.0 : 0.0; }
-
-  [[nodiscard]] double drive_value() const {
-    if (const auto* given = std::get_if<DriveCreepage>(&problem_.drive)) {
-      return (1.0 + given->creepage) * problem_.step * scales_.tangential;
-    }
-    if (const auto* pull = std::get_if<DriveForce>(&problem_.drive)) return -pull->force;
-    const double displaced =
-        ((state_.force.col(kForward) * state_.displacement.col(kDown) -
-          pressure_lever() * state_.force.col(kDown) * state_.displacement.col(kForward))(contact_))
-            .sum();
-    return (std::get<DriveTorque>(problem_.drive).torque + displaced) / arm();
-  }
-
-  /// The condition on the speed, but for what displacements and the speed itself add to it.
-  [[nodiscard]] double drive_condition(const VectorField& force) const {
-    if (prescribes_creepage()) return 0.0;
-    if (std::holds_alternative<DriveForce>(problem_.drive)) return force.col(kForward).sum();
-    const ArrayXd x = problem_.x + pressure_lever() * state_.displacement.col(kForward);
-    const ArrayXd y = problem_.y + state_.displacement.col(kDown);
-    return (y * force.col(kForward) - x * force.col(kDown)).sum() / arm();
-  }
+  /// Force that a unit of the speed ratio counts for.
+  [[nodiscard]] double speed_force() const { return scales_.tangential * friction_.step; }
 
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
     VectorXd unknowns = VectorXd::Zero(forces_ + 2);
     unknowns.head(forces_) = forces;
-    return {forces.head(contacts_).sum(), drive_condition(force(unknowns))};
+    return {forces.head(contacts_).sum(), (drive_.on_force * force(unknowns)).sum()};
   }
 
   /// What penetration and speed do to the forces, and the two equations that are left for them.
@@ -235,12 +210,12 @@ class Equations {
     Eigen::Matrix2d border;
     border.col(0) = -border_conditions(border_response_.col(0));
     border.col(1) = -border_conditions(border_response_.col(1));
-    if (prescribes_creepage()) border(1, 1) += 1.0;
+    border(1, 1) += drive_.on_speed / speed_force();
     border_inverse_ = border.inverse();
   }
 
   [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
-    VectorField displacement = VectorField::Zero(problem_.shape.size(), 3);
+    VectorField displacement = VectorField::Zero(state_.force.rows(), 3);
     displacement.col(kDown)(contact_) = -right.head(contacts_).array() / scales_.normal;
     displacement.col(kForward)(stick_.nodes) = forward(right).array() / scales_.normal;
     displacement.col(kSideways)(stick_.nodes) = sideways(right).array() / scales_.normal;
@@ -250,15 +225,16 @@ class Equations {
     forward(result) = force.col(kForward)(stick_.nodes).matrix();
     sideways(result) = force.col(kSideways)(stick_.nodes).matrix();
     if (slip_.count() > 0) {
-      ArrayXd field = ArrayXd::Zero(problem_.shape.size());
+      ArrayXd field = ArrayXd::Zero(state_.force.rows());
       field(slip_.nodes) = across(right).array();
       across(result) = preconditioner_.apply(turning_symbol_, field)(slip_.nodes).matrix();
     }
     return result;
   }
 
-  const FrictionalContactProblem& problem_;
-  double friction_;
+  const ContactProblem& problem_;
+  const Friction& friction_;
+  double coefficient_;
   ConditionScales scales_;
   const std::vector<Index>& contact_;
   StickRuns stick_;
@@ -267,7 +243,7 @@ class Equations {
   const ContactSolution& state_;
   Index contacts_;
   Index forces_;
-  double lateral_way_ = 0.0;
+  DriveRow drive_;
   ComplexBuffer turning_symbol_;
   Eigen::MatrixX2d border_response_;
   Eigen::Matrix2d border_inverse_;
@@ -289,22 +265,19 @@ void symmetrize(const WindowShape& shape, VectorField& force) {
 
 }  // namespace
 
-void take_newton_step_by_products(const FrictionalContactProblem& problem, double friction,
-                                  const ConditionScales& scales, const ContactSets& sets,
-                                  const StickSlipPreconditioner& preconditioner, double tolerance,
-                                  ContactSolution& state) {
-  const Equations equations(problem, friction, scales, sets, preconditioner, state);
-  const KrylovSolution solution = solve_krylov(
-      KrylovMethod::gmres, [&](const VectorXd& vector) { return equations.times(vector); },
-      [&](const VectorXd& vector) { return equations.precondition(vector); }, equations.right_side(),
-      equations.unknowns(), tolerance);
+void take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
+                      const ContactSets& sets, const StickSlipPreconditioner& preconditioner, double tolerance,
+                      ContactSolution& state) {
+  const Equations equations(problem, coefficient, scales, sets, preconditioner, state);
+  const KrylovSolution solution = solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
+                                               [&](const VectorXd& vector) { return equations.precondition(vector); },
+                                               equations.right_side(), equations.unknowns(), {.relative = tolerance});
   VectorField force = equations.force(solution.unknowns);
-  const auto* creepage = std::get_if<DriveCreepage>(&problem.drive);
-  if (creepage == nullptr || creepage->lateral_creepage == 0.0) symmetrize(problem.shape, force);
-  state.products += solution.products;
+  if (is_mirror_symmetric(problem)) symmetrize(problem.surface->shape(), force);
+  state.operator_applications += solution.products;
   state.force = std::move(force);
   state.penetration = solution.unknowns[solution.unknowns.size() - 2] / scales.normal;
-  state.speed_ratio = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.step);
+  state.speed_ratio = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.friction->step);
 }
 
 }  // namespace viscoroll::detail

@@ -1,0 +1,80 @@
+#include "contact/contact_problem.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+
+/// The rows of some nodes.
+template <class Values>
+Values picked(const Values& values, const std::vector<Index>& nodes) {
+  return values(nodes, Eigen::all);
+}
+
+ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const SurfaceOperator> surface,
+                          const std::vector<Index>& nodes) {
+  ContactProblem result{.surface = std::move(surface),
+                        .initial_gap = picked(problem.initial_gap, nodes),
+                        .normal_force = problem.normal_force,
+                        .friction = problem.friction};
+  if (result.friction) {
+    Friction& friction = *result.friction;
+    friction.rigid_slip = picked(problem.friction->rigid_slip, nodes);
+    friction.arms = {.x = picked(problem.friction->arms.x, nodes), .y = picked(problem.friction->arms.y, nodes)};
+    friction.rigid_slip.topRows(result.surface->shape().theta_nodes).setZero();
+  }
+  return result;
+}
+
+}  // namespace
+
+ContactProblem coarsened(const ContactProblem& problem) {
+  const Window& fine = problem.surface->window();
+  const Window coarse = fine.coarsened();
+  std::vector<Index> nodes;
+  for (int i = coarse.phi.first; i <= coarse.phi.last; ++i) {
+    for (int k = coarse.theta.first; k <= coarse.theta.last; ++k) nodes.push_back(fine.number_of(2 * i, 2 * k));
+  }
+  ContactProblem result = with_nodes(problem, problem.surface->coarsened(), nodes);
+  if (result.friction) {
+    const Index stride = fine.theta.count();
+    for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways make a coarse one
+      result.friction->rigid_slip.row(node) +=
+          problem.friction->rigid_slip.row(nodes[static_cast<std::size_t>(node)] - stride);
+    }
+    result.friction->step *= 2.0;
+  }
+  return result;
+}
+
+ContactProblem within(const ContactProblem& problem, const Window& window) {
+  if (window == problem.surface->window()) return problem;
+  std::vector<Index> nodes;
+  for_nodes_within(problem.surface->window(), window, [&](Index, Index outer) { nodes.push_back(outer); });
+  return with_nodes(problem, problem.surface->within(window), nodes);
+}
+
+bool is_mirror_symmetric(const ContactProblem& problem) {
+  const Window& window = problem.surface->window();
+  if (window.theta.first != -window.theta.last) return false;
+  const Index stride = window.theta.count();
+  for (Index node = 0; node < window.shape().size(); ++node) {
+    const Index image = node + stride - 1 - 2 * (node % stride);
+    if (problem.initial_gap[node] != problem.initial_gap[image]) return false;
+    if (!problem.friction) continue;
+    const auto& rigid_slip = problem.friction->rigid_slip;
+    if (rigid_slip(node, 0) != rigid_slip(image, 0) || rigid_slip(node, 1) != -rigid_slip(image, 1)) return false;
+  }
+  return true;
+}
+
+Eigen::ArrayX2d slip(const Friction& friction, Index stride, const VectorField& displacement, double speed_ratio) {
+  const Index rest = displacement.rows() - stride;
+  Eigen::ArrayX2d slip = friction.rigid_slip;
+  slip.col(0).tail(rest) +=
+      speed_ratio * friction.step + displacement.col(kForward).tail(rest) - displacement.col(kForward).head(rest);
+  slip.col(1).tail(rest) += displacement.col(kSideways).tail(rest) - displacement.col(kSideways).head(rest);
+  return slip;
+}
+
+}  // namespace viscoroll::detail

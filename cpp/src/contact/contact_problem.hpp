@@ -1,0 +1,58 @@
+/// @file
+/// @brief A contact problem: what nodal forces do to the surface, and plain numbers for everything else.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "contact/drive.hpp"
+#include "surface/surface_operator.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Coulomb friction in rolling. A node in contact slides from its upstream neighbor by
+/// S = rigid_slip + speed_ratio (step, 0) + [u], where [.] is the node's value minus its neighbor's, along x and z. It
+/// sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
+struct Friction {
+  double coefficient;          ///< mu [-], > 0
+  Eigen::ArrayX2d rigid_slip;  ///< of undeformed bodies without speed, from row to row along x and z [m]; 0 in row 0
+  double step;                 ///< what a speed ratio of 1 adds to it along x [m]
+  LeverArms arms;
+  std::shared_ptr<const Drive> drive;
+};
+
+/// @brief Find forces p >= 0 and the plane's position such that the surface touches it where p > 0 and is clear
+/// elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, sum p = normal_force.
+struct ContactProblem {
+  std::shared_ptr<const SurfaceOperator> surface;
+  Eigen::ArrayXd initial_gap;        ///< of each node when the lowest one just touches [m], >= 0
+  double normal_force;               ///< [N], > 0
+  std::optional<Friction> friction;  ///< none where forces along the plane are left out
+};
+
+/// @brief Limits of a contact solver.
+struct ContactOptions {
+  int max_iterations;        ///< linear systems
+  double tolerance = 1e-11;  ///< relative residual of the last systems, and of friction per normal force
+};
+
+/// @return the problem with every other node
+[[nodiscard]] ContactProblem coarsened(const ContactProblem& problem);
+
+/// @return the problem on a window inside its own
+[[nodiscard]] ContactProblem within(const ContactProblem& problem, const Window& window);
+
+/// @return whether mirror images, sideways, are told the same
+[[nodiscard]] bool is_mirror_symmetric(const ContactProblem& problem);
+
+/// @brief The ways that nodes slide from their upstream neighbors.
+/// @param[in] friction kinematics
+/// @param[in] stride nodes of a row
+/// @param[in] displacement of every node [m]
+/// @param[in] speed_ratio [-]
+/// @return along x and z [m], 0 in the first row
+[[nodiscard]] Eigen::ArrayX2d slip(const Friction& friction, Eigen::Index stride, const VectorField& displacement,
+                                   double speed_ratio);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,116 @@
+#include "contact/transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+
+/// Nodes, along both directions, between which the contact lies.
+std::pair<NodeRange, NodeRange> extent(const LocatedContact& located) {
+  const Window& window = located.window();
+  NodeRange phi{window.phi.last, window.phi.first};
+  NodeRange theta{window.theta.last, window.theta.first};
+  for (const Index node : located.contact.contact) {
+    const int i = window.phi.first + static_cast<int>(node / window.theta.count());
+    const int k = window.theta.first + static_cast<int>(node % window.theta.count());
+    phi = {std::min(phi.first, i), std::max(phi.last, i)};
+    theta = {std::min(theta.first, k), std::max(theta.last, k)};
+  }
+  return {phi, theta};
+}
+
+/// A margin for nodes to join, of which the upstream neighbors of a contact with friction are some.
+NodeRange padded(const NodeRange& range, int scale, const NodeRange& limits) {
+  const int margin = 3 * scale + scale * range.count() / 50;
+  return {std::max(scale * range.first - margin, limits.first), std::min(scale * range.last + margin, limits.last)};
+}
+
+/// Coarse nodes around a place of the fine mesh, along one direction: itself, or its two neighbors.
+struct Neighbors {
+  explicit Neighbors(int place) : low(static_cast<int>(std::floor(0.5 * place))), count(place % 2 == 0 ? 1 : 2) {}
+  int low;
+  int count;
+};
+
+/// Call function(node, coarse nodes) for every node of the fine window with the numbers of its nearest coarse nodes, of
+/// which those outside the coarse window are left out, and how many there are with them.
+template <class Function>
+void for_nearest(const Window& coarse, const Window& fine, const Function& function) {
+  const auto& [phi, theta] = coarse;
+  std::vector<Index> nearest;
+  Index node = 0;
+  for (int i = fine.phi.first; i <= fine.phi.last; ++i) {
+    const Neighbors rows(i);
+    for (int k = fine.theta.first; k <= fine.theta.last; ++k, ++node) {
+      const Neighbors columns(k);
+      nearest.clear();
+      for (int row = rows.low; row < rows.low + rows.count; ++row) {
+        for (int column = columns.low; column < columns.low + columns.count; ++column) {
+          if (row < phi.first || row > phi.last || column < theta.first || column > theta.last) continue;
+          nearest.push_back(coarse.number_of(row, column));
+        }
+      }
+      function(node, nearest, rows.count * columns.count);
+    }
+  }
+}
+
+}  // namespace
+
+Window box_around(const LocatedContact& located, int scale, const Window& limits) {
+  const auto [phi, theta] = extent(located);
+  const int half = std::max(-theta.first, theta.last);
+  return {padded(phi, scale, limits.phi), padded({-half, half}, scale, limits.theta)};
+}
+
+VectorField prolonged_force(const LocatedContact& coarse, const Window& fine) {
+  VectorField force = VectorField::Zero(fine.shape().size(), 3);
+  for_nearest(coarse.window(), fine, [&](Index node, const std::vector<Index>& nearest, int count) {
+    for (const Index coarse_node : nearest) force.row(node) += coarse.contact.force.row(coarse_node);
+    force.row(node) /= 4.0 * count;  // a quarter of the patch
+  });
+  return force;
+}
+
+std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window& fine) {
+  std::vector<Index> contact;
+  for_nearest(coarse.window(), fine, [&](Index node, const std::vector<Index>& nearest, int count) {
+    const auto touching = std::count_if(nearest.begin(), nearest.end(), [&](Index coarse_node) {
+      return coarse.contact.force(coarse_node, kDown) < 0.0;
+    });
+    if (touching > 0 && 2 * touching >= count) contact.push_back(node);
+  });
+  return contact;
+}
+
+bool touches_edge(const LocatedContact& located) {
+  const WindowShape shape = located.window().shape();
+  return std::any_of(located.contact.contact.begin(), located.contact.contact.end(), [&](Index node) {
+    const Index i = node / shape.theta_nodes;
+    const Index k = node % shape.theta_nodes;
+    return i <= 1 || i == shape.phi_nodes - 1 || k == 0 || k == shape.theta_nodes - 1;
+  });
+}
+
+ContactSolution extended(const LocatedContact& located, const ContactProblem& whole) {
+  const Window& outer = whole.surface->window();
+  ContactSolution contact = located.contact;
+  contact.force = VectorField::Zero(outer.shape().size(), 3);
+  if (located.contact.slip.rows() > 0) contact.slip = Eigen::ArrayX2d::Zero(outer.shape().size(), 2);
+  for_nodes_within(outer, located.window(), [&](Index node, Index number) {
+    contact.force.row(number) = located.contact.force.row(node);
+    if (contact.slip.rows() > 0) contact.slip.row(number) = located.contact.slip.row(node);
+  });
+  for (auto* nodes : {&contact.contact, &contact.stick}) {
+    for (Index& node : *nodes) node = outer.number_of(located.window(), node);
+  }
+  contact.displacement = whole.surface->displacement(contact.force);
+  contact.gap = whole.initial_gap - contact.displacement.col(kDown) - contact.penetration;
+  return contact;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,84 @@
+/// @file
+/// @brief All that a contact solver sees of a body: what nodal forces do to its surface.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "influence/node_rows.hpp"
+#include "influence/table.hpp"
+#include "modal/spectrum.hpp"
+#include "parallel.hpp"
+#include "surface/window.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Vectors at the nodes of a window: a row for each node, with columns x (forward), y (down) and z (sideways).
+using VectorField = Eigen::ArrayX3d;
+
+/// @brief Column of a `VectorField`.
+enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
+
+/// @brief Who computes, and who may stop it.
+struct Execution {
+  int threads;                          ///< 0 for all cores
+  std::reference_wrapper<Watch> watch;  ///< progress and cancellation
+};
+
+/// @brief Translation-invariant compliance that is an operator's own around the lowest point, and near it elsewhere:
+/// what scales and preconditioners are made of. The compliance of a sum of operators is the sum of theirs.
+struct LocalCompliance {
+  /// [Entry], tables of flat patches that reach across the window; only that of r by r where there are no others
+  std::array<std::shared_ptr<const Table>, kEntries> tables;
+  /// [component][axis] of r, phi and theta, or of r alone, at every node
+  std::vector<std::array<Eigen::ArrayXd, 3>> directions;
+
+  [[nodiscard]] const Table& table(Entry entry) const { return *tables[static_cast<std::size_t>(entry)]; }
+};
+
+/// @brief Displacements of a surface by forces on the nodes of a window. Operators do not change, but keep buffers: one
+/// serves one thread at a time.
+class SurfaceOperator {
+ public:
+  virtual ~SurfaceOperator() = default;
+
+  [[nodiscard]] virtual const Window& window() const = 0;
+  [[nodiscard]] virtual const Execution& execution() const = 0;
+
+  /// @param[in] force on every node [N]
+  /// @return displacement of every node [m]
+  [[nodiscard]] virtual VectorField displacement(const VectorField& force) const = 0;
+
+  /// @param[in] nodes that carry forces
+  /// @param[in] pressing force on each of them, upwards [N]
+  /// @return their upward displacements [m]
+  [[nodiscard]] virtual Eigen::VectorXd normal_displacement(const NodeRows& nodes,
+                                                            const Eigen::VectorXd& pressing) const = 0;
+
+  /// @return the same surface with every other node, each of whose patches is twice as wide and long
+  [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> coarsened() const = 0;
+
+  /// @return the same surface on a window inside this one
+  [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> within(const Window& window) const = 0;
+
+  [[nodiscard]] virtual const LocalCompliance& local() const = 0;
+
+  /// @param[in] force on every node [N]
+  /// @return work lost in the body per radian of turning [N m], which uses neither the contact nor the displacements
+  [[nodiscard]] virtual double dissipation(const VectorField& force) const = 0;
+
+  [[nodiscard]] WindowShape shape() const { return window().shape(); }
+
+  /// @return upward displacement of every node [m] by pressing forces on every node [N]
+  [[nodiscard]] Eigen::ArrayXd normal_displacement(const Eigen::ArrayXd& pressing) const;
+
+  /// @return force per own displacement of a node, pressed [N/m]
+  [[nodiscard]] double normal_stiffness() const;
+  /// @return force along the plane per displacement of a node relative to its upstream neighbor [N/m]
+  [[nodiscard]] double slip_stiffness() const;
+};
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,79 @@
+/// @file
+/// @brief Surfaces whose compliance is translation invariant along phi and theta, but for rotations.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "influence/convolution.hpp"
+#include "influence/synthesis.hpp"
+#include "surface/surface_operator.hpp"
+#include "surface/surface_window.hpp"
+#include "viscoroll/solve.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Which terms of C_r = Q^T C_s Q are kept, and how patches are loaded.
+struct Formulation {
+  Compliance compliance;
+  PatchLoad patch_load;
+  bool tangential;  ///< whether forces along the plane occur
+
+  friend bool operator==(const Formulation&, const Formulation&) = default;
+};
+
+/// @brief Tables that the displacements of a formulation are made of, that of r by r first.
+[[nodiscard]] std::vector<TableRequest> displacement_tables(const Formulation& formulation);
+
+/// @brief Tables that the work lost in the body is made of.
+[[nodiscard]] std::vector<TableRequest> dissipation_tables(const Formulation& formulation);
+
+/// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
+/// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along the
+/// plane press with their share of r, and u_r moves the surface along the plane.
+class TableOperator : public SurfaceOperator {
+ public:
+  using Tables = std::shared_ptr<const std::vector<Table>>;
+  /// Gives tables for the requests of `dissipation_tables` when the dissipation is asked for.
+  using DissipationSource = std::function<Tables(int phi_reach, int theta_reach)>;
+
+  /// @param[in] formulation as for `displacement_tables`
+  /// @param[in] nodes of the window, and where they are
+  /// @param[in] tables for the requests of `displacement_tables`, reaching across the window
+  /// @param[in] dissipation_source tables of the dissipation
+  /// @param[in] execution of this and of all products
+  TableOperator(const Formulation& formulation, const SurfaceWindow& nodes, Tables tables,
+                DissipationSource dissipation_source, const Execution& execution);
+
+  [[nodiscard]] const Window& window() const override { return window_; }
+  [[nodiscard]] const Execution& execution() const override { return execution_; }
+  [[nodiscard]] VectorField displacement(const VectorField& force) const override;
+  using SurfaceOperator::normal_displacement;
+  [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
+                                                    const Eigen::VectorXd& pressing) const override;
+  /// Patches of twice the width lie on a whole patch and half of each neighbor, so that tables are averages of tables;
+  /// they are flat.
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
+  [[nodiscard]] const LocalCompliance& local() const override { return local_; }
+  /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
+  [[nodiscard]] double dissipation(const VectorField& force) const override;
+
+ private:
+  /// Forces along x, y and z as loads along the components, a column for each component * shapes + shape.
+  [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
+
+  Formulation formulation_;
+  SurfaceGrid grid_;
+  Window window_;
+  Tables tables_;
+  DissipationSource dissipation_source_;
+  LocalCompliance local_;
+  std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
+  Convolution displacements_;
+  Execution execution_;
+};
+
+}  // namespace viscoroll::detail

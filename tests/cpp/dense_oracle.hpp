@@ -1,0 +1,109 @@
+/// @file
+/// @brief Contact equations with their matrices, made of unit forces: what iterative solutions are compared with.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "contact/newton_step.hpp"
+#include "surface/surface_operator.hpp"
+
+namespace viscoroll::oracle {
+
+using Eigen::Index;
+
+/// Displacements by unit forces, [axis * nodes + node] both ways.
+inline Eigen::MatrixXd compliance(const detail::SurfaceOperator& surface, bool tangential = true) {
+  const Index nodes = surface.shape().size();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
+  for (Index axis = 0; axis < 3; ++axis) {
+    if (!tangential && axis != detail::kDown) continue;
+    for (Index node = 0; node < nodes; ++node) {
+      detail::VectorField force = detail::VectorField::Zero(nodes, 3);
+      force(node, axis) = 1.0;
+      matrix.col(axis * nodes + node) = surface.displacement(force).matrix().reshaped();
+    }
+  }
+  return matrix;
+}
+
+/// Forces on a set of nodes that lie flat on the plane, and the penetration last.
+inline Eigen::VectorXd press_flat(const detail::ContactProblem& problem, const Eigen::MatrixXd& compliance,
+                                  const std::vector<Index>& contact) {
+  const Index nodes = problem.initial_gap.size();
+  const auto count = static_cast<Index>(contact.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count + 1, count + 1);
+  matrix.topLeftCorner(count, count) = compliance.block(nodes, nodes, nodes, nodes)(contact, contact);
+  matrix.col(count).head(count).setConstant(-1.0);
+  matrix.row(count).head(count).setOnes();
+  Eigen::VectorXd right(count + 1);
+  right << -problem.initial_gap(contact).matrix(), problem.normal_force;
+  return matrix.partialPivLu().solve(right);
+}
+
+/// One Newton step with all forces of all nodes as unknowns: column-wise, then penetration and speed ratio.
+inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const Eigen::MatrixXd& compliance,
+                                   const detail::ConditionScales& scales, const detail::ContactSets& sets,
+                                   const detail::ContactSolution& state) {
+  const detail::Friction& friction = *problem.friction;
+  const Index nodes = problem.initial_gap.size();
+  const Index stride = problem.surface->shape().theta_nodes;
+  const Index penetration = 3 * nodes;
+  const Index speed = penetration + 1;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(speed + 1, speed + 1);  // no force where nothing else is said
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(speed + 1);
+  const auto force = [&](Index node, Index axis) { return axis * nodes + node; };
+  // S along an axis as a row over the unknowns, times a factor.
+  const auto add_slip = [&](Index row, Index node, Index column, double factor) {
+    const Index axis = column == 0 ? detail::kForward : detail::kSideways;
+    matrix.row(row).head(penetration) +=
+        factor * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
+    if (column == 0) matrix(row, speed) += factor * friction.step;
+    right[row] -= factor * friction.rigid_slip(node, column);
+  };
+  for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+    const Index node = sets.contact[i];
+    const detail::TangentialState& does = sets.states[i];
+    const Index down = force(node, detail::kDown);
+    matrix.row(down).head(penetration) = compliance.row(down);
+    matrix(down, penetration) = 1.0;
+    right[down] = problem.initial_gap[node];
+    const Index along = force(node, detail::kForward);
+    const Index aside = force(node, detail::kSideways);
+    matrix.row(along).setZero();
+    matrix.row(aside).setZero();
+    if (does.stick) {
+      add_slip(along, node, 0, 1.0);
+      add_slip(aside, node, 1, 1.0);
+      continue;
+    }
+    const Eigen::Array2d e = does.direction;
+    matrix(along, along) = e[0];
+    matrix(along, aside) = e[1];
+    matrix(along, down) = friction.coefficient;  // F_y = -p
+    matrix(aside, along) = -(1.0 - does.rigidity) * e[1];
+    matrix(aside, aside) = (1.0 - does.rigidity) * e[0];
+    add_slip(aside, node, 0, -does.rigidity * scales.tangential * e[1]);
+    add_slip(aside, node, 1, does.rigidity * scales.tangential * e[0]);
+  }
+  matrix.row(penetration).setZero();
+  for (Index node = 0; node < nodes; ++node) matrix(penetration, force(node, detail::kDown)) = -1.0;
+  right[penetration] = problem.normal_force;
+  const detail::DriveRow drive = friction.drive->row(friction.arms, state.force, state.displacement, 1.0);
+  matrix.row(speed).setZero();
+  matrix.row(speed).head(penetration) = drive.on_force.matrix().reshaped().transpose();
+  if (drive.on_displacement.rows() > 0) {
+    matrix.row(speed).head(penetration) += drive.on_displacement.matrix().reshaped().transpose() * compliance;
+  }
+  matrix(speed, speed) = drive.on_speed;
+  right[speed] = drive.value;
+  // Displacements are some 1e-6 of forces: rows are brought to one size.
+  for (Index row = 0; row <= speed; ++row) {
+    const double size = matrix.row(row).cwiseAbs().maxCoeff();
+    matrix.row(row) /= size;
+    right[row] /= size;
+  }
+  return matrix.partialPivLu().solve(right);
+}
+
+}  // namespace viscoroll::oracle
