@@ -70,6 +70,7 @@ def solve_by_viscoroll() -> float:
         angular_speed=ANGULAR_SPEED,
         mesh=mesh,
         compliance=vr.Compliance.RADIAL,
+        curvature=vr.Curvature.PAPER,
         threads=1,
     )
     return result.resisting_torque

@@ -94,6 +94,11 @@ void bind_inputs(py::module_& m) {
       .value("HOLLOW", InnerBoundary::hollow, "nothing: the layer's inner surface is free")
       .value("SOLID", InnerBoundary::solid, "nothing: the layer reaches the center")
       .finalize();
+  py::native_enum<Curvature>(m, "Curvature", "enum.Enum", "How much of the sphere's curvature the equations keep.")
+      .value("SPHERE", Curvature::sphere, "the paper's orders with the membrane stiffness of a sphere")
+      .value("PAPER", Curvature::paper, "equation (26) as printed")
+      .value("EXACT", Curvature::exact, "spherical harmonics in place of the paper's orders")
+      .finalize();
   py::classh<CoatedSphere>(m, "CoatedSphere")
       .def(py::init([](double core_radius, std::vector<Layer> layers, InnerBoundary inner_boundary) {
              CoatedSphere sphere{core_radius, std::move(layers), inner_boundary};

@@ -14,14 +14,14 @@ using namespace viscoroll;
 using cplx = std::complex<double>;
 
 py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const InputArray<int>& m,
-                                           const InputArray<int>& n, double angular_speed) {
+                                           const InputArray<int>& n, double angular_speed, Curvature curvature) {
   const auto orders_m = view(m);
   const auto orders_n = view(n);
   std::vector<ComplexMatrix3> compliances;
   {
     const Observer observer = python_observer(py::none());
     const py::gil_scoped_release release;
-    compliances = surface_compliance(sphere, angular_speed, orders_m, orders_n, observer);
+    compliances = surface_compliance(sphere, angular_speed, orders_m, orders_n, curvature, observer);
   }
   py::array_t<cplx> result({static_cast<py::ssize_t>(compliances.size()), py::ssize_t{3}, py::ssize_t{3}});
   cplx* out = result.mutable_data();
@@ -30,12 +30,13 @@ py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const Inp
 }
 
 py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mesh& mesh, double angular_speed,
-                                           int phi_reach, int theta_reach, int threads, const py::object& progress) {
+                                           int phi_reach, int theta_reach, int threads, Curvature curvature,
+                                           const py::object& progress) {
   InfluenceTables tables;
   {
     const Observer observer = python_observer(progress);
     const py::gil_scoped_release release;
-    tables = influence_tables(sphere, angular_speed, mesh, phi_reach, theta_reach, threads, observer);
+    tables = influence_tables(sphere, angular_speed, mesh, phi_reach, theta_reach, threads, curvature, observer);
   }
   py::array_t<double> result({3, 3, 2 * phi_reach + 1, 2 * theta_reach + 1});
   std::copy(tables.values.begin(), tables.values.end(), result.mutable_data());
@@ -46,19 +47,20 @@ py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mes
 
 void bind_modal(py::module_& m) {
   m.def("surface_compliance", &surface_compliance_array, py::arg("sphere"), py::arg("m").noconvert(),
-        py::arg("n").noconvert(), py::kw_only(), py::arg("angular_speed"));
+        py::arg("n").noconvert(), py::kw_only(), py::arg("angular_speed"), py::arg("curvature"));
   m.def(
       "state_matrix",
-      [](const Layer& layer, double angular_speed, double radius, int order_m, int order_n) {
-        const ComplexMatrix6 matrix = state_matrix(layer, angular_speed, radius, order_m, order_n);
+      [](const Layer& layer, double angular_speed, double radius, int order_m, int order_n, Curvature curvature) {
+        const ComplexMatrix6 matrix = state_matrix(layer, angular_speed, radius, order_m, order_n, curvature);
         return py::array_t<cplx>({6, 6}, matrix.data());
       },
-      py::arg("layer"), py::kw_only(), py::arg("angular_speed"), py::arg("radius"), py::arg("m"), py::arg("n"));
+      py::arg("layer"), py::kw_only(), py::arg("angular_speed"), py::arg("radius"), py::arg("m"), py::arg("n"),
+      py::arg("curvature"));
   m.def("centrifugal_displacement", &centrifugal_displacement, py::arg("sphere"), py::kw_only(),
         py::arg("angular_speed"), py::call_guard<py::gil_scoped_release>());
   m.def("critical_speed", &critical_speed, py::arg("sphere"), py::kw_only(), py::arg("highest_frequency"),
-        py::call_guard<py::gil_scoped_release>());
+        py::arg("curvature"), py::call_guard<py::gil_scoped_release>());
   m.def("influence_tables", &influence_tables_array, py::arg("sphere"), py::arg("mesh"), py::kw_only(),
         py::arg("angular_speed"), py::arg("phi_reach"), py::arg("theta_reach"), py::arg("threads"),
-        py::arg("progress").none(true));
+        py::arg("curvature"), py::arg("progress").none(true));
 }

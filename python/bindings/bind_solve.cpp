@@ -11,11 +11,13 @@ namespace {
 
 using namespace viscoroll;
 
-Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compliance, PatchLoad patch_load,
-                     SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
+Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compliance, Curvature curvature,
+                     PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
+                     const py::object& progress) {
   return {.mesh = mesh,
           .accuracy = accuracy,
           .compliance = compliance,
+          .curvature = curvature,
           .patch_load = patch_load,
           .slip_kinematics = slip_kinematics,
           .max_iterations = max_iterations,
@@ -24,26 +26,27 @@ Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compl
 }
 
 Result solve_released(const CoatedSphere& sphere, double load, double angular_speed, std::optional<Mesh> mesh,
-                      double accuracy, double friction, Drive drive, Compliance compliance, PatchLoad patch_load,
-                      SlipKinematics slip_kinematics, int max_iterations, int threads, const py::object& progress) {
-  const Options options =
-      make_options(mesh, accuracy, compliance, patch_load, slip_kinematics, max_iterations, threads, progress);
+                      double accuracy, double friction, Drive drive, Compliance compliance, Curvature curvature,
+                      PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
+                      const py::object& progress) {
+  const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
+                                       max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve(sphere, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
-RollingModel make_model(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads,
-                        const py::object& progress) {
+RollingModel make_model(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
+                        int threads, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return {sphere, angular_speed, mesh, threads, observer};
+  return {sphere, angular_speed, mesh, threads, curvature, observer};
 }
 
 Result solve_on_model(const RollingModel& model, double load, double angular_speed, double friction, Drive drive,
                       Compliance compliance, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
                       int threads, const py::object& progress) {
-  const Options options =
-      make_options({}, Options{}.accuracy, compliance, patch_load, slip_kinematics, max_iterations, threads, progress);
+  const Options options = make_options({}, Options{}.accuracy, compliance, Options{}.curvature, patch_load,
+                                       slip_kinematics, max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return model.solve({.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
@@ -110,6 +113,7 @@ void bind_solve(py::module_& m) {
       .def(py::init<>())
       .def_readonly("accuracy", &Options::accuracy)
       .def_readonly("compliance", &Options::compliance)
+      .def_readonly("curvature", &Options::curvature)
       .def_readonly("patch_load", &Options::patch_load)
       .def_readonly("slip_kinematics", &Options::slip_kinematics)
       .def_readonly("max_iterations", &Options::max_iterations)
@@ -164,13 +168,13 @@ void bind_solve(py::module_& m) {
 
   py::classh<RollingModel>(m, "RollingModel")
       .def(py::init(&make_model), py::arg("sphere"), py::kw_only(), py::arg("angular_speed"), py::arg("mesh"),
-           py::arg("threads"), py::arg("progress").none(true))
+           py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
            py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),
            py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 
   m.def("solve", &solve_released, py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("angular_speed"),
         py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
-        py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"),
-        py::arg("progress").none(true));
+        py::arg("curvature"), py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"),
+        py::arg("threads"), py::arg("progress").none(true));
 }

@@ -15,6 +15,7 @@ from . import analytic
 from ._core import (
     Compliance,
     ConvergenceError,
+    Curvature,
     Extrapolation,
     InnerBoundary,
     PatchLoad,
@@ -51,6 +52,7 @@ __all__ = [
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
+    "Curvature",
     "Drive",
     "Elastic",
     "Extrapolation",

@@ -14,7 +14,7 @@ from typing import Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from . import materials
-from ._core import Compliance, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
+from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._text import one_line, shown
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
@@ -82,6 +82,7 @@ class _Numerics(_Table):
     max_order: int | None = None
     theta_nodes_per_revolution: int | None = None
     compliance: Literal["radial", "vertical"] = "radial"
+    curvature: Literal["sphere", "paper", "exact"] = "sphere"
     patch_load: Literal["flat", "spherical"] = "flat"
     slip_kinematics: Literal["exact", "flat"] = "exact"
 
@@ -104,6 +105,7 @@ class Case:
     mesh: Mesh | None
     accuracy: float | None
     compliance: Compliance
+    curvature: Curvature
     patch_load: PatchLoad
     slip_kinematics: SlipKinematics
 
@@ -217,6 +219,7 @@ def _build(file: _File, folder: Path) -> Case:
         mesh=mesh,
         accuracy=numerics.accuracy,
         compliance=Compliance[numerics.compliance.upper()],
+        curvature=Curvature[numerics.curvature.upper()],
         patch_load=PatchLoad[numerics.patch_load.upper()],
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
     )

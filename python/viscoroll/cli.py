@@ -18,7 +18,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from . import ConvergenceError, Result, ResultWarning, Status, __version__, paper
-from ._core import Compliance
+from ._core import Compliance, Curvature
 from ._text import one_line, shown
 from .case import example_text, load_case
 from .result import SCALARS, SUFFIXES
@@ -253,6 +253,7 @@ def demo(
                 angular_speed=paper.ANGULAR_SPEED,
                 mesh=mesh,
                 compliance=Compliance.RADIAL,
+                curvature=Curvature.PAPER,
             )
             torques[key] = result.resisting_torque
             if key == (500, 500):
@@ -300,7 +301,7 @@ def _progress_bar() -> Progress:
 def _result_table(result: Result) -> Table:
     table = Table(
         title=f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
-        f"{result.compliance.name.lower()} compliance",
+        f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature",
         title_justify="left",
         show_header=False,
     )

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import as_float, as_int, as_orders, require_callable, require_type
+from ._core import Curvature
 from ._text import shown
 from .geometry import CoatedSphere, Layer
 from .mesh import Mesh
@@ -24,7 +25,9 @@ if TYPE_CHECKING:
 __all__ = ["centrifugal_displacement", "critical_speed", "influence_tables", "state_matrix", "surface_compliance"]
 
 
-def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n: ArrayLike) -> NDArray[np.complex128]:
+def surface_compliance(
+    ball: CoatedSphere, angular_speed: float, m: ArrayLike, n: ArrayLike, *, curvature: Curvature = Curvature.SPHERE
+) -> NDArray[np.complex128]:
     """Surface compliance of single orders: displacement per surface stress.
 
     Parameters
@@ -35,6 +38,8 @@ def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n
         Ω [rad/s], > 0.
     m, n : array_like of int
         Orders in φ and θ, of any sign and of shapes that broadcast.
+    curvature : Curvature, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
 
     Returns
     -------
@@ -62,17 +67,21 @@ def surface_compliance(ball: CoatedSphere, angular_speed: float, m: ArrayLike, n
     (2, 3, 3)
     """
     require_type("ball", ball, CoatedSphere)
+    require_type("curvature", curvature, Curvature)
     orders_m, orders_n = _broadcast(as_orders("m", m), as_orders("n", n))
     compliance = _core.surface_compliance(
         ball._to_core(),
         np.ascontiguousarray(orders_m.ravel()),
         np.ascontiguousarray(orders_n.ravel()),
         angular_speed=as_float("angular_speed", angular_speed),
+        curvature=curvature,
     )
     return compliance.reshape(*orders_m.shape, 3, 3)
 
 
-def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: int) -> NDArray[np.complex128]:
+def state_matrix(
+    layer: Layer, angular_speed: float, radius: float, m: int, n: int, *, curvature: Curvature = Curvature.SPHERE
+) -> NDArray[np.complex128]:
     """Matrix B of the layer's equations dz/d(ln r) = B z with z = (u_r, u_φ, u_θ, rσ_rr, rσ_rφ, rσ_rθ).
 
     Parameters
@@ -85,6 +94,8 @@ def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: i
         r [m], > 0.
     m, n : int
         Orders in φ and θ.
+    curvature : Curvature, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
 
     Returns
     -------
@@ -103,12 +114,14 @@ def state_matrix(layer: Layer, angular_speed: float, radius: float, m: int, n: i
     Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
     """
     require_type("layer", layer, Layer)
+    require_type("curvature", curvature, Curvature)
     return _core.state_matrix(
         layer._to_core(),
         angular_speed=as_float("angular_speed", angular_speed),
         radius=as_float("radius", radius),
         m=as_int("m", m),
         n=as_int("n", n),
+        curvature=curvature,
     )
 
 
@@ -138,7 +151,9 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
     return _core.centrifugal_displacement(ball._to_core(), angular_speed=as_float("angular_speed", angular_speed))
 
 
-def critical_speed(ball: CoatedSphere, *, highest_frequency: float = 1e9) -> float:
+def critical_speed(
+    ball: CoatedSphere, *, highest_frequency: float = 1e9, curvature: Curvature = Curvature.SPHERE
+) -> float:
     """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
 
     For one layer it is the speed at which the surface keeps up with the Rayleigh wave of the short-time modulus; a soft
@@ -150,6 +165,8 @@ def critical_speed(ball: CoatedSphere, *, highest_frequency: float = 1e9) -> flo
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
+    curvature : Curvature, default Curvature.SPHERE
+        How much of the sphere's curvature the equations keep.
 
     Returns
     -------
@@ -164,7 +181,10 @@ def critical_speed(ball: CoatedSphere, *, highest_frequency: float = 1e9) -> flo
         For bad input.
     """
     require_type("ball", ball, CoatedSphere)
-    return _core.critical_speed(ball._to_core(), highest_frequency=as_float("highest_frequency", highest_frequency))
+    require_type("curvature", curvature, Curvature)
+    return _core.critical_speed(
+        ball._to_core(), highest_frequency=as_float("highest_frequency", highest_frequency), curvature=curvature
+    )
 
 
 def influence_tables(
@@ -173,6 +193,7 @@ def influence_tables(
     mesh: Mesh,
     *,
     reach: int | tuple[int, int],
+    curvature: Curvature = Curvature.SPHERE,
     threads: int = 0,
     progress: Callable[[str, float], object] | None = None,
 ) -> NDArray[np.float64]:
@@ -188,6 +209,9 @@ def influence_tables(
         Spacing and truncation.
     reach : int or (int, int)
         Largest offsets in φ and θ, in spacings, at most half of the nodes per revolution.
+    curvature : Curvature, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; on the exact sphere influence is no function of the
+        offset alone.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : callable, optional
@@ -208,6 +232,7 @@ def influence_tables(
     """
     require_type("ball", ball, CoatedSphere)
     require_type("mesh", mesh, Mesh)
+    require_type("curvature", curvature, Curvature)
     require_callable("progress", progress)
     phi_reach, theta_reach = _pair("reach", reach)
     return _core.influence_tables(
@@ -217,6 +242,7 @@ def influence_tables(
         phi_reach=phi_reach,
         theta_reach=theta_reach,
         threads=as_int("threads", threads),
+        curvature=curvature,
         progress=progress,
     )
 

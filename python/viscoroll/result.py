@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._core import Compliance, PatchLoad, Status, WarningKind
+from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
@@ -113,7 +113,7 @@ class Result:
 
     Attributes
     ----------
-    ball, load, angular_speed, friction, drive, compliance, patch_load
+    ball, load, angular_speed, friction, drive, compliance, curvature, patch_load
         The input; load in [N], angular_speed in [rad/s].
     status : Status
         How the solve ended.
@@ -196,6 +196,7 @@ class Result:
     friction: float
     drive: Drive
     compliance: Compliance
+    curvature: Curvature
     patch_load: PatchLoad
     status: Status
     iterations: int
@@ -276,7 +277,8 @@ class Result:
             *(("warning", message) for message in self.warnings.values()),
         ]
         width = max(len(label) for label, _ in rows)
-        head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({self.compliance.name} compliance)"
+        model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
+        head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({model})"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
     def _effort(self) -> str:
@@ -308,6 +310,7 @@ class Result:
             "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,
             "max_order": self.mesh.max_order,
             "compliance": self.compliance.name,
+            "curvature": self.curvature.name,
             "patch_load": self.patch_load.name,
             "warnings": "; ".join(self.warnings.values()),
         }

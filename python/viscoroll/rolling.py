@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._arrays import as_float, as_int, require_callable, require_type
-from ._core import Compliance, PatchLoad, SlipKinematics
+from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
 from .drive import Drive
@@ -30,6 +30,7 @@ def solve(
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
     compliance: Compliance = Compliance.RADIAL,
+    curvature: Curvature = Curvature.SPHERE,
     patch_load: PatchLoad = PatchLoad.FLAT,
     slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
     max_iterations: int = 500,
@@ -63,6 +64,9 @@ def solve(
         In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
         on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear
         theory does not know.
+    curvature : Curvature, default Curvature.SPHERE
+        What the equations of the layers keep of it: the membrane stiffness of a sphere, PAPER's as printed, or all of
+        it, EXACT, for thick coatings, hollow and solid balls.
     patch_load : PatchLoad, default PatchLoad.FLAT
         Traction on the patch of a node: equation (53) or (38) of the paper.
     slip_kinematics : SlipKinematics, default SlipKinematics.EXACT
@@ -115,6 +119,7 @@ def solve(
     """
     require_type("ball", ball, CoatedSphere)
     require_type("mesh", mesh, Mesh, optional=True)
+    require_type("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
@@ -123,10 +128,11 @@ def solve(
         ball._to_core(),
         angular_speed=speed,
         mesh=None if mesh is None else mesh._to_core(),
+        curvature=curvature,
         accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
         **case,
     )
-    return _result(solution, ball, speed, drive, case)
+    return _result(solution, ball, speed, drive, curvature, case)
 
 
 class RollingModel:
@@ -143,6 +149,8 @@ class RollingModel:
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
         Surface mesh.
+    curvature : Curvature, default Curvature.SPHERE
+        As of `solve`.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : callable, optional
@@ -167,30 +175,37 @@ class RollingModel:
         *,
         angular_speed: float,
         mesh: Mesh,
+        curvature: Curvature = Curvature.SPHERE,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
     ) -> None:
         require_type("ball", ball, CoatedSphere)
         require_type("mesh", mesh, Mesh)
+        require_type("curvature", curvature, Curvature)
         require_callable("progress", progress)
         self.ball = ball
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
+        self.curvature = curvature
         self._core = _core.RollingModel(
             ball._to_core(),
             angular_speed=self.angular_speed,
             mesh=mesh._to_core(),
+            curvature=curvature,
             threads=as_int("threads", threads),
             progress=progress,
         )
 
     def __repr__(self) -> str:
         """Return what it was made of."""
-        return f"RollingModel({self.ball!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r})"
+        return (
+            f"RollingModel({self.ball!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"curvature=Curvature.{self.curvature.name})"
+        )
 
-    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[CoatedSphere, float, Mesh]]:
+    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[CoatedSphere, float, Mesh, Curvature]]:
         """Pickle the input; the tables are computed again."""
-        return _make_model, (self.ball, self.angular_speed, self.mesh)
+        return _make_model, (self.ball, self.angular_speed, self.mesh, self.curvature)
 
     def solve(
         self,
@@ -210,11 +225,11 @@ class RollingModel:
             load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress
         )
         solution = self._core.solve(angular_speed=self.angular_speed, **case)
-        return _result(solution, self.ball, self.angular_speed, drive, case)
+        return _result(solution, self.ball, self.angular_speed, drive, self.curvature, case)
 
 
-def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh) -> RollingModel:
-    return RollingModel(ball, angular_speed=angular_speed, mesh=mesh)
+def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh, curvature: Curvature) -> RollingModel:
+    return RollingModel(ball, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
 
 
 def _core_case(
@@ -248,10 +263,17 @@ def _core_case(
 
 
 def _result(
-    solution: _core.Result, ball: CoatedSphere, angular_speed: float, drive: Drive, case: dict[str, Any]
+    solution: _core.Result,
+    ball: CoatedSphere,
+    angular_speed: float,
+    drive: Drive,
+    curvature: Curvature,
+    case: dict[str, Any],
 ) -> Result:
     """Make the result, and warn the caller of the public function that calls this."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
-    result = Result._from_core(solution, ball=ball, angular_speed=angular_speed, drive=drive, **given)
+    result = Result._from_core(
+        solution, ball=ball, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
+    )
     warn(result.warnings.values(), stacklevel=2)
     return result

@@ -12,7 +12,8 @@ int main() {
                                           .poisson_ratio = 0.5,
                                           .density = 1000.0}}};
   const vr::Options options{.mesh = vr::Mesh{.nodes_per_revolution = 500, .max_order = 500},
-                            .compliance = vr::Compliance::radial};
+                            .compliance = vr::Compliance::radial,
+                            .curvature = vr::Curvature::paper};
   const vr::Result result = vr::solve(ball, {.load = 100.0, .angular_speed = 2.5}, options);
   std::printf("resisting torque %.3f mN m\n", result.resisting_torque * 1e3);
 

@@ -100,6 +100,7 @@ def test_tables_3_and_4_of_the_paper():
     case = {
         "angular_speed": paper.ANGULAR_SPEED,
         "compliance": vr.Compliance.RADIAL,
+        "curvature": vr.Curvature.PAPER,
         "mesh": vr.Mesh(nodes_per_revolution=500, max_order=750),
         "progress": False,
     }

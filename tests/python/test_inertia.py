@@ -17,7 +17,14 @@ def ball_at(group):
 
 def roll(ball):
     mesh = vr.Mesh(nodes_per_revolution=160, max_order=160)
-    return vr.solve(ball, load=100.0, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, compliance=vr.Compliance.RADIAL)
+    return vr.solve(
+        ball,
+        load=100.0,
+        angular_speed=paper.ANGULAR_SPEED,
+        mesh=mesh,
+        compliance=vr.Compliance.RADIAL,
+        curvature=vr.Curvature.PAPER,
+    )
 
 
 def test_figure_13_rises_towards_the_critical_speed():

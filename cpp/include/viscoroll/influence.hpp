@@ -57,10 +57,11 @@ struct InfluenceTables {
 /// @param[in] mesh spacing and truncation
 /// @param[in] phi_reach,theta_reach largest offsets, in [0, half of the nodes per revolution along phi or theta]
 /// @param[in] threads number of threads, 0 for all cores
+/// @param[in] curvature sphere or paper: on the exact sphere influence is no function of the offset alone
 /// @param[in] observer progress and cancellation
 /// @throws std::invalid_argument for bad input
 [[nodiscard]] InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                int phi_reach, int theta_reach, int threads = 0,
-                                               const Observer& observer = {});
+                                               Curvature curvature = Curvature::sphere, const Observer& observer = {});
 
 }  // namespace viscoroll

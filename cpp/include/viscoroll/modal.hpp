@@ -28,12 +28,14 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] m orders in phi, any sign
 /// @param[in] n orders in theta, any sign, as many as `m`
+/// @param[in] curvature sphere or paper: the exact sphere has no orders (m, n)
 /// @param[in] observer progress and cancellation
 /// @return one matrix for each pair (m, n) [m/Pa]
 /// @throws std::invalid_argument for bad input
 /// @throws Cancelled where the observer stopped it
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed,
                                                              std::span<const int> m, std::span<const int> n,
+                                                             Curvature curvature = Curvature::sphere,
                                                              const Observer& observer = {});
 
 /// @brief Matrix of the system z' = B z in s = ln r, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi,
@@ -43,9 +45,11 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @param[in] radius r [m], > 0
 /// @param[in] m order in phi
 /// @param[in] n order in theta
+/// @param[in] curvature sphere or paper
 /// @return B, its blocks in the units [-, 1/Pa; Pa, -]
 /// @throws std::invalid_argument for bad input
-[[nodiscard]] ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n);
+[[nodiscard]] ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n,
+                                          Curvature curvature = Curvature::sphere);
 
 /// @brief Uniform radial displacement of the surface by centrifugal load, paper equation (36): order m = n = 0.
 /// @param[in] sphere rigid core and layers
@@ -59,8 +63,10 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// below a stiff one does so earlier). Above it waves are radiated. Theory.md section 7.
 /// @param[in] sphere rigid core and layers
 /// @param[in] highest_frequency angular frequency at which a `CustomModulus` stands for its short-time limit [rad/s]
+/// @param[in] curvature how much of it the equations keep
 /// @return critical Omega [rad/s]; infinite without inertia or where no short-time modulus is finite
 /// @throws std::invalid_argument for bad input
-[[nodiscard]] double critical_speed(const CoatedSphere& sphere, double highest_frequency = 1e9);
+[[nodiscard]] double critical_speed(const CoatedSphere& sphere, double highest_frequency = 1e9,
+                                    Curvature curvature = Curvature::sphere);
 
 }  // namespace viscoroll

@@ -69,6 +69,7 @@ struct Options {
   std::optional<Mesh> mesh;                                ///< none: chosen and refined until `accuracy` is reached
   double accuracy = 0.01;                                  ///< wanted relative error without a mesh [-], in [1e-4, 0.5]
   Compliance compliance = Compliance::radial;              ///< compliance in the contact condition
+  Curvature curvature = Curvature::sphere;                 ///< what is kept of it in the equations of the layers
   PatchLoad patch_load = PatchLoad::flat;                  ///< traction on a node's patch
   SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< with friction
   int max_iterations = 500;                                ///< linear systems on a mesh, >= 1
@@ -186,10 +187,11 @@ class RollingModel {
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
   RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads = 0,
-               const Observer& observer = {});
+               Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;
   RollingModel& operator=(RollingModel&&) noexcept;
@@ -198,7 +200,7 @@ class RollingModel {
 
   /// @brief The same as `viscoroll::solve` on this mesh.
   /// @param[in] load_case at the speed of the model
-  /// @param[in] options how to solve; the mesh may be left out, and the accuracy is not looked at
+  /// @param[in] options how to solve; the mesh may be left out; accuracy and curvature are not looked at
   [[nodiscard]] Result solve(const LoadCase& load_case, const Options& options = {}) const;
 
  private:

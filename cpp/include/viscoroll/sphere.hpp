@@ -35,6 +35,13 @@ struct CoatedSphere {
   InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< what lies within
 };
 
+/// @brief How much of the sphere's curvature the equations of the layers keep. Theory.md section 3.
+enum class Curvature {
+  sphere,  ///< the paper's orders (m, n) with the membrane stiffness of a sphere, (k^2 - 2) mu
+  paper,   ///< equation (26) as printed, k^2 mu, with which the paper's tables were made
+  exact,   ///< spherical harmonics in place of the orders (m, n): thick coatings, hollow and solid balls
+};
+
 /// @return outer radius r_o [m]
 [[nodiscard]] double outer_radius(const CoatedSphere& sphere);
 

@@ -42,7 +42,7 @@ void validate(const Mesh& mesh) {
 }
 
 InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int phi_reach,
-                                 int theta_reach, int threads, const Observer& observer) {
+                                 int theta_reach, int threads, Curvature curvature, const Observer& observer) {
   validate(mesh);
   const auto require_reach = [](const char* name, int reach, int nodes) {
     if (reach < 0 || reach > nodes / 2) {
@@ -53,6 +53,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   require_reach("phi_reach", phi_reach, mesh.nodes_per_revolution);
   require_reach("theta_reach", theta_reach, theta_nodes_per_revolution(mesh));
   detail::require_thread_count(threads);
+  detail::require_orders(curvature);
 
   using detail::Entry;
   constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
@@ -60,7 +61,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   for (const Entry entry : kAll) requests.push_back({.entry = entry});
 
   detail::Watch watch(observer);
-  const detail::OrderSum sum(sphere, angular_speed, mesh, threads, watch);
+  const detail::OrderSum sum(sphere, angular_speed, mesh, threads, watch, curvature);
   const auto tables = sum.tables(requests, phi_reach, theta_reach, threads, watch);
 
   InfluenceTables result{.phi_reach = phi_reach, .theta_reach = theta_reach};

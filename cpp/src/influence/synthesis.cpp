@@ -221,16 +221,17 @@ const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
 
 }  // namespace
 
-OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
+OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
+                   Curvature curvature)
     : OrderSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
-               theta_bands(sphere, mesh), threads, watch) {}
+               theta_bands(sphere, mesh), threads, watch, curvature) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-                   std::vector<OrderBand> theta_bands, int threads, Watch& watch)
+                   std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature)
     : mesh_(mesh),
       phi_bands_(std::move(phi_bands)),
       theta_bands_(std::move(theta_bands)),
-      coating_(sphere, angular_speed, all_orders(phi_bands_), measured_order(mesh)),
+      coating_(sphere, angular_speed, all_orders(phi_bands_), measured_order(mesh), curvature),
       spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch)) {}
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,

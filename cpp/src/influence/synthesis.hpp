@@ -37,12 +37,14 @@ class OrderSum {
   /// @param[in] mesh spacings and truncation
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
+  /// @param[in] curvature how much of it the equations keep
   /// @throws std::invalid_argument for bad input and critical speeds
-  OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch);
+  OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
+           Curvature curvature = Curvature::sphere);
 
   /// @brief The same with other orders than those of the mesh.
   OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-           std::vector<OrderBand> theta_bands, int threads, Watch& watch);
+           std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature = Curvature::sphere);
 
   [[nodiscard]] const HarmonicCoating& coating() const { return coating_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }

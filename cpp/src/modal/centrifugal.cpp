@@ -1,14 +1,16 @@
 // Order m = n = 0 under the centrifugal load: the term -rho Omega^2 r of paper equation (27), with u_r and sigma_rr
 // alone.
+#include "modal/centrifugal.hpp"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "modal/medium.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {
+namespace detail {
 namespace {
 
 using State = Eigen::Vector2d;  // u_r [m], r sigma_rr [stress unit x m]
@@ -35,8 +37,7 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
 
 }  // namespace
 
-double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
-  const detail::HarmonicCoating coating(sphere, angular_speed, {0.0});
+double centrifugal_displacement(const HarmonicCoating& coating) {
   const auto media = coating.media(0);
   const double stress_unit = media.back().mu.real();
 
@@ -65,6 +66,13 @@ double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed
     }
   }
   return offset;
+}
+
+}  // namespace detail
+
+double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
+  // The uniform displacement has no tangential part, for which the choice would count.
+  return detail::centrifugal_displacement(detail::coating_at_rest(sphere, angular_speed, Curvature::sphere));
 }
 
 }  // namespace viscoroll

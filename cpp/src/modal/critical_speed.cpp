@@ -19,7 +19,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The layers at infinite frequency and unit rolling speed. A layer without a finite short-time modulus is rigid there:
 /// it and all below it become the core.
-std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double highest_frequency) {
+std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double highest_frequency,
+                                             Curvature curvature) {
   std::vector<Medium<double>> media;
   double radius = sphere.core_radius;
   for (const Layer& layer : sphere.layers) {
@@ -35,7 +36,8 @@ std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double 
                      .mu = mu,
                      .b = shear_ratio(layer, mu),
                      .inertia = layer.density,
-                     .within = inner == sphere.core_radius ? sphere.inner_boundary : InnerBoundary::rigid});
+                     .within = inner == sphere.core_radius ? sphere.inner_boundary : InnerBoundary::rigid,
+                     .curvature = curvature});
   }
   return media;
 }
@@ -84,18 +86,19 @@ double rayleigh_ratio(double shear_ratio) {
   return std::sqrt(0.5 * (low + high));
 }
 
-void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency) {
-  const std::vector<Medium<double>> media = short_time_media(sphere, highest_frequency);
+void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency,
+                         Curvature curvature) {
+  const std::vector<Medium<double>> media = short_time_media(sphere, highest_frequency, curvature);
   if (media.empty() || angular_speed < 0.1 * slowest_shear_wave(media)) return;
   if (angular_speed < rayleigh_limit(media) && all_subcritical(media, angular_speed)) return;
   reject("angular_speed",
-         "below the critical speed " + text(viscoroll::critical_speed(sphere, highest_frequency)) +
+         "below the critical speed " + text(viscoroll::critical_speed(sphere, highest_frequency, curvature)) +
              " rad/s, above which the coating radiates waves",
          text(angular_speed) + " rad/s");
 }
 
 void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
-                          const std::vector<std::vector<std::complex<double>>>& moduli) {
+                          const std::vector<std::vector<std::complex<double>>>& moduli, Curvature curvature) {
   double next = 1.0;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const double m = orders[i];
@@ -113,7 +116,8 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
                        .mu = mu,
                        .b = shear_ratio(layer, mu),
                        .inertia = layer.density * angular_speed * angular_speed,
-                       .within = j == 0 ? sphere.inner_boundary : InnerBoundary::rigid});
+                       .within = j == 0 ? sphere.inner_boundary : InnerBoundary::rigid,
+                       .curvature = curvature});
       radius += layer.thickness;
     }
     const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds
@@ -126,9 +130,9 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
 
 }  // namespace detail
 
-double critical_speed(const CoatedSphere& sphere, double highest_frequency) {
+double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curvature curvature) {
   validate(sphere);
-  const auto media = detail::short_time_media(sphere, highest_frequency);
+  const auto media = detail::short_time_media(sphere, highest_frequency, curvature);
   if (media.empty()) return detail::kInfinity;
   const double rayleigh = detail::rayleigh_limit(media);
   // An outer layer without mass sets no limit of its own; far above every shear wave nothing new can resonate.

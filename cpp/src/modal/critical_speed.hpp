@@ -19,8 +19,10 @@ namespace viscoroll::detail {
 /// @param[in] sphere rigid core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] highest_frequency stands for the short-time limit of a `CustomModulus` [rad/s]
+/// @param[in] curvature how much of it the equations keep
 /// @throws std::invalid_argument with the critical speed
-void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency);
+void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency,
+                         Curvature curvature);
 
 /// @brief Refuse a rolling speed at which a wave of some order outruns the surface and comes back around the sphere
 /// hardly damped, exp(-pi m tan(delta)): a coating whose short-time modulus is high, or infinite, but plays no role.
@@ -28,8 +30,9 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] orders m >= 0, from low to high as far as they are looked at
 /// @param[in] moduli complex shear moduli, [layer][order]
+/// @param[in] curvature how much of it the equations keep
 /// @throws std::invalid_argument with the order
 void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
-                          const std::vector<std::vector<std::complex<double>>>& moduli);
+                          const std::vector<std::vector<std::complex<double>>>& moduli, Curvature curvature);
 
 }  // namespace viscoroll::detail

@@ -7,7 +7,8 @@
 ///
 /// - With the tangential components written as i times new unknowns, u_phi = i v_phi, sigma_rphi = i tau_phi and so on,
 ///   every imaginary unit drops out: the matrix is real where the moduli are, and the compliance is symmetric.
-/// - Since a + 2b = 1, the displacements enter through t = m v_phi + n v_theta - 2 u_r alone, but for a term k^2 mu v:
+/// - Since a + 2b = 1, the displacements enter through t = m v_phi + n v_theta - 2 u_r alone, but for a term k^2 mu v,
+///   on a sphere (k^2 - 2) mu v (`membrane_stiffness`):
 ///
 ///       u_r'    = a t + (b/mu) s            s'       = -2 gamma t + (1 - 4b) s + m tau_phi + n tau_theta
 ///       v_phi'  = v_phi - m u_r + tau_phi/mu         tau_phi'  = m (gamma t - a s) + k^2 mu v_phi - 2 tau_phi
@@ -43,7 +44,7 @@ class LayerEquations {
         radial_(medium.b / medium.mu),
         tangential_(1.0 / medium.mu),
         gamma_(medium.mu * (3.0 - 4.0 * medium.b)),
-        membrane_((m * m + n * n) * medium.mu) {}
+        membrane_(membrane_stiffness(medium.curvature, m * m + n * n) * medium.mu) {}
 
   /// @brief B z for several states at once.
   /// @param[in] z one state in each row: u_r, v_phi, v_theta, s, tau_phi, tau_theta

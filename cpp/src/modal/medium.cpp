@@ -21,8 +21,8 @@ double limited(double order, double limit) { return order / std::pow(1.0 + std::
 }  // namespace
 
 HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::vector<double> orders,
-                                 double measured_order)
-    : sphere_(sphere), angular_speed_(angular_speed), orders_(std::move(orders)) {
+                                 double measured_order, Curvature curvature)
+    : sphere_(sphere), angular_speed_(angular_speed), orders_(std::move(orders)), curvature_(curvature) {
   validate(sphere);
   require_positive("angular_speed", angular_speed, "rad/s");
 
@@ -36,8 +36,9 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
     moduli_.push_back(complex_modulus(layer.shear_modulus, omega));
   }
   const double highest = orders_.empty() ? 0.0 : *std::max_element(orders_.begin(), orders_.end());
-  require_subcritical(sphere, angular_speed, angular_speed * std::max(1.0, limited(highest, measured_order)));
-  require_damped_waves(sphere, angular_speed, orders_, moduli_);
+  require_subcritical(sphere, angular_speed, angular_speed * std::max(1.0, limited(highest, measured_order)),
+                      curvature);
+  require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {
@@ -50,10 +51,21 @@ std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) 
                      .outer_radius = radii_[j + 1],
                      .mu = mu,
                      .b = shear_ratio(layer, mu),
-                     .inertia = layer.density * angular_speed_ * angular_speed_});
+                     .inertia = layer.density * angular_speed_ * angular_speed_,
+                     .curvature = curvature_});
   }
   media.front().within = sphere_.inner_boundary;
   return media;
+}
+
+HarmonicCoating coating_at_rest(const CoatedSphere& sphere, double angular_speed, Curvature curvature) {
+  return {sphere, angular_speed, {0.0}, std::numeric_limits<double>::infinity(), curvature};
+}
+
+void require_orders(Curvature curvature) {
+  if (curvature == Curvature::exact) {
+    reject("curvature", "SPHERE or PAPER here, where orders (m, n) are meant", "EXACT");
+  }
 }
 
 }  // namespace viscoroll::detail

@@ -20,7 +20,26 @@ struct Medium {
   double inertia;       ///< rho Omega^2 [Pa/m^2]
   /// What lies within it: `rigid` stands for whatever carries it, the layer below included.
   InnerBoundary within = InnerBoundary::rigid;
+  Curvature curvature = Curvature::sphere;
 };
+
+/// @brief Below this k^2 a torus has orders that no sphere has: those of a sphere start at L = 2, its rigid motions.
+constexpr double kLowOrders = 4.0;
+
+/// @brief What the surface of a sphere adds to the stiffness against tangential displacements, per mu: L - 2 on a
+/// sphere, where L = 2 are rigid motions; k^2 in the paper's equation (26). Theory.md section 3.
+/// @param[in] curvature which of them
+/// @param[in] k2 k^2 = m^2 + n^2; L = l (l + 1) of the exact sphere
+[[nodiscard]] constexpr double membrane_stiffness(Curvature curvature, double k2) {
+  switch (curvature) {
+    case Curvature::paper:
+      return k2;
+    case Curvature::exact:
+      return k2 - 2.0;
+    default:
+      return k2 < kLowOrders ? 0.5 * k2 : k2 - 2.0;
+  }
+}
 
 /// @brief Ratio b of the shear modulus to the confined modulus, mu / (lambda + 2 mu) = (1 - 2 nu) / (2 (1 - nu)) =
 /// mu / (K + 4/3 mu): 0 where the layer is incompressible.
@@ -40,9 +59,11 @@ class HarmonicCoating {
   /// @param[in] orders m >= 0, not necessarily whole
   /// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
   /// frequencies beyond this order's: from about half of it on they are taken at lower ones
+  /// @param[in] curvature how much of it the equations keep
   /// @throws std::invalid_argument for bad input, at a critical speed, and where a modulus is not passive at an order
   HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::vector<double> orders,
-                  double measured_order = std::numeric_limits<double>::infinity());
+                  double measured_order = std::numeric_limits<double>::infinity(),
+                  Curvature curvature = Curvature::sphere);
 
   /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
@@ -56,13 +77,22 @@ class HarmonicCoating {
   [[nodiscard]] const CoatedSphere& sphere() const { return sphere_; }
   [[nodiscard]] double outer_radius() const { return radii_.back(); }
   [[nodiscard]] double angular_speed() const { return angular_speed_; }
+  [[nodiscard]] Curvature curvature() const { return curvature_; }
 
  private:
   CoatedSphere sphere_;
   double angular_speed_;
   std::vector<double> orders_;
+  Curvature curvature_;
   std::vector<double> radii_;                              // interfaces, core to surface [m]
   std::vector<std::vector<std::complex<double>>> moduli_;  // [layer][order]
 };
+
+/// @return the coating at order 0 alone
+[[nodiscard]] HarmonicCoating coating_at_rest(const CoatedSphere& sphere, double angular_speed, Curvature curvature);
+
+/// @brief Refuse the exact sphere where orders (m, n) are asked for.
+/// @throws std::invalid_argument
+void require_orders(Curvature curvature);
 
 }  // namespace viscoroll::detail

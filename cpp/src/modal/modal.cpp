@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "modal/compliance_recursion.hpp"
@@ -18,8 +19,9 @@ using RowMajor3 = Eigen::Matrix<cplx, 3, 3, Eigen::RowMajor>;
 using RowMajor6 = Eigen::Matrix<cplx, 6, 6, Eigen::RowMajor>;
 
 std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
-                                               std::span<const int> n, const Observer& observer) {
+                                               std::span<const int> n, Curvature curvature, const Observer& observer) {
   constexpr int kHighestOrder = 1000000;
+  detail::require_orders(curvature);
   if (m.size() != n.size()) {
     detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
   }
@@ -28,7 +30,8 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
     magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes);
+  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
+                                        curvature);
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
@@ -43,8 +46,10 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
   return compliances;
 }
 
-ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n) {
+ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double radius, int m, int n,
+                            Curvature curvature) {
   validate(layer);
+  detail::require_orders(curvature);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_positive("radius", radius, "m");
   const std::array frequency{std::abs(m) * angular_speed};
@@ -54,7 +59,8 @@ ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double rad
                                     .outer_radius = radius,
                                     .mu = mu,
                                     .b = detail::shear_ratio(layer, mu),
-                                    .inertia = layer.density * angular_speed * angular_speed};
+                                    .inertia = layer.density * angular_speed * angular_speed,
+                                    .curvature = curvature};
 
   detail::Matrix6<cplx> matrix = detail::elastic_matrix(medium, m, n);
   matrix.bottomLeftCorner<3, 3>() += (medium.inertia * radius * radius * detail::inertia_matrix(m)).cast<cplx>();

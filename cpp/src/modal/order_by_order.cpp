@@ -42,9 +42,15 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
     append_constants(kZeroOrder, entries, series);
     lowest = kZeroOrder;
   }
-  append_panels(
-      lowest, order * order + highest_n_ * highest_n_, sample,
-      [order](const Panel<cplx>& panel) { return is_resolved(panel, order); }, series);
+  const double highest = order * order + highest_n_ * highest_n_;
+  const auto append = [&](double low, double high) {
+    append_panels(low, high, sample, [order](const Panel<cplx>& panel) { return is_resolved(panel, order); }, series);
+  };
+  if (lowest < kLowOrders && kLowOrders < highest) {
+    append(lowest, kLowOrders);
+    lowest = kLowOrders;
+  }
+  append(lowest, highest);
 }
 
 }  // namespace viscoroll::detail

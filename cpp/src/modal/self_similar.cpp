@@ -48,7 +48,8 @@ std::optional<std::vector<Medium<double>>> scaled_media(const HarmonicCoating& c
                      .mu = *ratio,
                      .b = at_rest[l].b.real(),
                      .inertia = share / (coating.outer_radius() * coating.outer_radius()),
-                     .within = at_rest[l].within});
+                     .within = at_rest[l].within,
+                     .curvature = coating.curvature()});
   }
   return media;
 }
@@ -236,6 +237,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
   const double most = highest_m * highest_m + highest_n * highest_n;
   std::vector<double> bounds{kZeroOrder};
+  if (most > kLowOrders) bounds.push_back(kLowOrders);
   while (bounds.back() < most) bounds.push_back(std::min(64.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <iterator>
 
-#include "viscoroll/modal.hpp"
+#include "modal/centrifugal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -19,9 +19,10 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
 
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
-    : orders_(sphere, angular_speed, mesh, threads, watch),
-      centrifugal_(centrifugal_displacement(sphere, angular_speed)) {}
+MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
+                     int threads, Watch& watch)
+    : orders_(sphere, angular_speed, mesh, threads, watch, curvature),
+      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, curvature))) {}
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
                                                             int phi_reach, int theta_reach,

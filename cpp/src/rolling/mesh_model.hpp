@@ -27,10 +27,12 @@ class MeshModel {
   /// @param[in] sphere rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
+  /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @throws std::invalid_argument for bad input and critical speeds
-  MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch);
+  MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+            Watch& watch);
 
   [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
   [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }

@@ -108,7 +108,7 @@ class Refiner {
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model(sphere_, load_case_.angular_speed, mesh_, options_.threads, watch_);
+      const MeshModel model(sphere_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_);
       note(solve_load_case(model, load_case_, options_, watch_));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();

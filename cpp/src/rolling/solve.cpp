@@ -57,6 +57,7 @@ void validate(const Options& options) {
   }
   if (options.max_iterations < 1) detail::reject("max_iterations", ">= 1", std::to_string(options.max_iterations));
   detail::require_thread_count(options.threads);
+  detail::require_orders(options.curvature);
 }
 
 Result with_warnings(Result result, const Options& options, bool mesh_given) {
@@ -74,7 +75,8 @@ Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Option
   if (!options.mesh) {
     return with_warnings(detail::solve_to_accuracy(sphere, load_case, options, watch), options, false);
   }
-  const detail::MeshModel model(sphere, load_case.angular_speed, *options.mesh, options.threads, watch);
+  const detail::MeshModel model(sphere, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
+                                watch);
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
 
@@ -83,13 +85,14 @@ struct RollingModel::Impl {
 };
 
 RollingModel::RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads,
-                           const Observer& observer) {
+                           Curvature curvature, const Observer& observer) {
   validate(sphere);
   viscoroll::validate(mesh);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
+  detail::require_orders(curvature);
   detail::Watch watch(observer);
-  impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, threads, watch}});
+  impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, curvature, threads, watch}});
 }
 
 RollingModel::~RollingModel() = default;

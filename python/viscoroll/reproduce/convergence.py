@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..rolling import solve
 from .item import Runner, Table, Verdict
 
@@ -135,6 +135,7 @@ def compute_table2(runner: Runner) -> Table2:
             angular_speed=paper.ANGULAR_SPEED,
             mesh=meshes[key],
             compliance=Compliance.RADIAL,
+            curvature=Curvature.PAPER,
             threads=1,
         )
 

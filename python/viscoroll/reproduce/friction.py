@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
+from .._core import Curvature
 from ..rolling import RollingModel
 from ..studies.fits import fit_friction_law
 from .item import Runner, Table, Verdict
@@ -150,7 +151,7 @@ def _spread_and_fall(torques: Floats) -> tuple[float, float]:
 def compute_figure9(runner: Runner) -> Figure9:
     """Solve the example at 0.2 rad/s, driven by a torque alone, with C_r in full."""
     frictions = np.array(_COARSE if runner.coarse else _FRICTIONS)
-    model = RollingModel(paper.ball(), angular_speed=_SPEED, mesh=runner.mesh)
+    model = RollingModel(paper.ball(), angular_speed=_SPEED, mesh=runner.mesh, curvature=Curvature.PAPER)
 
     def point(friction: float) -> Result:
         return model.solve(load=paper.LOAD, friction=friction, threads=1)

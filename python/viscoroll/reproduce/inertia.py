@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..mesh import Mesh
 from ..orders import critical_speed
 from ..rolling import solve
@@ -109,6 +109,7 @@ def compute_figure13(runner: Runner) -> Figure13:
             angular_speed=paper.ANGULAR_SPEED,
             mesh=mesh,
             compliance=Compliance.RADIAL,
+            curvature=Curvature.PAPER,
             threads=1,
         )
 
@@ -118,5 +119,5 @@ def compute_figure13(runner: Runner) -> Figure13:
         groups=groups,
         torques=np.array([result.resisting_torque for result in results]),
         penetrations=np.array([result.penetration for result in results]),
-        critical_group=_group(ball, 1000.0, critical_speed(ball)),
+        critical_group=_group(ball, 1000.0, critical_speed(ball, curvature=Curvature.PAPER)),
     )

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
 from .item import Runner, Table, Verdict
@@ -195,7 +195,13 @@ def _load_sweep(runner: Runner) -> LoadSweep:
     loads = np.linspace(10.0, 100.0, 5 if runner.coarse else 10)
 
     def model(h: float) -> RollingModel:
-        return RollingModel(paper.ball(thickness=h), angular_speed=paper.ANGULAR_SPEED, mesh=runner.mesh, threads=1)
+        return RollingModel(
+            paper.ball(thickness=h),
+            angular_speed=paper.ANGULAR_SPEED,
+            mesh=runner.mesh,
+            curvature=Curvature.PAPER,
+            threads=1,
+        )
 
     models = dict(zip(_THICKNESSES, runner.map(model, _THICKNESSES), strict=True))
 

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..orders import surface_compliance
 from ..rolling import solve
 from . import plain
@@ -107,9 +107,14 @@ def compute_figure4(runner: Runner) -> Figure4:
 
     points = [(alpha, count) for alpha in _ALPHAS for count in counts]
     torques = dict(zip(points, runner.map(product, points), strict=True))
-    exact = surface_compliance(ball, paper.ANGULAR_SPEED, 0, orders)[:, 0, 0].real * at_rest
+    exact = surface_compliance(ball, paper.ANGULAR_SPEED, 0, orders, curvature=Curvature.PAPER)[:, 0, 0].real * at_rest
     solver = solve(
-        ball, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, mesh=runner.mesh, compliance=Compliance.RADIAL
+        ball,
+        load=paper.LOAD,
+        angular_speed=paper.ANGULAR_SPEED,
+        mesh=runner.mesh,
+        compliance=Compliance.RADIAL,
+        curvature=Curvature.PAPER,
     )
     return Figure4(
         counts=counts,

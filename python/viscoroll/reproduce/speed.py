@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import analytic, paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..rolling import RollingModel
 from .item import Runner, Table, Verdict
 
@@ -166,7 +166,7 @@ def compute_figure7(runner: Runner) -> Figure7:
     ball = paper.ball()
 
     def point(speed: float) -> Result:
-        model = RollingModel(ball, angular_speed=speed, mesh=runner.mesh, threads=1)
+        model = RollingModel(ball, angular_speed=speed, mesh=runner.mesh, curvature=Curvature.PAPER, threads=1)
         return model.solve(load=paper.LOAD, compliance=Compliance.RADIAL, threads=1)
 
     results = runner.map(point, speeds.tolist())
@@ -185,7 +185,9 @@ def compute_figure12(runner: Runner) -> Figure12:
 
     def torques(point: tuple[float, float]) -> list[float]:
         h, speed = point
-        model = RollingModel(paper.ball(thickness=h), angular_speed=speed, mesh=runner.mesh, threads=1)
+        model = RollingModel(
+            paper.ball(thickness=h), angular_speed=speed, mesh=runner.mesh, curvature=Curvature.PAPER, threads=1
+        )
         return [model.solve(load=float(p), compliance=Compliance.RADIAL, threads=1).resisting_torque for p in loads]
 
     points = [(h, float(speed)) for h in _THICKNESSES for speed in speeds]

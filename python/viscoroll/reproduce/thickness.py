@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from .. import paper
-from .._core import Compliance
+from .._core import Compliance, Curvature
 from ..mesh import Mesh
 from ..rolling import RollingModel
 from ..studies.fits import fit_thickness_law
@@ -146,7 +146,7 @@ def thickness_sweep(runner: Runner) -> ThicknessSweep:
         # Odd multiples of half of the nodes converge best; the paper's own mesh is left as it is.
         mesh = Mesh(nodes_per_revolution=nodes * factor, max_order=3 * nodes * factor // 2 if factor > 1 else order)
         ball = paper.ball(thickness=h, core_radius=_OUTER_RADIUS - h)
-        model = RollingModel(ball, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, threads=1)
+        model = RollingModel(ball, angular_speed=paper.ANGULAR_SPEED, mesh=mesh, curvature=Curvature.PAPER, threads=1)
         return [model.solve(load=p, compliance=Compliance.RADIAL, threads=1).resisting_torque for p in LOADS]
 
     points = [(float(h), 1) for h in thicknesses]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._arrays import as_float, as_int
-from .._core import Compliance, PatchLoad, SlipKinematics
+from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ..drive import Drive
 from ..mesh import Mesh
 
@@ -22,6 +22,7 @@ _TYPES: dict[str, type] = {
     "mesh": Mesh,
     "drive": Drive,
     "compliance": Compliance,
+    "curvature": Curvature,
     "patch_load": PatchLoad,
     "slip_kinematics": SlipKinematics,
 }

@@ -19,7 +19,7 @@ from .dimensions import LOAD_CASE, Dimension, split
 __all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: What points with one influence table have in common, besides the ball.
-_SHARED = ("angular_speed", "mesh", "compliance", "patch_load")
+_SHARED = ("angular_speed", "mesh", "compliance", "curvature", "patch_load")
 
 #: Harmonics up to which Python functions of frequency are compared where no mesh is given: those that 10 000 nodes per
 #: revolution ask for, more than the default accuracy needs in most cases.

@@ -65,7 +65,8 @@ def solve_group(
     ball : CoatedSphere
         The ball of all points.
     shared : mapping
-        Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, patch load.
+        Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, curvature, patch
+        load.
     cases : sequence of mapping
         The other arguments of each point.
     fields : sequence of str, default ()
@@ -117,8 +118,9 @@ def _solver(
     """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
-    model = RollingModel(ball, angular_speed=shared["angular_speed"], mesh=shared["mesh"], **options)
-    rest = {name: value for name, value in shared.items() if name not in ("angular_speed", "mesh")}
+    of_model = {name: value for name, value in shared.items() if name in ("angular_speed", "mesh", "curvature")}
+    model = RollingModel(ball, **of_model, **options)
+    rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)
 
 

@@ -56,7 +56,7 @@ def sweep(
         a point's own window.
     **parameters : float, object, or sequence of them
         Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], friction [-], drive, mesh, accuracy [-],
-        compliance, patch_load, slip_kinematics, max_iterations. All other names are of the function `ball`.
+        compliance, curvature, patch_load, slip_kinematics, max_iterations. All other names are of the function `ball`.
 
     Returns
     -------
