@@ -37,6 +37,7 @@ test-python: $(VENV)/test.stamp
 	$(BIN)/python -m pytest
 
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources.
+# The library configured as the README says must be the optimized one.
 test-package: test-cpp
 	rm -rf build/package
 	cmake --install build/release --component library --prefix build/package/prefix
@@ -47,6 +48,7 @@ test-package: test-cpp
 	cmake --build build/package/native && build/package/native/consumer
 	cmake -S tests/package -B build/package/source -Dviscoroll_SOURCE=$(CURDIR) -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/package/source --parallel $(JOBS) && build/package/source/consumer
+	cmake -S . -B build/package/plain && grep -q 'CMAKE_BUILD_TYPE:STRING=Release' build/package/plain/CMakeCache.txt
 
 sanitize: $(DEPS)
 	cmake --preset asan-ubsan
