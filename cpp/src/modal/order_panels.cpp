@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "modal/compliance_recursion.hpp"
@@ -12,85 +13,130 @@ namespace {
 
 using cplx = std::complex<double>;
 using Cell = OrderPanels::Cell;
+using CellTerms = decltype(Cell::series);
 constexpr int kOrderNodes = OrderPanels::kOrderNodes;
 
 constexpr double kLowestOrder = 2.0;        // orders below are few
 constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
 constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
 
-/// Compliance times m and the modulus of the outer layer, of entries odd in n divided by n / m, at the nodes of a cell:
-/// a row for each m, columns as in `Cell::series`.
-auto sample(const HarmonicCoating& coating, const Cell& cell) -> decltype(Cell::series) {
-  const auto m = panel_nodes<kOrderNodes>(cell.lowest_m, cell.highest_m);
-  const auto ratios = panel_nodes(cell.lowest_ratio, cell.highest_ratio);
-  const HarmonicCoating at_nodes = coating.at({m.begin(), m.end()});
+auto k_transform() { return chebyshev_transform().cast<cplx>(); }
+auto m_transform() { return chebyshev_transform<kOrderNodes>().transpose().cast<cplx>(); }
 
-  std::vector<std::vector<Medium<cplx>>> media;
-  for (std::size_t i = 0; i < m.size(); ++i) media.push_back(at_nodes.media(i));
-  // Side by side are orders of like k.
-  std::vector<OrderInLayers<cplx>> orders;
-  for (const double ratio : ratios) {
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      orders.push_back({.media = media[i], .m = m[i], .n = m[i] * std::sqrt(ratio - 1.0)});
+/// Compliance times m and the modulus of the outer layer, of entries odd in n divided by n / m, at the nodes of a cell.
+///
+/// They are solved in three goes, so that a cell that must be halved is known by few of them: all k at the outermost m,
+/// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
+class CellSamples {
+ public:
+  CellSamples(const HarmonicCoating& coating, const Cell& cell)
+      : m_(panel_nodes<kOrderNodes>(cell.lowest_m, cell.highest_m)),
+        ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
+        highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)) {
+    const HarmonicCoating at_nodes = coating.at({m_.begin(), m_.end()});
+    for (std::size_t i = 0; i < m_.size(); ++i) media_.push_back(at_nodes.media(i));
+  }
+
+  [[nodiscard]] bool is_resolved_along_k() {
+    solve({0, kOrderNodes - 1}, inner_nodes(kPanelNodes, 0));
+    return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); },
+                       [](const auto& series) { return series.template rightCols<2>(); });
+  }
+
+  [[nodiscard]] bool is_resolved_along_m() {
+    solve(inner_nodes(kOrderNodes, 1), {0, kPanelNodes - 1});
+    return is_resolved([&](int entry) { return (m_transform() * columns(entry)).eval(); },
+                       [](const auto& series) { return series.template bottomRows<2>(); });
+  }
+
+  /// The remaining nodes, and series in both directions.
+  void complete() {
+    solve(inner_nodes(kOrderNodes, 1), inner_nodes(kPanelNodes, 1));
+    for (int entry = 0; entry < kEntries; ++entry) {
+      auto block = values_.middleCols<kPanelNodes>(entry * kPanelNodes);
+      block = (m_transform() * block * k_transform()).eval();
     }
   }
-  std::vector<Matrix3<cplx>> solved(orders.size());
-  surface_compliances<cplx>(orders, solved);
 
-  decltype(Cell::series) values;
-  for (std::size_t j = 0; j < ratios.size(); ++j) {
-    const double n_ratio = std::sqrt(ratios[j] - 1.0);
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      const Matrix3<cplx> y = solved[j * m.size() + i] * (m[i] * media[i].back().mu);
-      const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1),           y(0, 2) / n_ratio,
-                                               y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
-      for (std::size_t e = 0; e < kEntries; ++e) {
-        values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(e * kPanelNodes + j)) = entries[e];
+  [[nodiscard]] const CellTerms& terms() const { return values_; }
+
+ private:
+  static std::vector<int> inner_nodes(int count, int margin) {
+    std::vector<int> nodes(static_cast<std::size_t>(count - 2 * margin));
+    std::iota(nodes.begin(), nodes.end(), margin);
+    return nodes;
+  }
+
+  /// An entry at the outermost m.
+  [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
+    return values_(std::array{0, kOrderNodes - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
+  }
+  /// An entry at the outermost k.
+  [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, 2> columns(int entry) const {
+    return values_(Eigen::all, std::array{entry * kPanelNodes, (entry + 1) * kPanelNodes - 1});
+  }
+
+  /// Whether the last terms of every entry's series are negligible.
+  template <class SeriesOf, class LastTerms>
+  [[nodiscard]] bool is_resolved(const SeriesOf& series_of, const LastTerms& last_terms) const {
+    const auto largest = [&](Entry entry) { return series_of(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
+    const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n_ratio_);
+    for (int entry = 0; entry < kEntries; ++entry) {
+      const double last = last_terms(series_of(entry)).cwiseAbs().maxCoeff();
+      if (last > kSeriesTolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+    }
+    return true;
+  }
+
+  void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
+    // Side by side are orders of like k.
+    std::vector<OrderInLayers<cplx>> orders;
+    for (const int j : k_nodes) {
+      for (const int i : m_nodes) {
+        const double m = m_[static_cast<std::size_t>(i)];
+        const double n = m * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0);
+        orders.push_back({.media = media_[static_cast<std::size_t>(i)], .m = m, .n = n});
+      }
+    }
+    std::vector<Matrix3<cplx>> solved(orders.size());
+    surface_compliances<cplx>(orders, solved);
+    auto order = orders.begin();
+    auto compliance = solved.begin();
+    for (const int j : k_nodes) {
+      for (const int i : m_nodes) {
+        const Matrix3<cplx> y = *compliance++ * (order->m * order->media.back().mu);
+        const double n_ratio = order->n / order->m;
+        ++order;
+        const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1), y(0, 2) / n_ratio,
+                                                 y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
+        for (int e = 0; e < kEntries; ++e) values_(i, e * kPanelNodes + j) = entries[static_cast<std::size_t>(e)];
       }
     }
   }
-  return values;
-}
 
-/// Whether the last two terms in each direction are negligible.
-struct Resolution {
-  bool along_m = true;
-  bool along_k = true;
+  std::array<double, kOrderNodes> m_;
+  std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
+  double highest_n_ratio_;
+  std::vector<std::vector<Medium<cplx>>> media_;  // at each m
+  CellTerms values_;
 };
-
-Resolution resolution(const Cell& cell) {
-  const auto block = [&](int entry) { return cell.series.middleCols<kPanelNodes>(entry * kPanelNodes).cwiseAbs(); };
-  const auto largest = [&](Entry entry) { return block(static_cast<int>(entry)).maxCoeff(); };
-  const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, std::sqrt(cell.highest_ratio - 1.0));
-  Resolution resolution;
-  for (int entry = 0; entry < kEntries; ++entry) {
-    const double limit = kSeriesTolerance * sizes[static_cast<std::size_t>(entry)];
-    if (block(entry).bottomRows<2>().maxCoeff() > limit) resolution.along_m = false;
-    if (block(entry).rightCols<2>().maxCoeff() > limit) resolution.along_k = false;
-  }
-  return resolution;
-}
 
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
 void append_cells(const HarmonicCoating& coating, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
   worker.checkpoint();
-  const decltype(Cell::series) values = sample(coating, cell);
-  for (int entry = 0; entry < kEntries; ++entry) {
-    cell.series.middleCols<kPanelNodes>(entry * kPanelNodes) =
-        chebyshev_transform<kOrderNodes>().transpose().cast<cplx>() *
-        values.middleCols<kPanelNodes>(entry * kPanelNodes) * chebyshev_transform().cast<cplx>();
-  }
-  const Resolution resolved = resolution(cell);
   const auto is_wide = [](double low, double high) { return high / low > kSmallestRatio; };
-  if (!resolved.along_k && is_wide(cell.lowest_ratio, cell.highest_ratio)) {
+  CellSamples samples(coating, cell);
+  if (!samples.is_resolved_along_k() && is_wide(cell.lowest_ratio, cell.highest_ratio)) {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
     append_cells(coating, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
     append_cells(coating, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
-  } else if (!resolved.along_m && is_wide(cell.lowest_m, cell.highest_m)) {
+  } else if (!samples.is_resolved_along_m() && is_wide(cell.lowest_m, cell.highest_m)) {
     const double middle = std::sqrt(cell.lowest_m * cell.highest_m);
     append_cells(coating, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
     append_cells(coating, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
   } else {
+    samples.complete();
+    cell.series = samples.terms();
     cells.push_back(cell);
   }
 }

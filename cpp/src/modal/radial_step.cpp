@@ -87,13 +87,14 @@ VISCOROLL_PART_OF_CALLER void sum_series(const StepLanes<Scalar>& step, Solution
   for (int j = 0; j < kMaxTerms; ++j) {
     elastic_rate(step, term, static_cast<double>(j), next);
     if (step.has_inertia) add_inertia(step, term, before, before_that, next);
+    const double per_term = 1.0 / (j + 1);
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t l = 0; l < kLanes; ++l) {
-        next[i].set(l, step.growth[l] / (j + 1) * next[i][l]);
+        next[i].set(l, per_term * step.growth[l] * next[i][l]);
         sum[i].set(l, sum[i][l] + next[i][l]);
       }
     }
-    if (j % 2 == 1 && are_negligible(next, term, sum)) break;
+    if (j % 4 == 3 && are_negligible(next, term, sum)) break;
     term = next;
   }
 }
