@@ -12,3 +12,10 @@
 #else
 #define VISCOROLL_BEST_INSTRUCTIONS
 #endif
+
+/// What is to be compiled as part of each such version, not once for all of them.
+#if defined(__GNUC__)
+#define VISCOROLL_PART_OF_CALLER __attribute__((always_inline)) inline
+#else
+#define VISCOROLL_PART_OF_CALLER inline
+#endif

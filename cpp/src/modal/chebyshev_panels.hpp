@@ -11,7 +11,8 @@
 
 namespace viscoroll::detail {
 
-constexpr int kPanelNodes = 16;  ///< Chebyshev nodes, and so terms, of a panel
+constexpr int kPanelNodes = 16;               ///< Chebyshev nodes, and so terms, of a panel
+constexpr double kLargestPanelRatio = 512.0;  ///< of k^2 at the ends of a panel, over which a power law is resolved
 
 /// @brief Several functions of x on [low, high], low > 0: row f holds the series of function f in T_0 ... T_15 of the
 /// coordinate that runs from -1 to 1 with ln x. Compliances fall like powers of the order, so they are smoothest in its
@@ -23,24 +24,25 @@ struct Panel {
   Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes, Eigen::RowMajor> series;
 };
 
-/// @return Chebyshev nodes of the first kind of a panel
-[[nodiscard]] inline std::array<double, kPanelNodes> panel_nodes(double low, double high) {
-  std::array<double, kPanelNodes> nodes{};
-  for (int j = 0; j < kPanelNodes; ++j) {
-    const double coordinate = std::cos(std::numbers::pi * (j + 0.5) / kPanelNodes);
+/// @return Chebyshev nodes of the first kind in [low, high], logarithmically
+template <int Nodes = kPanelNodes>
+[[nodiscard]] std::array<double, Nodes> panel_nodes(double low, double high) {
+  std::array<double, Nodes> nodes{};
+  for (int j = 0; j < Nodes; ++j) {
+    const double coordinate = std::cos(std::numbers::pi * (j + 0.5) / Nodes);
     nodes[static_cast<std::size_t>(j)] = std::sqrt(low * high) * std::pow(high / low, 0.5 * coordinate);
   }
   return nodes;
 }
 
 /// @return matrix that takes values at `panel_nodes` (columns of the factor before it) to series
-[[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes>& chebyshev_transform() {
+template <int Nodes = kPanelNodes>
+[[nodiscard]] const Eigen::Matrix<double, Nodes, Nodes>& chebyshev_transform() {
   static const auto transform = [] {
-    Eigen::Matrix<double, kPanelNodes, kPanelNodes> matrix;
-    for (int node = 0; node < kPanelNodes; ++node) {
-      for (int term = 0; term < kPanelNodes; ++term) {
-        matrix(node, term) =
-            (term == 0 ? 1.0 : 2.0) / kPanelNodes * std::cos(std::numbers::pi * (node + 0.5) * term / kPanelNodes);
+    Eigen::Matrix<double, Nodes, Nodes> matrix;
+    for (int node = 0; node < Nodes; ++node) {
+      for (int term = 0; term < Nodes; ++term) {
+        matrix(node, term) = (term == 0 ? 1.0 : 2.0) / Nodes * std::cos(std::numbers::pi * (node + 0.5) * term / Nodes);
       }
     }
     return matrix;
@@ -58,26 +60,18 @@ void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1
   panels.push_back(std::move(panel));
 }
 
-/// @brief Append panels that resolve functions on [low, high]: first of a ratio of 512, where a power law is resolved,
-/// then halved where needed.
+/// @brief Append panels that resolve functions on [low, high]: first of `kLargestPanelRatio`, then halved where needed.
 /// @param[in] low,high interval, low > 0
-/// @param[in] sample returns the values of all functions at a point
+/// @param[in] sample returns the values of all functions at the nodes of a panel, a column for each
 /// @param[in] resolved judges a panel by its series
 /// @param[out] panels receives the panels in order
 template <class Scalar, class Sample, class Resolved>
 void append_panels(double low, double high, const Sample& sample, const Resolved& resolved,
                    std::vector<Panel<Scalar>>& panels) {
-  constexpr double kLargestRatio = 512.0;
   constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
-  if (high / low <= kLargestRatio) {
-    const auto nodes = panel_nodes(low, high);
-    Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values;
-    for (int j = 0; j < kPanelNodes; ++j) {
-      const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> column = sample(nodes[static_cast<std::size_t>(j)]);
-      if (j == 0) values.resize(column.size(), kPanelNodes);
-      values.col(j) = column;
-    }
-    Panel<Scalar> panel{low, high, values * chebyshev_transform().cast<Scalar>()};
+  if (high / low <= kLargestPanelRatio) {
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values = sample(panel_nodes(low, high));
+    Panel<Scalar> panel{low, high, values * chebyshev_transform().template cast<Scalar>()};
     if (high / low < kSmallestRatio || resolved(panel)) {
       panels.push_back(std::move(panel));
       return;

@@ -1,144 +1,186 @@
 #include "modal/compliance_recursion.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+
+#include "modal/radial_step.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 constexpr double kDepth = 24.0;        // exponent beyond which material is out of reach of the surface
-constexpr double kStepExponent = 1.5;  // largest exponent of a step: Taylor terms cancel little
+constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
 constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
-constexpr int kMaxTerms = 60;          // 0.25^30 and 1.5^25/25! are both below round-off
 
-/// Three solutions, one in each row.
+/// Up to kLanes orders on their way outwards.
 template <class Scalar>
-using States = Eigen::Array<Scalar, 3, 6>;
-
-/// Largest part of a number: a size that costs no square root.
-double size(double value) { return std::abs(value); }
-double size(const std::complex<double>& value) { return std::max(std::abs(value.real()), std::abs(value.imag())); }
-
-/// Entry by entry, since the normal compliance of a thin incompressible layer is far smaller than its neighbors.
-template <class Scalar>
-bool is_negligible(const States<Scalar>& term, const States<Scalar>& sum) {
-  for (Eigen::Index i = 0; i < term.size(); ++i) {
-    if (size(term.data()[i]) > 1e-17 * size(sum.data()[i])) return false;
-  }
-  return true;
-}
-
-/// Solutions at r (1 + x) of the layer's equations that start as `start` at r.
-///
-/// (1 + x) dz/dx = (B + q (1 + x)^2 M) z with q = rho Omega^2 r^2 gives the terms t_j = z_j x^j by
-/// t_{j+1} = x / (j+1) ((B - j) t_j + q M (t_j + 2 x t_{j-1} + x^2 t_{j-2})).
-template <class Scalar>
-States<Scalar> advance(const LayerEquations<Scalar>& elastic, const Eigen::Matrix3d& inertia,
-                       const States<Scalar>& start, double x) {
-  const bool has_inertia = !inertia.isZero(0.0);
-  const Matrix3<Scalar> transposed_inertia = inertia.transpose().template cast<Scalar>();
-  States<Scalar> sum = start;
-  States<Scalar> term = start;
-  Matrix3<Scalar> before = Matrix3<Scalar>::Zero();  // displacements of the two terms before
-  Matrix3<Scalar> before_that = Matrix3<Scalar>::Zero();
-  for (int j = 0; j < kMaxTerms; ++j) {
-    States<Scalar> next = elastic(term) - static_cast<double>(j) * term;
-    if (has_inertia) {
-      const Matrix3<Scalar> displacement = term.template leftCols<3>().matrix();
-      const Matrix3<Scalar> weighted = displacement + 2.0 * x * before + x * x * before_that;
-      next.template rightCols<3>() += (weighted * transposed_inertia).array();
-      before_that = before;
-      before = displacement;
+class Batch {
+ public:
+  explicit Batch(std::span<const OrderInLayers<Scalar>> orders) : orders_(orders) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const double m = at(l).m;
+      const double n = at(l).n;
+      const double k = std::hypot(m, n);
+      // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling
+      // does, whose two solutions differ by the third power of the radius.
+      deepest_[l] = surface() * std::exp(-kDepth / std::max(k, is_held() ? 1e-300 : 0.5));
+      step_.k.set(l, k);
+      step_.membrane.set(l, k * k);
+      const double cosine = k > 0.0 ? m / k : 1.0;
+      const double sine = k > 0.0 ? n / k : 0.0;
+      step_.inertia.rr.set(l, -1.0 - m * m);
+      step_.inertia.rk.set(l, 2.0 * m * cosine);
+      step_.inertia.rx.set(l, -2.0 * m * sine);
+      step_.inertia.kk.set(l, -m * m - cosine * cosine);
+      step_.inertia.kx.set(l, cosine * sine);
+      step_.inertia.xx.set(l, -m * m - sine * sine);
     }
-    next *= x / (j + 1);
-    sum += next;
-    // Two terms in a row: one alone may vanish by parity.
-    if (is_negligible(next, sum) && is_negligible(term, sum)) break;
-    term = next;
   }
-  return sum;
-}
 
-/// Solutions that the innermost layer starts with at `inner`: three stresses on what carries it, or three displacements
-/// of a free surface. A solid ball starts like one on a tiny core: what is not regular at the center dies out.
-template <class Scalar>
-States<Scalar> starting_states(const Medium<Scalar>& medium, double inner, double order) {
-  States<Scalar> states = States<Scalar>::Zero();
-  states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
-  if (medium.within == InnerBoundary::hollow && inner == medium.inner_radius) {
-    const Eigen::Index free = order > 0.0 ? 3 : 1;  // order (0, 0) leaves rotations of the whole coating free
-    for (Eigen::Index i = 0; i < free; ++i) std::swap(states(i, i), states(i, i + 3));
-  }
-  return states;
-}
-
-/// Carry Y, in units of 1 / stress_unit, through all layers; `visit` sees it after every step and may stop by false.
-template <class Scalar, class Visit>
-Matrix3<Scalar> carry(std::span<const Medium<Scalar>> media, double m, double n, double stress_unit, Visit visit) {
-  const double order = std::hypot(m, n);
-  const double surface = media.back().outer_radius;
-  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
-  // whose two solutions differ by the third power of the radius.
-  const bool held = media.front().within == InnerBoundary::rigid;
-  const double deepest = surface * std::exp(-kDepth / std::max(order, held ? 1e-300 : 0.5));
-  Matrix3<Scalar> compliance = Matrix3<Scalar>::Zero();
-  bool started = false;
-  for (Medium<Scalar> medium : media) {
-    if (medium.outer_radius <= deepest) continue;
-    const double inner = std::max(medium.inner_radius, deepest);
-    const double extent = std::log1p((medium.outer_radius - inner) / inner);
-    const double longest = std::min(std::log1p(kStepRatio), kStepExponent / (order + 1.0));
-    const int steps = static_cast<int>(std::ceil(extent / longest));
-    const double x = std::expm1(extent / steps);
-    medium.mu /= stress_unit;
-    const LayerEquations<Scalar> elastic(medium, m, n);
-    for (int step = 0; step < steps; ++step) {
-      const double radius = inner * std::exp(extent * step / steps);
-      const Eigen::Matrix3d inertia = medium.inertia * radius * radius / stress_unit * inertia_matrix(m);
-      States<Scalar> states = starting_states(medium, inner, order);
-      if (started) {
-        states.template leftCols<3>() = compliance.transpose().array();
-        states.template rightCols<3>() = Matrix3<Scalar>::Identity().array();
+  /// Carry Y, in units of 1 / modulus of the layer, through all layers; `visit` sees it after every step and may stop
+  /// by false.
+  template <class Visit>
+  bool carry(const Visit& visit) {
+    for (std::size_t layer = 0; layer < at(0).media.size(); ++layer) {
+      const int steps = enter(layer);
+      for (int step = 0; step < steps; ++step) {
+        prepare(layer, step, steps);
+        advance(step_, start(), compliance_);
+        for (std::size_t l = 0; l < kLanes; ++l) started_[l] = started_[l] || extent_[l] > 0.0;
+        if (!visit(*this)) return false;
       }
-      started = true;
-      states = advance<Scalar>(elastic, inertia, states, x);
-      // Rows are states: Y^T = F^-T D^T.
-      const Matrix3<Scalar> displacement = states.template leftCols<3>().matrix();
-      const Matrix3<Scalar> stress = states.template rightCols<3>().matrix();
-      compliance = (stress.inverse() * displacement).transpose();
-      if (!visit(compliance)) return compliance;
+    }
+    return true;
+  }
+
+  /// Surface compliance of one lane [m/Pa] in the directions r, phi, theta.
+  [[nodiscard]] Matrix3<Scalar> surface_compliance(std::size_t l) const {
+    const double k = step_.k.value(l);
+    const double cosine = k > 0.0 ? at(l).m / k : 1.0;
+    const double sine = k > 0.0 ? at(l).n / k : 0.0;
+    const Eigen::Matrix3d turn{{1.0, 0.0, 0.0}, {0.0, cosine, -sine}, {0.0, sine, cosine}};
+    Matrix3<Scalar> y = turn.cast<Scalar>() * matrix(l) * turn.transpose().cast<Scalar>();
+    if (!is_held() && k == 0.0) y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
+    return y * (surface() / at(l).media.back().mu);
+  }
+
+  /// Whether Y is positive definite in all lanes.
+  [[nodiscard]] bool is_positive() const {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      if (!started_[l]) continue;
+      const Matrix3<Scalar> y = matrix(l);
+      const Scalar minor = y(0, 0) * y(1, 1) - y(0, 1) * y(1, 0);
+      if (!(y(0, 0) > 0.0 && minor > 0.0 && y.determinant() > 0.0)) return false;
+    }
+    return true;
+  }
+
+ private:
+  /// The order of a lane; the last order fills the lanes left over.
+  [[nodiscard]] const OrderInLayers<Scalar>& at(std::size_t l) const {
+    return orders_[std::min(l, orders_.size() - 1)];
+  }
+  [[nodiscard]] double surface() const { return at(0).media.back().outer_radius; }
+  [[nodiscard]] bool is_held() const { return at(0).media.front().within == InnerBoundary::rigid; }
+
+  [[nodiscard]] Matrix3<Scalar> matrix(std::size_t l) const {
+    const auto& y = compliance_;
+    return Matrix3<Scalar>{{y.rr.value(l), y.rk.value(l), y.rx.value(l)},
+                           {y.rk.value(l), y.kk.value(l), y.kx.value(l)},
+                           {y.rx.value(l), y.kx.value(l), y.xx.value(l)}};
+  }
+
+  /// Number of steps through a layer, none where it is out of reach; Y is taken to its unit.
+  int enter(std::size_t layer) {
+    int steps = 0;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const Medium<Scalar>& medium = at(l).media[layer];
+      inner_[l] = std::min(std::max(medium.inner_radius, deepest_[l]), medium.outer_radius);
+      extent_[l] = std::log1p((medium.outer_radius - inner_[l]) / inner_[l]);
+      const double longest = std::min(std::log1p(kStepRatio), kStepExponent / (step_.k.value(l) + 1.0));
+      steps = std::max(steps, static_cast<int>(std::ceil(extent_[l] / longest)));
+      if (layer > 0) scale(l, medium.mu / at(l).media[layer - 1].mu);
+    }
+    return steps;
+  }
+
+  void scale(std::size_t l, const Scalar& factor) {
+    auto& y = compliance_;
+    for (Lanes<Scalar>* entry : {&y.rr, &y.rk, &y.rx, &y.kk, &y.kx, &y.xx}) entry->set(l, factor * entry->value(l));
+  }
+
+  void prepare(std::size_t layer, int step, int steps) {
+    step_.has_inertia = false;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const Medium<Scalar>& medium = at(l).media[layer];
+      const double radius = inner_[l] * std::exp(extent_[l] * step / steps);
+      step_.b.set(l, medium.b);
+      step_.growth.set(l, std::expm1(extent_[l] / steps));
+      step_.q.set(l, medium.inertia * radius * radius / medium.mu);
+      step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
+      at_free_surface_[l] =
+          layer == 0 && step == 0 && medium.within == InnerBoundary::hollow && inner_[l] == medium.inner_radius;
     }
   }
-  if (!held && order == 0.0) compliance.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
-  return compliance;
-}
 
-template <class Scalar>
-double stress_unit(std::span<const Medium<Scalar>> media) {
-  return std::abs(media.back().mu);
-}
+  /// Three stresses on what carries them; at a free surface three displacements. A solid ball starts like one on a
+  /// tiny core: what is not regular at the center dies out.
+  [[nodiscard]] std::array<SolutionLanes<Scalar>, 3> start() const {
+    const auto& y = compliance_;
+    std::array<SolutionLanes<Scalar>, 3> states{{{y.rr, y.rk, y.rx}, {y.rk, y.kk, y.kx}, {y.rx, y.kx, y.xx}}};
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Order (0, 0) leaves rotations of the whole coating free.
+        const bool free = at_free_surface_[l] && (step_.k.value(l) > 0.0 || i == 0);
+        states[i][free ? i : 3 + i].set(l, 1.0);
+      }
+    }
+    return states;
+  }
+
+  std::span<const OrderInLayers<Scalar>> orders_;
+  StepLanes<Scalar> step_;
+  SymmetricLanes<Scalar> compliance_;
+  std::array<double, kLanes> deepest_{};  // radius below which nothing reaches the surface
+  std::array<double, kLanes> inner_{};    // radius at which the lane enters the layer
+  std::array<double, kLanes> extent_{};   // of the layer in ln r
+  std::array<bool, kLanes> at_free_surface_{};
+  std::array<bool, kLanes> started_{};
+};
 
 }  // namespace
 
 template <class Scalar>
+void surface_compliances(std::span<const OrderInLayers<Scalar>> orders, std::span<Matrix3<Scalar>> compliances) {
+  for (std::size_t first = 0; first < orders.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, orders.size() - first);
+    Batch<Scalar> batch(orders.subspan(first, count));
+    batch.carry([](const Batch<Scalar>&) { return true; });
+    for (std::size_t l = 0; l < count; ++l) compliances[first + l] = batch.surface_compliance(l);
+  }
+}
+
+template <class Scalar>
 Matrix3<Scalar> surface_compliance(std::span<const Medium<Scalar>> media, double m, double n) {
-  const double unit = stress_unit(media);
-  const Matrix3<Scalar> compliance = carry(media, m, n, unit, [](const Matrix3<Scalar>&) { return true; });
-  return compliance * (media.back().outer_radius / unit);
+  const OrderInLayers<Scalar> order{.media = media, .m = m, .n = n};
+  Matrix3<Scalar> compliance;
+  surface_compliances<Scalar>(std::span(&order, 1), std::span(&compliance, 1));
+  return compliance;
 }
 
-bool is_subcritical(std::span<const Medium<double>> media, double m, double n) {
-  bool positive = true;
-  carry(media, m, n, stress_unit(media), [&](const Eigen::Matrix3d& compliance) {
-    positive = compliance.llt().info() == Eigen::Success;
-    return positive;
-  });
-  return positive;
+bool are_subcritical(std::span<const OrderInLayers<double>> orders) {
+  for (std::size_t first = 0; first < orders.size(); first += kLanes) {
+    Batch<double> batch(orders.subspan(first, std::min(kLanes, orders.size() - first)));
+    if (!batch.carry([](const Batch<double>& b) { return b.is_positive(); })) return false;
+  }
+  return true;
 }
 
+template void surface_compliances(std::span<const OrderInLayers<double>>, std::span<Matrix3<double>>);
+template void surface_compliances(std::span<const OrderInLayers<std::complex<double>>>,
+                                  std::span<Matrix3<std::complex<double>>>);
 template Matrix3<double> surface_compliance(std::span<const Medium<double>>, double, double);
 template Matrix3<std::complex<double>> surface_compliance(std::span<const Medium<std::complex<double>>>, double,
                                                           double);

@@ -54,10 +54,11 @@ double rayleigh_limit(const std::vector<Medium<double>>& media) {
 bool all_subcritical(std::vector<Medium<double>> media, double angular_speed) {
   constexpr int kHighestOrder = 2000;
   for (Medium<double>& medium : media) medium.inertia *= angular_speed * angular_speed;
+  std::vector<OrderInLayers<double>> orders;
   for (int m = 1; m <= kHighestOrder; m = std::max(m + 1, m * 11 / 10)) {
-    if (!is_subcritical(media, m, 0.0)) return false;
+    orders.push_back({.media = media, .m = static_cast<double>(m), .n = 0.0});
   }
-  return true;
+  return are_subcritical(orders);
 }
 
 /// Rolling speed at which the surface keeps up with the slowest shear wave of any layer; infinite without inertia.
@@ -121,7 +122,8 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
       radius += layer.thickness;
     }
     const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds
-    if (damping > 1.0 || slowest > 10.0 || is_subcritical(media, m, 0.0)) continue;
+    const OrderInLayers<double> order{.media = media, .m = m, .n = 0.0};
+    if (damping > 1.0 || slowest > 10.0 || are_subcritical(std::span(&order, 1))) continue;
     reject("angular_speed",
            "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
            text(angular_speed) + " rad/s");

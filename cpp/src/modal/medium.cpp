@@ -41,6 +41,22 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
 }
 
+HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
+  HarmonicCoating other(*this);
+  other.orders_ = std::move(orders);
+  std::vector<double> omega;
+  for (const double m : other.orders_) omega.push_back(m * angular_speed_);
+  for (std::size_t j = 0; j < moduli_.size(); ++j) {
+    other.moduli_[j] = complex_modulus(sphere_.layers[j].shear_modulus, omega);
+  }
+  return other;
+}
+
+bool HarmonicCoating::has_measured_moduli() const {
+  return std::any_of(sphere_.layers.begin(), sphere_.layers.end(),
+                     [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+}
+
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {
   std::vector<Medium<std::complex<double>>> media;
   media.reserve(sphere_.layers.size());

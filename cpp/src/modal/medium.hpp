@@ -65,6 +65,12 @@ class HarmonicCoating {
                   double measured_order = std::numeric_limits<double>::infinity(),
                   Curvature curvature = Curvature::sphere);
 
+  /// @brief The same layers at other orders, within the range of these; not for measured materials.
+  [[nodiscard]] HarmonicCoating at(std::vector<double> orders) const;
+
+  /// @brief Whether a modulus was measured, and so may have kinks.
+  [[nodiscard]] bool has_measured_moduli() const;
+
   /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
 

@@ -1,5 +1,6 @@
 #include "modal/order_by_order.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "modal/compliance_recursion.hpp"
@@ -26,11 +27,19 @@ bool is_resolved(const Panel<cplx>& panel, double m) {
 void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
   const auto media = coating_.media(i);
   const double order = coating_.orders()[i];
-  const auto sample = [&](double k2) -> Eigen::VectorXcd {
-    const double n = std::sqrt(k2 - order * order);
-    const Matrix3<cplx> y = surface_compliance<cplx>(media, order, n);
-    Eigen::VectorXcd entries(kEntries);
-    entries << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
+  const auto sample = [&](const std::array<double, kPanelNodes>& nodes) {
+    std::array<OrderInLayers<cplx>, kPanelNodes> orders{};
+    std::array<Matrix3<cplx>, kPanelNodes> solved;
+    for (std::size_t j = 0; j < orders.size(); ++j) {
+      orders[j] = {.media = media, .m = order, .n = std::sqrt(nodes[j] - order * order)};
+    }
+    surface_compliances<cplx>(orders, solved);
+    Eigen::Matrix<cplx, kEntries, kPanelNodes> entries;
+    for (std::size_t j = 0; j < orders.size(); ++j) {
+      const Matrix3<cplx>& y = solved[j];
+      const double n = orders[j].n;
+      entries.col(static_cast<Eigen::Index>(j)) << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
+    }
     return entries;
   };
   series.clear();

@@ -88,10 +88,13 @@ class InertiaSeries {
   /// @param media layers in units of g, with inertia for eta = 1
   /// @param highest_eta where the series is to hold; eta is counted in its units
   /// @param order largest power of eta
-  InertiaSeries(std::vector<Medium<double>> media, double highest_eta, int order)
-      : media_(std::move(media)), highest_eta_(highest_eta), order_(order) {
+  InertiaSeries(const std::vector<Medium<double>>& media, double highest_eta, int order) : order_(order) {
     constexpr std::array<double, kMaxInertiaOrder + 1> kEtas{0.0, 1.0, -1.0, 0.5};
     etas_ = Eigen::Map<const Eigen::VectorXd>(kEtas.data(), order + 1);
+    for (const double eta : etas_) {
+      media_.push_back(media);
+      for (Medium<double>& medium : media_.back()) medium.inertia *= eta * highest_eta;
+    }
     angles_.resize(order + 2);
     for (Eigen::Index i = 0; i < angles_.size(); ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(angles_.size());
@@ -106,17 +109,35 @@ class InertiaSeries {
     return (entry * (order + 1) + j) * (order + 2) + i;
   }
 
-  /// Coefficients at k^2 > 0.
-  [[nodiscard]] Eigen::VectorXd sample(double k2) const {
-    const Matrix3<double> at_rest = surface_compliance<double>(media_at(0.0), std::sqrt(k2), 0.0);
-    return fit(
-        k2, [&](double eta, double t) { return eta == 0.0 ? rotated(at_rest, k2, t) : solved(media_at(eta), k2, t); });
+  /// Coefficients at the nodes of a panel, a column for each.
+  [[nodiscard]] Eigen::MatrixXd sample(const std::array<double, kPanelNodes>& k2) const {
+    std::vector<OrderInLayers<double>> orders;
+    for (const double square : k2) orders.push_back({.media = media_.front(), .m = std::sqrt(square), .n = 0.0});
+    for (std::size_t j = 1; j < media_.size(); ++j) {
+      for (const double t : angles_) {
+        for (const double square : k2) {
+          orders.push_back({.media = media_[j], .m = std::sqrt(t * square), .n = std::sqrt((1.0 - t) * square)});
+        }
+      }
+    }
+    std::vector<Matrix3<double>> solved(orders.size());
+    surface_compliances<double>(orders, solved);
+
+    Eigen::MatrixXd coefficients(row_of(kEntries, 0, 0, order_), kPanelNodes);
+    for (std::size_t node = 0; node < k2.size(); ++node) {
+      coefficients.col(static_cast<Eigen::Index>(node)) = fit(k2[node], [&](Eigen::Index j, Eigen::Index i) {
+        if (j == 0) return rotated(solved[node], k2[node], angles_[i]);
+        const auto index = static_cast<std::size_t>(1 + (j - 1) * angles_.size() + i) * k2.size() + node;
+        return free_of_powers(solved[index], orders[index].m, orders[index].n);
+      });
+    }
+    return coefficients;
   }
 
   /// Coefficients of order (0, 0).
   [[nodiscard]] Eigen::VectorXd sample_zero_order() const {
-    return fit(0.0, [&](double eta, double) -> Entries {
-      const Matrix3<double> y = surface_compliance<double>(media_at(eta), 0.0, 0.0);
+    return fit(0.0, [&](Eigen::Index j, Eigen::Index) -> Entries {
+      const Matrix3<double> y = surface_compliance<double>(media_[static_cast<std::size_t>(j)], 0.0, 0.0);
       return {y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2)};
     });
   }
@@ -151,14 +172,15 @@ class InertiaSeries {
     return matrix;
   }
 
-  /// Coefficients from entries(eta, t) on the grid; at k = 0, where m = 0, those of m^0 alone.
+  /// Coefficients from the entries at eta and t of the grid, by their numbers; at k = 0, where m = 0, those of m^0
+  /// alone.
   template <class EntriesAt>
   [[nodiscard]] Eigen::VectorXd fit(double k2, const EntriesAt& entries_at) const {
     std::array<Eigen::MatrixXd, kEntries> grid;
     grid.fill(Eigen::MatrixXd(etas_.size(), angles_.size()));
     for (Eigen::Index j = 0; j < etas_.size(); ++j) {
       for (Eigen::Index i = 0; i < angles_.size(); ++i) {
-        const Entries entries = entries_at(etas_[j], angles_[i]);
+        const Entries entries = entries_at(j, i);
         for (std::size_t e = 0; e < kEntries; ++e) grid[e](j, i) = entries[e];
       }
     }
@@ -174,12 +196,6 @@ class InertiaSeries {
     return coefficients;
   }
 
-  [[nodiscard]] std::vector<Medium<double>> media_at(double relative_eta) const {
-    std::vector<Medium<double>> media = media_;
-    for (Medium<double>& medium : media) medium.inertia *= relative_eta * highest_eta_;
-    return media;
-  }
-
   /// Entries without inertia, from the compliance along and across the direction of k.
   static Entries rotated(const Matrix3<double>& y, double k2, double t) {
     const double along = y(1, 1);
@@ -189,15 +205,11 @@ class InertiaSeries {
         y(0, 0), mixed, mixed, t * along + (1.0 - t) * across, (along - across) / k2, (1.0 - t) * along + t * across};
   }
 
-  static Entries solved(const std::vector<Medium<double>>& media, double k2, double t) {
-    const double m = std::sqrt(t * k2);
-    const double n = std::sqrt((1.0 - t) * k2);
-    const Matrix3<double> y = surface_compliance<double>(media, m, n);
+  static Entries free_of_powers(const Matrix3<double>& y, double m, double n) {
     return {y(0, 0), y(0, 1) / m, y(0, 2) / n, y(1, 1), y(1, 2) / (m * n), y(2, 2)};
   }
 
-  std::vector<Medium<double>> media_;
-  double highest_eta_;
+  std::vector<std::vector<Medium<double>>> media_;  // for each eta
   int order_;
   Eigen::VectorXd etas_;  // the first is 0
   Eigen::VectorXd angles_;
@@ -214,7 +226,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
                            return a.density < b.density;
                          })->density;
   const std::size_t reference = softest_layer(coating);
-  auto media = scaled_media(coating, reference, density);
+  const auto media = scaled_media(coating, reference, density);
   if (!media) return nullptr;
 
   std::unique_ptr<SelfSimilarSpectrum> spectrum(new SelfSimilarSpectrum);
@@ -230,7 +242,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   spectrum->inertia_order_ = *order;
   for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
 
-  const InertiaSeries inertia_series(std::move(*media), highest_eta, *order);
+  const InertiaSeries inertia_series(*media, highest_eta, *order);
   spectrum->orders_ = coating.orders();
   spectrum->highest_n_ = highest_n;
   const double highest_m = *std::max_element(coating.orders().begin(), coating.orders().end());
@@ -242,7 +254,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {
     append_panels(
-        bounds[p], bounds[p + 1], [&](double k2) { return inertia_series.sample(k2); },
+        bounds[p], bounds[p + 1], [&](const auto& nodes) { return inertia_series.sample(nodes); },
         [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
   });
   for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(spectrum->panels_));

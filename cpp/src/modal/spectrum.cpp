@@ -5,6 +5,7 @@
 
 #include "instruction_sets.hpp"
 #include "modal/order_by_order.hpp"
+#include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
 
 namespace viscoroll::detail {
@@ -36,7 +37,8 @@ void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* 
 
 std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch) {
   if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, threads, watch)) return shared;
-  return std::make_unique<OrderByOrderSpectrum>(coating, highest_n);
+  if (coating.has_measured_moduli()) return std::make_unique<OrderByOrderSpectrum>(coating, highest_n);
+  return std::make_unique<OrderPanels>(coating, highest_n, threads, watch);
 }
 
 OrderValues::OrderValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series)

@@ -1,0 +1,226 @@
+#include "modal/order_panels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "modal/compliance_recursion.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Cell = OrderPanels::Cell;
+using CellTerms = decltype(Cell::series);
+constexpr int kOrderNodes = OrderPanels::kOrderNodes;
+
+constexpr double kLowestOrder = 2.0;        // orders below are few
+constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
+constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
+
+auto k_transform() { return chebyshev_transform().cast<cplx>(); }
+auto m_transform() { return chebyshev_transform<kOrderNodes>().transpose().cast<cplx>(); }
+
+/// Compliance times m and the modulus of the outer layer, of entries odd in n divided by n / m, at the nodes of a cell.
+///
+/// They are solved in three goes, so that a cell that must be halved is known by few of them: all k at the outermost m,
+/// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
+class CellSamples {
+ public:
+  CellSamples(const HarmonicCoating& coating, const Cell& cell)
+      : m_(panel_nodes<kOrderNodes>(cell.lowest_m, cell.highest_m)),
+        ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
+        highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)) {
+    const HarmonicCoating at_nodes = coating.at({m_.begin(), m_.end()});
+    for (std::size_t i = 0; i < m_.size(); ++i) media_.push_back(at_nodes.media(i));
+  }
+
+  [[nodiscard]] bool is_resolved_along_k() {
+    solve({0, kOrderNodes - 1}, inner_nodes(kPanelNodes, 0));
+    return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); },
+                       [](const auto& series) { return series.template rightCols<2>(); });
+  }
+
+  [[nodiscard]] bool is_resolved_along_m() {
+    solve(inner_nodes(kOrderNodes, 1), {0, kPanelNodes - 1});
+    return is_resolved([&](int entry) { return (m_transform() * columns(entry)).eval(); },
+                       [](const auto& series) { return series.template bottomRows<2>(); });
+  }
+
+  /// The remaining nodes, and series in both directions.
+  void complete() {
+    solve(inner_nodes(kOrderNodes, 1), inner_nodes(kPanelNodes, 1));
+    for (int entry = 0; entry < kEntries; ++entry) {
+      auto block = values_.middleCols<kPanelNodes>(entry * kPanelNodes);
+      block = (m_transform() * block * k_transform()).eval();
+    }
+  }
+
+  [[nodiscard]] const CellTerms& terms() const { return values_; }
+
+ private:
+  static std::vector<int> inner_nodes(int count, int margin) {
+    std::vector<int> nodes(static_cast<std::size_t>(count - 2 * margin));
+    std::iota(nodes.begin(), nodes.end(), margin);
+    return nodes;
+  }
+
+  /// An entry at the outermost m.
+  [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
+    return values_(std::array{0, kOrderNodes - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
+  }
+  /// An entry at the outermost k.
+  [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, 2> columns(int entry) const {
+    return values_(Eigen::all, std::array{entry * kPanelNodes, (entry + 1) * kPanelNodes - 1});
+  }
+
+  /// Whether the last terms of every entry's series are negligible.
+  template <class SeriesOf, class LastTerms>
+  [[nodiscard]] bool is_resolved(const SeriesOf& series_of, const LastTerms& last_terms) const {
+    const auto largest = [&](Entry entry) { return series_of(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
+    const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n_ratio_);
+    for (int entry = 0; entry < kEntries; ++entry) {
+      const double last = last_terms(series_of(entry)).cwiseAbs().maxCoeff();
+      if (last > kSeriesTolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+    }
+    return true;
+  }
+
+  void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
+    // Side by side are orders of like k.
+    std::vector<OrderInLayers<cplx>> orders;
+    for (const int j : k_nodes) {
+      for (const int i : m_nodes) {
+        const double m = m_[static_cast<std::size_t>(i)];
+        const double n = m * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0);
+        orders.push_back({.media = media_[static_cast<std::size_t>(i)], .m = m, .n = n});
+      }
+    }
+    std::vector<Matrix3<cplx>> solved(orders.size());
+    surface_compliances<cplx>(orders, solved);
+    auto order = orders.begin();
+    auto compliance = solved.begin();
+    for (const int j : k_nodes) {
+      for (const int i : m_nodes) {
+        const Matrix3<cplx> y = *compliance++ * (order->m * order->media.back().mu);
+        const double n_ratio = order->n / order->m;
+        ++order;
+        const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1), y(0, 2) / n_ratio,
+                                                 y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
+        for (int e = 0; e < kEntries; ++e) values_(i, e * kPanelNodes + j) = entries[static_cast<std::size_t>(e)];
+      }
+    }
+  }
+
+  std::array<double, kOrderNodes> m_;
+  std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
+  double highest_n_ratio_;
+  std::vector<std::vector<Medium<cplx>>> media_;  // at each m
+  CellTerms values_;
+};
+
+/// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
+void append_cells(const HarmonicCoating& coating, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
+  worker.checkpoint();
+  const auto is_wide = [](double low, double high) { return high / low > kSmallestRatio; };
+  CellSamples samples(coating, cell);
+  if (!samples.is_resolved_along_k() && is_wide(cell.lowest_ratio, cell.highest_ratio)) {
+    const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
+    append_cells(coating, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
+    append_cells(coating, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
+  } else if (!samples.is_resolved_along_m() && is_wide(cell.lowest_m, cell.highest_m)) {
+    const double middle = std::sqrt(cell.lowest_m * cell.highest_m);
+    append_cells(coating, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
+    append_cells(coating, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
+  } else {
+    samples.complete();
+    cell.series = samples.terms();
+    cells.push_back(cell);
+  }
+}
+
+/// T_0 ... T_23 of the coordinate of m in a cell.
+Eigen::Matrix<double, 1, kOrderNodes> chebyshev_polynomials(const Cell& cell, double m) {
+  const double x = 2.0 * std::log(m / cell.lowest_m) / std::log(cell.highest_m / cell.lowest_m) - 1.0;
+  Eigen::Matrix<double, 1, kOrderNodes> values;
+  values[0] = 1.0;
+  values[1] = x;
+  for (int i = 2; i < kOrderNodes; ++i) values[i] = 2.0 * x * values[i - 1] - values[i - 2];
+  return values;
+}
+
+}  // namespace
+
+OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch)
+    : coating_(coating), one_by_one_(coating, highest_n) {
+  std::vector<double> orders = coating.orders();
+  std::sort(orders.begin(), orders.end());
+  for (auto first = std::lower_bound(orders.begin(), orders.end(), kLowestOrder); first != orders.end();) {
+    const auto end = std::upper_bound(first, orders.end(), kLargestOrderRatio * *first);
+    if (end - first > kOrderNodes) {
+      ranges_.push_back({.lowest_m = *first, .highest_m = *(end - 1), .cells = {}});
+      first = end;
+    } else {
+      ++first;
+    }
+  }
+
+  struct Part {
+    std::size_t range;
+    Cell cell;
+    std::vector<Cell> cells;
+  };
+  std::vector<Part> parts;
+  for (std::size_t r = 0; r < ranges_.size(); ++r) {
+    const double highest = 1.0 + std::pow(highest_n / ranges_[r].lowest_m, 2);
+    const double count = std::ceil(std::log(highest) / std::log(kLargestPanelRatio));
+    for (double i = 0.0; i < count; ++i) {
+      parts.push_back({.range = r,
+                       .cell = {.lowest_m = ranges_[r].lowest_m,
+                                .highest_m = ranges_[r].highest_m,
+                                .lowest_ratio = std::pow(highest, i / count),
+                                .highest_ratio = std::pow(highest, (i + 1.0) / count)}});
+    }
+  }
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
+    append_cells(coating_, parts[p].cell, worker, parts[p].cells);
+  });
+  for (Part& part : parts) {
+    auto& cells = ranges_[part.range].cells;
+    cells.insert(cells.end(), part.cells.begin(), part.cells.end());
+  }
+}
+
+const OrderPanels::Range* OrderPanels::range_of(double m) const {
+  const auto range = std::find_if(ranges_.begin(), ranges_.end(), [m](const Range& r) { return m <= r.highest_m; });
+  return range != ranges_.end() && m >= range->lowest_m ? &*range : nullptr;
+}
+
+void OrderPanels::series(std::size_t i, OrderSeries& series) const {
+  const double m = coating_.orders()[i];
+  const Range* range = range_of(m);
+  if (!range) return one_by_one_.series(i, series);
+
+  const std::size_t outermost = coating_.sphere().layers.size() - 1;
+  const cplx unit = 1.0 / (m * coating_.modulus(outermost, i));
+  std::size_t used = 0;
+  for (const Cell& cell : range->cells) {
+    const bool is_last = cell.highest_m == range->highest_m;
+    if (m < cell.lowest_m || (m >= cell.highest_m && !is_last)) continue;
+    if (used == series.size()) series.emplace_back();
+    auto& panel = series[used++];
+    panel.low = m * m * cell.lowest_ratio;
+    panel.high = m * m * cell.highest_ratio;
+    const Eigen::Matrix<cplx, 1, kEntries * kPanelNodes> terms = chebyshev_polynomials(cell, m) * cell.series;
+    panel.series.resize(kEntries, kPanelNodes);
+    for (int entry = 0; entry < kEntries; ++entry) {
+      const cplx factor = is_odd(static_cast<Entry>(entry)) ? unit / m : unit;
+      panel.series.row(entry) = factor * terms.segment<kPanelNodes>(entry * kPanelNodes);
+    }
+  }
+  series.resize(used);
+}
+
+}  // namespace viscoroll::detail
