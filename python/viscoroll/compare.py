@@ -8,13 +8,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from ._core import Compliance, Status
+from ._extras import extra
 from .analytic import applicable
 from .drive import Drive
 from .orders import critical_speed
 from .reproduce.item import Runner, write_csv
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from pathlib import Path

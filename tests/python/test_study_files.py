@@ -97,10 +97,11 @@ def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
     done = run("plot", tmp_path / "study.nc", "--variable", "heat")
     assert done.returncode == 2
     assert "variable must be one of resisting_torque, " in done.stderr
-    path.write_text(path.read_text(encoding="utf-8").replace("50.0, 1e9", "60.0, 1e9"), encoding="utf-8")
-    done = run("sweep", path)
-    assert (done.returncode, len(done.stderr.strip().splitlines())) == (2, 1)
-    assert "was made with other inputs" in done.stderr
+    path.write_text(path.read_text(encoding="utf-8").replace("50.0, 1e9", "50.0, 60.0"), encoding="utf-8")
+    done = run("sweep", path, "--retry-failed")
+    assert done.stdout == f"6 points (3 load x 2 thickness), 0 failed: {tmp_path / 'study.nc'}\n"
+    with xarray.open_dataset(tmp_path / "study.nc") as study:
+        assert study["load"].values.tolist() == [20.0, 50.0, 60.0]
 
 
 def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
@@ -109,13 +110,13 @@ def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
     with subprocess.Popen(
         [sys.executable, "-m", "viscoroll", "sweep", str(path)], stderr=subprocess.PIPE, text=True
     ) as process:
-        while process.poll() is None and not (tmp_path / "study.nc.partial").exists():
+        while process.poll() is None and not (tmp_path / "study.nc.points").exists():
             time.sleep(0.01)
         time.sleep(0.5)  # into the first solves; right before them would do as well
         process.send_signal(signal.SIGINT)
         _, message = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert message == f"viscoroll: stopped; the same command goes on from {tmp_path / 'study.nc.partial'}\n"
+    assert message == f"viscoroll: stopped; the same command goes on from {tmp_path / 'study.nc.points'}\n"
 
 
 def test_the_example_is_a_study(tmp_path):

@@ -6,11 +6,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from .. import paper
+from .._extras import extra
 from .item import Runner, Table, Verdict
 from .thickness import LOADS, ThicknessSweep, printed_curve, thickness_sweep
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
