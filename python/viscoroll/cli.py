@@ -154,7 +154,7 @@ def plot(
         import netCDF4  # noqa: F401  (what xarray reads with)
         import xarray
 
-    from .plot import plot_study
+    from .studies.picture import plot_study
 
     path = study.with_suffix(".png") if output is None else output
     plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
