@@ -196,7 +196,7 @@ def reproduce(
             bar.update(task, description=f"{name}: {item.title}")
             outcome = item.compute(runner)
             write_files(item, outcome, output)
-            verdicts[name] = outcome.verdicts()
+            verdicts[name] = runner.judge(outcome)
     write_verdicts(output / "verdicts.md", verdicts)
     _output.print(_verdict_table(verdicts))
     _output.print(
@@ -339,7 +339,8 @@ def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
         table.add_column(head, overflow="fold")
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):
-            judged = "[green]agrees[/]" if verdict.agrees else "[red]disagrees[/]"
+            color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
+            judged = f"{color}{escape(verdict.judgment)}[/]"
             cells = (name if place == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
             table.add_row(*cells, end_section=place == len(rows) - 1)
     return table

@@ -31,7 +31,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Comparison", "compare_torques", "parse_speeds"]
 
-_LABELS = {"low_speed": "low speed", "greenwood_tabor": "Greenwood and Tabor (64)", "persson": "Persson"}
+_LABELS = {
+    "low_speed": "low speed",
+    "greenwood_tabor": "Greenwood and Tabor (64)",
+    "persson": "Persson",
+    "winkler": "viscoelastic springs (Winkler)",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
