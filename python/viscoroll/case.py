@@ -11,16 +11,18 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
-
 from . import materials
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
+from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
 from .mesh import Mesh
 from .result import Result
 from .rolling import solve
+
+with extra("cli"):
+    from pydantic import BaseModel, ConfigDict, ValidationError
 
 __all__ = ["Case", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
 

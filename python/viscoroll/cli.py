@@ -11,18 +11,20 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
-import typer
-from rich.console import Console
-from rich.markup import escape
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
-
 from . import ConvergenceError, Result, ResultWarning, Status, __version__, paper
 from ._core import Compliance, Curvature
+from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
 from .result import SCALARS, SUFFIXES
 from .rolling import solve as solve_rolling
+
+with extra("cli"):
+    import typer
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.table import Table
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -59,7 +61,7 @@ def run() -> None:
     except ConvergenceError as error:
         _fail(str(error), _FAILED)
     except ImportError as error:
-        _fail(f"this needs {error.name}: pip install 'viscoroll[cli,plot,files,studies]'", _INVALID)
+        _fail(str(error), _INVALID)
     except MemoryError:
         _fail("the memory does not suffice for this case: give a coarser mesh, or a larger accuracy", _INVALID)
 
@@ -118,17 +120,18 @@ def solve(
 def sweep(
     study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
     output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
+    retry_failed: Annotated[bool, typer.Option("--retry-failed", help="Solve points again that failed.")] = False,
 ) -> None:
-    """Solve all combinations of the parameters that a file varies; go on where an interrupted study stopped."""
+    """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
     from .studies.file import load_study
     from .studies.study import run_plan
 
     _check_target("--output", output, (".nc",))
     path = study.with_suffix(".nc") if output is None else output
     try:
-        dataset = run_plan(load_study(study), cache=path, progress=_messages.is_terminal)
+        dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=_messages.is_terminal)
     except KeyboardInterrupt:
-        _fail(f"stopped; the same command goes on from {path}.partial", _STOPPED)
+        _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
         _print_message(f"warning: a point failed: {message}")
     for status, text in _STATUS_TEXT.items():
@@ -147,9 +150,11 @@ def plot(
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     _check_target("--output", output, _PICTURES)
-    import xarray
+    with extra("files"):
+        import netCDF4  # noqa: F401  (what xarray reads with)
+        import xarray
 
-    from .plot import plot_study
+    from .studies.picture import plot_study
 
     path = study.with_suffix(".png") if output is None else output
     plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
@@ -175,7 +180,8 @@ def reproduce(
     ] = False,
 ) -> None:
     """Compute and draw tables and figures of the paper, and judge them by what it says."""
-    import_module("scipy")  # wanted by some items: say so before the others are solved
+    with extra("studies"):
+        import_module("scipy")  # wanted by some items: say so before the others are solved
     from .reproduce import ITEMS, Runner, write_files, write_verdicts
 
     if unknown := sorted(set(items or ()) - set(ITEMS)):
@@ -190,7 +196,7 @@ def reproduce(
             bar.update(task, description=f"{name}: {item.title}")
             outcome = item.compute(runner)
             write_files(item, outcome, output)
-            verdicts[name] = outcome.verdicts()
+            verdicts[name] = runner.judge(outcome)
     write_verdicts(output / "verdicts.md", verdicts)
     _output.print(_verdict_table(verdicts))
     _output.print(
@@ -322,7 +328,8 @@ def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
         table.add_column(head, overflow="fold")
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):
-            judged = "[green]agrees[/]" if verdict.agrees else "[red]disagrees[/]"
+            color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
+            judged = f"{color}{escape(verdict.judgment)}[/]"
             cells = (name if place == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
             table.add_row(*cells, end_section=place == len(rows) - 1)
     return table

@@ -8,13 +8,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from ._core import Compliance, Status
+from ._extras import extra
 from .analytic import applicable
 from .drive import Drive
 from .orders import critical_speed
 from .reproduce.item import Runner, write_csv
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,7 +31,12 @@ if TYPE_CHECKING:
 
 __all__ = ["Comparison", "compare_torques", "parse_speeds"]
 
-_LABELS = {"low_speed": "low speed", "greenwood_tabor": "Greenwood and Tabor (64)", "persson": "Persson"}
+_LABELS = {
+    "low_speed": "low speed",
+    "greenwood_tabor": "Greenwood and Tabor (64)",
+    "persson": "Persson",
+    "winkler": "viscoelastic springs (Winkler)",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

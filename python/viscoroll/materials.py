@@ -222,9 +222,9 @@ class FractionalZener(ShearModulus):
 
     Examples
     --------
-    >>> FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0
-    ...                 ).complex_modulus(8.0).round()
-    array(4500000.+1500000.j)
+    >>> solid = FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0)
+    >>> solid.complex_modulus([8.0]).round()
+    array([4500000.+1500000.j])
     """
 
     instantaneous_modulus: float

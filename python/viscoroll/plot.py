@@ -5,21 +5,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.colors import ListedColormap
-from matplotlib.figure import Figure
-from matplotlib.patches import Patch
+
+from ._extras import extra
+
+with extra("plot"):
+    from matplotlib.colors import ListedColormap
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
 
 if TYPE_CHECKING:
-    import xarray
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
     from .result import Result
 
-__all__ = ["plot_contact", "plot_study"]
-
-#: Curves of a study that can still be told apart.
-_MOST_CURVES = 20
+__all__ = ["plot_contact"]
 
 _MM = 1e3
 _MPA = 1e-6
@@ -68,71 +68,6 @@ def _headline(result: Result) -> str:
         ]
     found.append(f"penetration {result.penetration * _MM:.3g} mm")
     return ",   ".join(given) + "\n" + ",   ".join(found)
-
-
-def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> Figure:
-    """Draw a scalar result of a study against its first dimension, one curve for each value of the others.
-
-    Parameters
-    ----------
-    study : xarray.Dataset
-        What `viscoroll.sweep` returns, or a selection of it.
-    variable : str, default "resisting_torque"
-        Name of a result over the dimensions of the study.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure belongs to no window. Failed points are left out.
-
-    Raises
-    ------
-    ValueError
-        For an unknown variable, one without dimensions, and more curves than can be told apart.
-    """
-    known = [name for name, values in study.data_vars.items() if values.dtype.kind == "f" and "phi" not in values.dims]
-    if variable not in known:
-        raise ValueError(f"variable must be one of {', '.join(map(str, known))}, got {variable!r}")
-    values = study[variable]
-    if not values.dims:
-        raise ValueError(f"variable must have a dimension to be drawn against, got {variable} of a single point")
-    first, *others = values.dims
-    curves = values.stack(curve=others).transpose("curve", first) if others else values.expand_dims("curve")
-    if curves.sizes["curve"] > _MOST_CURVES:
-        message = f"study must have at most {_MOST_CURVES} curves, got {curves.sizes['curve']}; select a part of it"
-        raise ValueError(message)
-    figure = Figure(figsize=(7.0, 4.8), layout="constrained")
-    axes = figure.subplots()
-    x = study[first].to_numpy()
-    for curve in curves:
-        label = ", ".join(_labeled(curve[name]) for name in others) or None
-        axes.plot(x if x.dtype.kind in "fi" else x.astype(str), curve.to_numpy(), ".-", label=label)
-    axes.set(xlabel=_titled(study[first]), ylabel=_titled(values))
-    if _is_geometric(x):
-        axes.set_xscale("log")
-    if others:
-        axes.legend(fontsize="small")
-    return figure
-
-
-def _labeled(coordinate: xarray.DataArray) -> str:
-    value = coordinate.item()
-    unit = coordinate.attrs.get("units", "1")
-    text = f"{value:g}" if isinstance(value, int | float) else str(value)
-    return f"{coordinate.name} = {text}" + ("" if unit == "1" else f" {unit}")
-
-
-def _titled(values: xarray.DataArray) -> str:
-    unit = values.attrs.get("units", "1")
-    return str(values.attrs.get("long_name", values.name)) + ("" if unit == "1" else f" [{unit}]")
-
-
-def _is_geometric(x: NDArray[np.float64]) -> bool:
-    """Whether the values are spaced by a factor."""
-    if x.dtype.kind not in "fi" or x.size < 3 or not (x > 0.0).all():
-        return False
-    steps = np.diff(np.log(x))
-    return bool(np.allclose(steps, steps[0], rtol=1e-6))
 
 
 def _offset(result: Result) -> float:

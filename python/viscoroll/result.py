@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
+from ._extras import extra
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
@@ -329,7 +330,8 @@ class Result:
         ImportError
             Without the extra `viscoroll[files]`.
         """
-        import xarray
+        with extra("files"):
+            import xarray
 
         spacings = (self.mesh.spacing, self.mesh.theta_spacing)
         angles = {
@@ -370,7 +372,9 @@ class Result:
                     writer.writerow(columns)
                     writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
             case ".nc":
-                self.to_xarray().to_netcdf(path)
+                with extra("files"):
+                    import netCDF4  # noqa: F401  (what xarray writes with)
+                self.to_xarray().to_netcdf(path, engine="netcdf4")
             case ".vtu" | ".vtk":
                 self._write_vtk(path)
             case _:
@@ -384,7 +388,8 @@ class Result:
         return columns
 
     def _write_vtk(self, path: Path) -> None:
-        import meshio
+        with extra("files"):
+            import meshio
 
         rows, columns = self.x.shape
         node = np.arange(rows * columns).reshape(rows, columns)

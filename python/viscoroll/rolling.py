@@ -164,9 +164,9 @@ class RollingModel:
     Examples
     --------
     >>> from viscoroll import paper
-    >>> model = RollingModel(paper.ball(), angular_speed=2.5, mesh=Mesh(nodes_per_revolution=200, max_order=300))
-    >>> [round(model.solve(load=load).resisting_torque * 1e3, 1) for load in (50.0, 100.0)]
-    [4.4, 10.9]
+    >>> model = RollingModel(paper.ball(), angular_speed=2.5, mesh=Mesh(nodes_per_revolution=1000))
+    >>> [f"{model.solve(load=load).resisting_torque * 1e3:.0f} mN m" for load in (50.0, 100.0)]
+    ['4 mN m', '11 mN m']
     """
 
     def __init__(

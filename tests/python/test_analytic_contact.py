@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 import viscoroll as vr
+from reference import sphere
 from reference.bonded_layer import bonded_layer
 from scipy import integrate
 from viscoroll import analytic
@@ -125,13 +126,26 @@ def test_thin_layers_are_the_limit_of_bonded_ones(poisson_ratio):
 def test_numbers_of_the_docstrings():
     def excess(slenderness, poisson_ratio):
         load, approach = bonded_layer(slenderness, poisson_ratio)
-        at_radius = np.pi * slenderness**6 / 32.0 if poisson_ratio == 0.5 else 3.5 * np.pi * slenderness**4 / 4.0
+        springs = 2.0 * (1.0 - poisson_ratio) / max(1.0 - 2.0 * poisson_ratio, 1e-9) * np.pi * slenderness**4 / 4.0
+        at_radius = np.pi * slenderness**6 / 32.0 if poisson_ratio == 0.5 else springs
         return load / at_radius, load / (2.0 * np.pi * approach**3)
 
     assert excess(10, 0.5)[0] == pytest.approx(2.2, abs=0.05)
     assert 1.0 - 1.0 / excess(10, 0.5)[1] == pytest.approx(0.13, abs=0.005)
     assert 1.0 - 1.0 / excess(20, 0.5)[1] == pytest.approx(0.04, abs=0.005)
-    assert (excess(40, 0.3)[0] - 1.0) * 40 == pytest.approx(0.49, abs=0.005)
+    # In the limit h/a = 0, where the exact load at given a is larger by s h/a.
+    shares = {0.0: 0.73, 0.1: 0.76, 0.2: 0.72, 0.3: 0.49, 0.4: -0.45, 0.45: -2.2, 0.48: -6.1, 0.49: -10.8}
+    for poisson_ratio, share in shares.items():
+        s40, s80 = ((excess(a, poisson_ratio)[0] - 1.0) * a for a in (40, 80))
+        assert 2.0 * s80 - s40 == pytest.approx(share, abs=0.006 if abs(share) < 1.0 else 0.06), poisson_ratio
+
+
+def test_an_exact_sphere_comes_closer_by_less_than_hertz_says():
+    # The docstring's numbers; rings leave 2e-4. Degrees of a half-space, 1/(2n+1), would give Hertz's approach.
+    assert sphere.compliance(1e4) == close(1.0 / 2e4, rel=1e-3)
+    for slenderness, share, between in ((0.1, 0.06, 0.029), (0.05, 0.03, 0.014)):
+        assert 1.0 - sphere.approach(slenderness) == pytest.approx(share, abs=1.5e-3)
+        assert 1.0 - sphere.approach(slenderness, planes=2) == pytest.approx(between, abs=1.5e-3)
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])

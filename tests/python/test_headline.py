@@ -68,7 +68,9 @@ def test_creepage_of_free_elastic_rolling(core_radius, thickness, load, friction
 
 
 def test_a_coarse_mesh_is_a_warning(paper_ball):
-    with pytest.warns(vr.ResultWarning, match=r"mesh is too coarse: 3 nodes across the contact \(good from 10\)") as caught:
+    with pytest.warns(
+        vr.ResultWarning, match=r"mesh is too coarse: 3 nodes across the contact \(good from 10\)"
+    ) as caught:
         r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=60))
     assert caught[0].filename == __file__  # it points at the call, not into the package
     assert list(r.warnings) == [vr.WarningKind.COARSE_MESH]
@@ -77,7 +79,9 @@ def test_a_coarse_mesh_is_a_warning(paper_ball):
 
 
 def test_a_large_strain_is_a_warning(paper_ball):
-    with pytest.warns(vr.ResultWarning, match=r"penetration per thickness of the coating, is 0\.2\d+ \(good up to 0.2\)"):
+    with pytest.warns(
+        vr.ResultWarning, match=r"penetration per thickness of the coating, is 0\.2\d+ \(good up to 0.2\)"
+    ):
         r = vr.solve(paper_ball, load=300.0, angular_speed=2.5, accuracy=0.1)
     assert r.strain == pytest.approx(r.penetration / 1e-3, rel=1e-12)
 
@@ -106,7 +110,7 @@ def test_the_same_mesh_is_not_solved_twice():
 
 
 def test_the_estimate_covers_the_force_of_a_given_creepage():
-    """h = 5 mm, mu = 0.3, 1 rad/s, c = 0.01: torque and penetration had settled while the force was 4 % off."""
+    """On 5 mm, mu = 0.3, 1 rad/s, c = 0.01, torque and penetration had settled while the force was 4 % off."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.5)
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
@@ -123,7 +127,9 @@ def test_a_material_that_relaxes_almost_wholly_is_sized_by_what_rolls():
     fast = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=0.6, relaxation_time=1e-6)
     layer = {"thickness": 1e-3, "poisson_ratio": 0.5}
     ball = vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(shear_modulus=slow, **layer)])
-    with pytest.raises(ValueError, match=r"layers\[0\]\.shear_modulus relaxes to 0\.6 Pa, 1e-07 of what it is in rolling"):
+    with pytest.raises(
+        ValueError, match=r"layers\[0\]\.shear_modulus relaxes to 0\.6 Pa, 1e-07 of what it is in rolling"
+    ):
         vr.solve(ball, load=100.0, angular_speed=2.5)
     soft = vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(shear_modulus=fast, **layer)])
     with pytest.raises(ValueError, match="load must be small enough"):

@@ -9,7 +9,8 @@
 
 Contacts at rest: `hertz`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques: `low_speed_torque`
 with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`; `greenwood_tabor_torque`;
-`persson_torque`. `applicable` says which torques a ball has. Loads and speeds may be arrays.
+`persson_torque`; `winkler_torque` of a thin coating. `applicable` says which torques a ball has. Loads and speeds
+may be arrays.
 
 All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
 """
@@ -18,6 +19,7 @@ from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
 from .low_speed import brilliantov_poschel_time, loss_time, low_speed_torque, sphere_loss_time
+from .winkler import winkler_torque
 
 __all__ = [
     "ClosedForm",
@@ -32,4 +34,5 @@ __all__ = [
     "sphere_loss_time",
     "thin_compressible_layer",
     "thin_incompressible_layer",
+    "winkler_torque",
 ]

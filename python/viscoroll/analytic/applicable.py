@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._arrays import as_float, require_type
+from .._core import InnerBoundary
 from ..geometry import CoatedSphere
 from ._inputs import Floats, complex_modulus, plain, positives
 from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
 from .low_speed import loss_time, low_speed_torque, sphere_loss_time
+from .winkler import KNOWN_IN_TIME, longest_time, winkler_torque
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -61,7 +63,8 @@ def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
     dict of str to ClosedForm
         ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
         material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
-        one material throughout. Empty where none suits. Ask each form's `holds` about loads and speeds.
+        one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Empty
+        where none suits. Ask each form's `holds` about loads and speeds.
 
     Raises
     ------
@@ -81,7 +84,7 @@ def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
     '20.0 nN m'
     """
     require_type("ball", ball, CoatedSphere)
-    return _low_speed(ball) | (_half_space(ball) if _is_homogeneous(ball) else {})
+    return _low_speed(ball) | (_half_space(ball) | _thin(ball) if _is_homogeneous(ball) else {})
 
 
 def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
@@ -130,6 +133,40 @@ def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
     if _is_known_throughout(layer.shear_modulus):
         forms["persson"] = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
     return forms
+
+
+def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
+    layer, h = ball.layers[0], ball.thickness
+    modulus, nu = _at_rest(layer)
+    material = layer.shear_modulus
+    if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5 or ball.inner_boundary is not InnerBoundary.RIGID:
+        return {}
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return winkler_torque(
+            load=load,
+            angular_speed=angular_speed,
+            radius=ball.outer_radius,
+            thickness=h,
+            shear_modulus=material,
+            poisson_ratio=layer.poisson_ratio,
+            bulk_modulus=layer.bulk_modulus,
+        )
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        contact = thin_compressible_layer(
+            load=load, radius=ball.outer_radius, thickness=h, shear_modulus=modulus, poisson_ratio=nu
+        )
+        slow = positives("angular_speed", angular_speed, "rad/s") * longest_time(material) <= 0.2 * np.pi
+        a = np.asarray(contact.radius)
+        met: NDArray[np.bool_] = (a >= 5.0 * h) & ((1.0 - 2.0 * nu) * a >= h) & (a <= 0.2 * ball.outer_radius) & slow
+        return met
+
+    wide = (
+        "contact radius a above 5 thicknesses h and h/(1-2ν), below a fifth of the radius; forgets in a tenth of a "  # noqa: RUF001
+        "revolution; no inertia"
+    )
+    return {"winkler": ClosedForm(torque=torque, holds=holds, validity=wide)}
 
 
 def _is_real(ball: CoatedSphere) -> bool:

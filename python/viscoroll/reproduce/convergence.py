@@ -6,12 +6,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._extras import extra
 from ..rolling import solve
 from .item import Runner, Table, Verdict
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from ..result import Result
@@ -85,18 +88,20 @@ class Table2:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the entries, and the two sentences on convergence."""
+        """Judge the entries, each on its own mesh, and the two sentences on convergence."""
         x, arc = (np.abs(list(self.deviations(t).values())) for t in (self.by_x, self.by_arc))
         found = [
             Verdict(
                 statement=f"{len(x)} torques",
                 found=f"all within {x.max() * 100.0:.2f} %",
                 agrees=bool(x.max() <= TOLERANCE["x"]),
+                by_mesh=False,
             ),
             Verdict(
                 statement=f"{len(x)} torques, with its own lever arm (arc length)",
                 found=f"all within {arc.max() * 100.0:.2f} %, {int((arc <= 1e-3).sum())} within 0.1 %",
                 agrees=bool(arc.max() <= TOLERANCE["arc"]),
+                by_mesh=False,
             ),
             self._spread("all within 10 % of each other", 0, 0.10),
         ]
@@ -110,7 +115,7 @@ class Table2:
             torques = [table[key] for key in self.by_x if key[0] >= nodes]
             spreads.append(1.0 - min(torques) / max(torques))
         found = f"within {spreads[0] * 100.0:.2f} % (the printed entries: {spreads[1] * 100.0:.2f} %)"
-        return Verdict(statement=statement, found=found, agrees=round(spreads[0], 3) <= bound)
+        return Verdict(statement=statement, found=found, agrees=round(spreads[0], 3) <= bound, by_mesh=False)
 
 
 def arc_torque(result: Result) -> float:

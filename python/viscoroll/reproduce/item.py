@@ -6,7 +6,7 @@ import csv
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
@@ -36,15 +36,26 @@ class Verdict:
         What was computed, with numbers.
     agrees : bool
         Whether the two agree.
+    unclear : str
+        Why that says nothing of the paper, or the empty text.
+    by_mesh : bool
+        Whether the mesh of the runner decides.
     """
 
     statement: str
     found: str
     agrees: bool
+    unclear: str = ""
+    by_mesh: bool = True
+
+    @property
+    def judgment(self) -> str:
+        """Agrees, disagrees, or why neither can be said."""
+        return self.unclear or ("agrees" if self.agrees else "disagrees")
 
     def __str__(self) -> str:
         """Return one line."""
-        return f"{'agrees' if self.agrees else 'DISAGREES'}: {self.statement}: {self.found}"
+        return f"{self.judgment}: {self.statement}: {self.found}"
 
 
 class Outcome(Protocol):
@@ -103,6 +114,13 @@ class Runner:
         finally:
             executor.shutdown(cancel_futures=True)
 
+    def judge(self, outcome: Outcome) -> list[Verdict]:
+        """Return the verdicts on an outcome of this runner: a coarse mesh is no witness for or against the paper."""
+        return [
+            replace(verdict, unclear="coarse mesh: not judged") if self.coarse and verdict.by_mesh else verdict
+            for verdict in outcome.verdicts()
+        ]
+
     def shared(self, compute: Callable[[Runner], T]) -> T:
         """Return what `compute` makes of this runner, computed once: some items draw the same numbers."""
         if compute not in self._memory:
@@ -156,6 +174,6 @@ def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> Non
     lines = ["| | the paper | found | |", "|---|---|---|---|"]
     for name, rows in verdicts.items():
         for place, verdict in enumerate(rows):
-            judged = "agrees" if verdict.agrees else "**disagrees**"
+            judged = "**disagrees**" if verdict.judgment == "disagrees" else verdict.judgment
             lines.append(f"| {name if place == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -6,13 +6,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._extras import extra
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
 from .item import Runner, Table, Verdict
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

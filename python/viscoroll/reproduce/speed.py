@@ -6,12 +6,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from .. import analytic, paper
 from .._core import Compliance, Curvature
+from .._extras import extra
 from ..rolling import RollingModel
 from .item import Runner, Table, Verdict
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -6,14 +6,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._extras import extra
 from ..mesh import Mesh
 from ..rolling import RollingModel
 from ..studies.fits import fit_thickness_law
 from .item import Runner, Table, Verdict
+
+with extra("plot"):
+    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,21 +1,24 @@
-"""What a study has computed, kept on disk: a journal while it runs, a netCDF file when it has ended.
+"""What studies have computed, kept on disk: every point by its own inputs, beside the netCDF file of the last study.
 
-The journal holds one line of JSON for each point, appended as soon as the point is solved. Where the process is killed
-in the middle of a line, the line is dropped and its point solved again. The netCDF file appears complete or not at all.
+Points are rows of an SQLite database, each in a transaction of its own: a process that is killed at any moment leaves
+whole rows. The database is open in one study at a time, of any thread or process. The netCDF file appears complete or
+not at all.
 """
 
 from __future__ import annotations
 
-import base64
 import io
 import json
-import sys
-import zlib
+import sqlite3
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._core import __commit__, __version__
+from .._extras import extra
 from .run import Outcome
 
 if TYPE_CHECKING:
@@ -24,9 +27,15 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["Journal", "as_cache_path", "journal_path", "read_study", "write_study"]
+__all__ = ["PointStore", "as_cache_path", "point_store_path", "read_study", "write_study"]
 
-_FORMAT = "viscoroll study 1"
+#: Marks a database as ours ("vcrl").
+_APPLICATION = 0x7663726C
+
+_TABLES = """
+CREATE TABLE made_by (text TEXT NOT NULL);
+CREATE TABLE point (key TEXT PRIMARY KEY, scalars TEXT NOT NULL, fields BLOB, error TEXT NOT NULL);
+"""
 
 
 def as_cache_path(path: str | Path) -> Path:
@@ -43,20 +52,22 @@ def as_cache_path(path: str | Path) -> Path:
     return path
 
 
-def journal_path(path: Path) -> Path:
-    """Return where the points are kept until the study is complete."""
-    return path.with_name(path.name + ".partial")
+def point_store_path(path: Path) -> Path:
+    """Return where the points of a cache are kept."""
+    return path.with_name(path.name + ".points")
 
 
-def read_study(path: Path, identity: dict[str, str]) -> xarray.Dataset | None:
-    """Return the complete study of a cache, or None where there is no file.
+def read_study(path: Path) -> xarray.Dataset | None:
+    """Return the study of a cache, or None where there is no file.
 
     Raises
     ------
     ValueError
-        Where the file holds something else, or a study with other inputs.
+        Where the file holds something else.
     """
-    import xarray
+    with extra("studies"):
+        import netCDF4  # noqa: F401  (writes the file, at the end of all work)
+        import xarray
 
     if not path.exists():
         return None
@@ -66,128 +77,110 @@ def read_study(path: Path, identity: dict[str, str]) -> xarray.Dataset | None:
         raise ValueError(f"cache {path} must be a study of viscoroll, got another file ({error})") from None
     if "inputs" not in dataset.attrs:
         raise ValueError(f"cache {path} must be a study of viscoroll, got another dataset")
-    _refuse_others(path, json.loads(dataset.attrs["inputs"]), identity)
     return dataset
 
 
 def write_study(path: Path, dataset: xarray.Dataset) -> None:
-    """Write a complete study, and remove its journal."""
+    """Write a study in place of the one before."""
     draft = path.with_name(path.name + ".writing")
     compressed = {name: {"zlib": True} for name, values in dataset.data_vars.items() if "phi" in values.dims}
     dataset.to_netcdf(draft, engine="netcdf4", encoding=compressed)
     draft.replace(path)
-    journal_path(path).unlink(missing_ok=True)
 
 
-class Journal:
-    """The points that a study has computed so far, one line each; open in one process at a time.
+class PointStore:
+    """The points that studies have computed, by key.
 
     Parameters
     ----------
     path : Path
-        The file; made where it does not exist.
-    identity : dict of str
-        All inputs of the study, by name.
+        The database; made where it does not exist.
 
     Raises
     ------
     ValueError
-        Where the file was made with other inputs, is damaged, or is in use.
+        Where the file is something else, comes from another version, or is in use by another study.
     """
 
-    def __init__(self, path: Path, identity: dict[str, str]) -> None:
+    def __init__(self, path: Path) -> None:
         self.path = path
-        self.outcomes: dict[int, Outcome] = {}
-        self._file: BinaryIO = path.open("a+b")
-        try:
-            _lock(self._file, path)
-            self._resume(identity)
-        except BaseException:
-            self._file.close()
-            raise
+        with ExitStack() as unless_opened:
+            unless_opened.enter_context(_explained(path))
+            # One study asks from the threads that solve its points, one at a time: see `_Recorder`.
+            self._database = sqlite3.connect(path, timeout=0.0, isolation_level=None, check_same_thread=False)
+            unless_opened.callback(self._database.close)
+            self._open()
+            unless_opened.pop_all()
 
-    def __enter__(self) -> Journal:
-        """Return the open journal."""
+    def __enter__(self) -> PointStore:
+        """Return the open store."""
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        """Close the file."""
-        self._file.close()
+        """Close the file, and let others in."""
+        self._database.close()
 
-    def append(self, index: int, outcome: Outcome) -> None:
+    def outcomes(self, keys: Iterable[str]) -> dict[str, Outcome]:
+        """Return what became of the points of some keys, as far as it is known."""
+        found = {}
+        for key in keys:
+            query = "SELECT scalars, fields, error FROM point WHERE key = ?"
+            for scalars, fields, error in self._database.execute(query, (key,)):
+                found[key] = Outcome(scalars=json.loads(scalars), fields=_unpacked(fields), error=error)
+        return found
+
+    def keep(self, key: str, outcome: Outcome) -> None:
         """Keep the outcome of a point."""
-        entry = {
-            "point": index,
-            "scalars": dict(outcome.scalars),
-            "fields": {name: _packed(values) for name, values in outcome.fields.items()},
-            "error": outcome.error,
-        }
-        self._file.write(_line(entry))
-        self._file.flush()
-        self.outcomes[index] = outcome
+        row = (key, json.dumps(dict(outcome.scalars)), _packed(outcome.fields), outcome.error)
+        self._database.execute("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?)", row)
 
-    def _resume(self, identity: dict[str, str]) -> None:
-        header = _line({"format": _FORMAT, "inputs": identity})
-        self._file.seek(0)
-        content = self._file.read()
-        if header.startswith(content):  # new, or killed before the first line was complete
-            self._file.truncate(0)
-            self._file.write(header)
-            self._file.flush()
-            return
-        first, *lines = [line for line in content.splitlines(keepends=True) if line.endswith(b"\n")] or [b"{}"]
-        found = self._parsed(first, 1)
-        if found.get("format") != _FORMAT:
-            raise ValueError(f"cache {self.path} must be a journal of a study of viscoroll, got another file")
-        _refuse_others(self.path, found["inputs"], identity)
-        for number, line in enumerate(lines, start=2):
-            entry = self._parsed(line, number)
-            self.outcomes[entry["point"]] = Outcome(
-                scalars=entry["scalars"],
-                fields={name: _unpacked(text) for name, text in entry["fields"].items()},
-                error=entry["error"],
+    def _open(self) -> None:
+        """Lock others out until the file is closed or this process ends, however it ends."""
+        self._database.execute("PRAGMA locking_mode = EXCLUSIVE")
+        self._database.execute("BEGIN EXCLUSIVE")
+        made_by = f"{__version__}, commit {__commit__}"
+        (application,) = self._database.execute("PRAGMA application_id").fetchone()
+        is_new = self._database.execute("SELECT count(*) FROM sqlite_master").fetchone() == (0,)
+        if is_new and application == 0:
+            for statement in filter(str.strip, _TABLES.split(";")):
+                self._database.execute(statement)
+            self._database.execute(f"PRAGMA application_id = {_APPLICATION}")
+            self._database.execute("INSERT INTO made_by VALUES (?)", (made_by,))
+        elif application != _APPLICATION:
+            raise sqlite3.DatabaseError
+        (found,) = self._database.execute("SELECT text FROM made_by").fetchone()
+        if found != made_by:
+            raise ValueError(
+                f"cache {self.path} was made by viscoroll {found}, and must be of {made_by}; delete it to start again"
             )
-        self._file.truncate(len(first) + sum(map(len, lines)))
-
-    def _parsed(self, line: bytes, number: int) -> dict[str, Any]:
-        try:
-            return dict(json.loads(line))
-        except ValueError:
-            raise ValueError(f"cache {self.path} is damaged in line {number}; delete it to start again") from None
+        self._database.execute("COMMIT")
 
 
-def _line(entry: dict[str, Any]) -> bytes:
-    return json.dumps(entry).encode() + b"\n"
+@contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """Say what is wrong with a file that cannot be opened."""
+    try:
+        yield
+    except sqlite3.OperationalError as error:
+        if "locked" in str(error):
+            raise ValueError(f"cache {path} is in use by another study") from None
+        raise OSError(f"cache {path}: {error}") from None
+    except sqlite3.DatabaseError:
+        raise ValueError(f"cache {path} must hold points of viscoroll, got another file") from None
 
 
-def _lock(file: BinaryIO, path: Path) -> None:
-    """Keep other processes out until the file is closed or this process ends, however it ends."""
-    if sys.platform != "win32":
-        import fcntl
-
-        try:
-            fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except (BlockingIOError, PermissionError):
-            raise ValueError(f"cache {path} is in use by another process") from None
-
-
-def _refuse_others(path: Path, found: dict[str, str], wanted: dict[str, str]) -> None:
-    names = [name for name in {**wanted, **found} if found.get(name) != wanted.get(name)]
-    if names:
-        differences = "; ".join(
-            f"{name} {found.get(name, 'not given')}, not {wanted.get(name, 'given')}" for name in names
-        )
-        raise ValueError(f"cache {path} was made with other inputs and must be of the same study, got {differences}")
-
-
-def _packed(values: NDArray[np.float64]) -> str:
+def _packed(fields: Mapping[str, NDArray[np.float64]]) -> bytes | None:
+    if not fields:
+        return None
     buffer = io.BytesIO()
-    np.save(buffer, values, allow_pickle=False)
-    return base64.b64encode(zlib.compress(buffer.getvalue())).decode()
+    np.savez_compressed(buffer, **fields)  # type: ignore[arg-type]
+    return buffer.getvalue()
 
 
-def _unpacked(text: str) -> NDArray[np.float64]:
-    array: NDArray[np.float64] = np.load(io.BytesIO(zlib.decompress(base64.b64decode(text))), allow_pickle=False)
-    return array
+def _unpacked(blob: bytes | None) -> dict[str, NDArray[np.float64]]:
+    if blob is None:
+        return {}
+    with np.load(io.BytesIO(blob), allow_pickle=False) as arrays:
+        return dict(arrays)

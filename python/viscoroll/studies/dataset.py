@@ -5,12 +5,14 @@ from __future__ import annotations
 import datetime
 import json
 import sys
+from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._core import __commit__, __version__
+from .._extras import extra
 from ..result import FIELDS, SCALARS, VECTOR_FIELDS
 from .dimensions import LOAD_CASE, UNITS, label
 from .plan import LoadCase, Plan
@@ -49,7 +51,8 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
     outcomes : mapping of int to Outcome
         What became of them.
     """
-    import xarray
+    with extra("studies"):
+        import xarray
 
     names = [dimension.name for dimension in plan.dimensions]
     coordinates = {d.name: ([d.name], d.labels(), _attributes(d.unit, _spelled(d.name))) for d in plan.dimensions}
@@ -74,7 +77,7 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
         angles, fields = _fields(plan, table)
         coordinates |= angles
         variables |= fields
-    return xarray.Dataset(variables, coordinates | fixed, attrs=_provenance(plan))
+    return xarray.Dataset(variables, coordinates | fixed, attrs=_provenance(plan) | {"statuses": _counted(table)})
 
 
 def _fields(plan: Plan, table: list[Outcome]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -116,6 +119,11 @@ def _angles(table: list[Outcome], rows: int, columns: int) -> dict[str, Any]:
 def _place(whole: NDArray[np.float64], part: NDArray[np.float64]) -> None:
     first = [n // 2 - m // 2 for n, m in zip(whole.shape[-2:], part.shape[-2:], strict=True)]
     whole[..., first[0] : first[0] + part.shape[-2], first[1] : first[1] + part.shape[-1]] = part
+
+
+def _counted(table: list[Outcome]) -> str:
+    counts = Counter(str(outcome.scalars.get("status", "FAILED")) for outcome in table)
+    return ", ".join(f"{count} {status}" for status, count in counts.items())
 
 
 def _provenance(plan: Plan) -> dict[str, str]:

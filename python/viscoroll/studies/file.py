@@ -11,13 +11,16 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from .._extras import extra
 from .._text import shown
 from ..case import Case, build_case, errors_in, read_toml
 from ..geometry import CoatedSphere
 from .dimensions import UNITS, Dimension
 from .plan import LoadCase, Plan
+
+with extra("cli"):
+    from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 __all__ = ["load_study"]
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
+from .._extras import extra
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -136,7 +137,8 @@ def fit_law(
     ConvergenceError
         Where the iteration does not converge.
     """
-    from scipy.optimize import least_squares
+    with extra("studies"):
+        from scipy.optimize import least_squares
 
     if not 0.0 < confidence < 1.0:
         raise ValueError(f"confidence must be in (0, 1), got {confidence!r}")
@@ -173,6 +175,7 @@ def fit_law(
 
 
 def _student(confidence: float, degrees_of_freedom: int) -> float:
-    from scipy.stats import t
+    with extra("studies"):
+        from scipy.stats import t
 
     return float(t.ppf(0.5 + 0.5 * confidence, degrees_of_freedom))

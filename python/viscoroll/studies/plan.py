@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-import hashlib
 import inspect
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
-from .._core import __commit__, __version__
 from ..geometry import CoatedSphere
-from ..materials import ShearModulus
-from .dimensions import LOAD_CASE, Dimension, split
+from .dimensions import LOAD_CASE, Dimension, label, split
+from .identity import PointKeys, digest
 
-__all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
+__all__ = ["NOT_OF_A_POINT", "LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: What points with one influence table have in common, besides the ball.
 _SHARED = ("angular_speed", "mesh", "compliance", "curvature", "patch_load")
 
-#: Harmonics up to which Python functions of frequency are compared where no mesh is given: those that 10 000 nodes per
-#: revolution ask for, more than the default accuracy needs in most cases.
-_HIGHEST_HARMONIC = 20_000
+#: Exceptions that say nothing of the point at which they are raised.
+NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
 
 #: Longest text that the identity of a study holds in full.
 _LONGEST_TEXT = 160
@@ -62,6 +58,8 @@ class Plan:
         For each point what to solve, or why there is nothing to solve.
     fields : tuple of str
         Fields that are kept for each point.
+    keys : tuple of str or None
+        For each point what is the same where all its inputs are, or None where there is nothing to solve.
 
     Raises
     ------
@@ -73,11 +71,18 @@ class Plan:
     fixed: dict[str, Any]
     cases: tuple[LoadCase | str, ...]
     fields: tuple[str, ...] = ()
+    keys: tuple[str | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Refuse plans without anything to solve."""
+        """Refuse plans without anything to solve, and find the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
+        known = PointKeys()
+        keys = [
+            known.key(case.ball, case.arguments, self.fields) if isinstance(case, LoadCase) else None
+            for case in self.cases
+        ]
+        object.__setattr__(self, "keys", tuple(keys))
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -114,33 +119,13 @@ class Plan:
         )
 
     def identity(self) -> dict[str, str]:
-        """Return all inputs by name as text, long ones by their hash: two studies with the same text are the same."""
-        parameters = {dimension.name: repr(dimension.values) for dimension in self.dimensions}
-        parameters |= {name: repr(value) for name, value in self.fixed.items()}
+        """Return what decides the dataset, as text: names, values, and all points."""
+        points = [key or case for key, case in zip(self.keys, self.cases, strict=True)]
         return {
-            "viscoroll": f"{__version__}, commit {__commit__}",
-            "dimensions": ", ".join(dimension.name for dimension in self.dimensions),
-            "fields": ", ".join(self.fields),
-            **{
-                name: _shortened(text) for name, text in parameters.items() if name in LOAD_CASE or " at 0x" not in text
-            },
-            "balls": _shortened("; ".join(self._ball_texts())),
+            **{dimension.name: _shortened(str(dimension.labels().tolist())) for dimension in self.dimensions},
+            **{name: _shortened(text) for name, value in self.fixed.items() if " at 0x" not in (text := label(value))},
+            "points": digest(repr(points)),
         }
-
-    def _ball_texts(self) -> Iterator[str]:
-        rolled: dict[int, set[tuple[float, int]]] = {id(ball): set() for ball in self.balls()}
-        for case in self.cases:
-            if isinstance(case, LoadCase):
-                mesh = case.arguments.get("mesh")
-                highest = _HIGHEST_HARMONIC if mesh is None else mesh.max_order or 2 * mesh.nodes_per_revolution
-                rolled[id(case.ball)].add((case.arguments["angular_speed"], highest))
-        numbers = {key: i for i, key in enumerate(rolled)}
-        yield repr([numbers[id(case.ball)] if isinstance(case, LoadCase) else case for case in self.cases])
-        for ball in self.balls():
-            yield f"{ball.inner_boundary.name} {ball.core_radius!r}"
-            for layer in ball.layers:
-                properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
-                yield f"{properties!r} {_modulus_text(layer.shear_modulus, rolled[id(ball)])}"
 
 
 def plan_sweep(
@@ -200,6 +185,8 @@ class _Balls:
         if key not in self.made:
             try:
                 ball = self.source(**parameters)
+            except NOT_OF_A_POINT:
+                raise
             except Exception as error:
                 self.made[key] = f"{type(error).__name__}: {error}"
             else:
@@ -209,19 +196,7 @@ class _Balls:
         return self.made[key]
 
 
-def _modulus_text(modulus: object, rolled: set[tuple[float, int]]) -> str:
-    """Text of a modulus: a Python function by its values at some 60 harmonics of each speed and highest order."""
-    if isinstance(modulus, ShearModulus) or not callable(modulus):
-        return repr(modulus)
-    harmonics = [(speed, np.unique(np.geomspace(1.0, highest, 64).round())) for speed, highest in sorted(rolled)]
-    frequencies = np.concatenate([[0.0], *(speed * orders for speed, orders in harmonics)])
-    try:
-        return repr(np.asarray(modulus(frequencies)).tolist())
-    except Exception as error:
-        return f"{type(error).__name__}: {error}"
-
-
 def _shortened(text: str) -> str:
     if len(text) <= _LONGEST_TEXT:
         return text
-    return f"{text[:60]}... sha256:{hashlib.sha256(text.encode()).hexdigest()}"
+    return f"{text[:60]}... {digest(text)}"

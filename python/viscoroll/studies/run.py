@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._core import ConvergenceError
 from ..geometry import CoatedSphere
 from ..result import Result
 from ..rolling import RollingModel, solve
-from .plan import Plan, Task
+from .plan import NOT_OF_A_POINT, Plan, Task
 
 __all__ = ["Outcome", "cores", "run", "solve_group", "solve_point"]
 
@@ -41,11 +42,14 @@ class Outcome:
         Arrays by name, of shape (..., nodes in φ, nodes in θ).
     error : str
         Why the point failed, or the empty text.
+    lasting : bool
+        Whether the same inputs will end the same way: not where the user's own function or the machine failed.
     """
 
     scalars: Mapping[str, float | int | str | None] = field(default_factory=dict)
     fields: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     error: str = ""
+    lasting: bool = True
 
 
 def solve_group(
@@ -85,7 +89,7 @@ def solve_group(
 
     Raises
     ------
-    MemoryError, CancelledError
+    MemoryError, ImportError, CancelledError
         These say nothing of the point, and end the group.
     """
     solver: Callable[..., Result] | None = None
@@ -94,10 +98,10 @@ def solve_group(
         try:
             solver = solver or _solver(ball, shared, cases, threads=threads, progress=progress)
             result = solve_point(solver, **case)
-        except (MemoryError, CancelledError):
+        except NOT_OF_A_POINT:
             raise
         except Exception as error:
-            outcome = Outcome(error=f"{type(error).__name__}: {error}")
+            outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_an_answer(error))
         else:
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
             outcome = Outcome(scalars=result.scalars(), fields=kept)
@@ -105,6 +109,16 @@ def solve_group(
         if record is not None:
             record(position, outcome)
     return outcomes
+
+
+def _is_an_answer(error: Exception) -> bool:
+    """Whether this package refused the point, and not what it called failed: a user's function, or a library."""
+    frame = error.__traceback__
+    while frame is not None and frame.tb_next is not None:
+        frame = frame.tb_next
+    raised_in = "" if frame is None else str(frame.tb_frame.f_globals.get("__name__", ""))
+    is_ours = raised_in.partition(".")[0] == __name__.partition(".")[0]
+    return is_ours and isinstance(error, ValueError | ConvergenceError)
 
 
 def solve_point(solver: Callable[..., Result], **case: Any) -> Result:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import threading
+import warnings
+from collections import Counter
 from collections.abc import Callable, Iterable
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._extras import extra
 from ..geometry import CoatedSphere
 from ..result import FIELDS, VECTOR_FIELDS
-from .cache import Journal, as_cache_path, journal_path, read_study, write_study
+from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE
 from .plan import LoadCase, Plan, plan_sweep
@@ -28,6 +32,7 @@ def sweep(
     *,
     executor: Executor | None = None,
     cache: str | Path | None = None,
+    retry_failed: bool = False,
     progress: bool = True,
     fields: Iterable[str] = (),
     **parameters: Any,
@@ -36,7 +41,7 @@ def sweep(
 
     Every parameter given as a one-dimensional sequence becomes a dimension of the result, in the order given; the
     others are the same for all points. A study that was interrupted goes on where it stopped if it is called again with
-    the same `cache`.
+    the same `cache`, and one that has grown by some values solves what is new.
 
     Parameters
     ----------
@@ -47,8 +52,11 @@ def sweep(
         Where to solve: a process pool, dask's ``Client.get_executor()``, mpi4py's ``MPIPoolExecutor``. By default on
         threads of this process, one solve on each core. The result does not depend on it.
     cache : path-like, optional
-        A file .nc. Points are kept beside it, in a file with the suffix .partial, as soon as they are solved; the file
-        itself is written when all are. With an executor, the points of a task (at most eight) are kept together.
+        A file .nc, written when all points are solved. Beside it, in a file with the suffix .points, every point is
+        kept as soon as it is solved, and found again by its own inputs in this and any other study with the same cache.
+        With an executor, the points of a task (at most eight) are kept together.
+    retry_failed : bool, default False
+        Solve points again that failed before.
     progress : bool, default True
         Show a bar with an estimate of the time left.
     fields : iterable of str, default ()
@@ -62,12 +70,19 @@ def sweep(
     -------
     xarray.Dataset
         All scalar results with units, and the fields asked for. Where a point failed its results are NaN, its `status`
-        is "FAILED" and `error` holds the message. Attributes hold version, commit, mesh, ball and materials.
+        is "FAILED" and `error` holds the message. Attributes hold version, commit, mesh, ball and materials, and how
+        many points ended in which way.
+
+    Warns
+    -----
+    UserWarning
+        Where points failed or were not solved as accurately as wanted: how many.
 
     Raises
     ------
     ValueError
-        For a cache made with other inputs (the message names them), repeated values, and unknown fields.
+        For a cache that is in use by another study, that another version made, or that is something else; for repeated
+        values, and unknown fields.
     TypeError
         For missing or unknown parameters, and for values of another type.
     ImportError
@@ -77,10 +92,11 @@ def sweep(
 
     Notes
     -----
-    A Python function of frequency as material is recognized in a cache by its values at some 60 harmonics of each
-    speed. What a point raises is kept as its result, and not tried again; delete the cache to do so. An exception that
-    is not of a point (a broken pool, something that cannot be sent to another process) is raised when the other points
-    are solved.
+    A Python function of frequency as material is recognized in a cache by its values at some hundred harmonics of the
+    point's speed, up to the highest that a mesh can ask for. What viscoroll refuses a point with is kept as its result.
+    What else fails at a point (the function `ball`, a material, a library) is in the dataset and not in the cache. What
+    is not of a point is raised: lack of memory or of a package at once, a broken pool or something that cannot be sent
+    to another process when the other points are solved.
 
     Examples
     --------
@@ -101,21 +117,36 @@ def sweep(
         raise TypeError(f"executor must be a concurrent.futures.Executor or None, got {executor!r}")
     _check_names(parameters)
     plan = plan_sweep(ball, parameters, fields=kept)
-    return run_plan(plan, executor=executor, cache=cache, progress=progress)
+    study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
+    _warn_of_points(study)
+    return study
+
+
+def _warn_of_points(study: xarray.Dataset) -> None:
+    counts = Counter(study.status.values.ravel().tolist())
+    del counts["CONVERGED"]
+    if counts:
+        found = ", ".join(f"{count} {status}" for status, count in counts.items())
+        warnings.warn(f"of {study.status.size} points: {found}; see status and error", UserWarning, stacklevel=3)
 
 
 def run_plan(
-    plan: Plan, *, executor: Executor | None = None, cache: str | Path | None = None, progress: bool = True
+    plan: Plan,
+    *,
+    executor: Executor | None = None,
+    cache: str | Path | None = None,
+    retry_failed: bool = False,
+    progress: bool = True,
 ) -> xarray.Dataset:
     """Solve all points of a plan that the cache does not hold. Parameters as of `sweep`."""
     path = None if cache is None else as_cache_path(cache)
-    if path is not None and (known := read_study(path, plan.identity())) is not None:
-        journal_path(path).unlink(missing_ok=True)
-        return known
     with ExitStack() as stack:
-        journal = None if path is None else stack.enter_context(Journal(journal_path(path), plan.identity()))
-        recorder = _Recorder(plan, journal)
+        before = None if path is None else read_study(path)
+        store = None if path is None else stack.enter_context(PointStore(point_store_path(path)))
+        recorder = _Recorder(plan, store, retry_failed=retry_failed)
         missing = [i for i in range(len(plan.cases)) if i not in recorder.outcomes]
+        if before is not None and not missing and json.loads(before.attrs["inputs"]) == plan.identity():
+            return before
         stack.callback(recorder.show(len(plan.cases), shown=progress))
         run(plan, missing, record=recorder, executor=executor)
         dataset = build_dataset(plan, recorder.outcomes)
@@ -125,18 +156,21 @@ def run_plan(
 
 
 class _Recorder:
-    """Takes the outcome of each point, from any thread, into memory, journal and progress bar."""
+    """Takes the outcome of each point, from any thread, into memory, store and progress bar."""
 
-    def __init__(self, plan: Plan, journal: Journal | None) -> None:
+    def __init__(self, plan: Plan, store: PointStore | None, *, retry_failed: bool) -> None:
         self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}
-        self._journal = journal
+        self._keys, self._store = plan.keys, store
         self._lock = threading.Lock()
-        if journal is not None:
-            self.outcomes |= journal.outcomes
+        known = {} if store is None else store.outcomes(key for key in plan.keys if key is not None)
+        for i, key in enumerate(plan.keys):
+            if key in known and not (retry_failed and known[key].error):
+                self.outcomes[i] = known[key]
 
     def show(self, total: int, *, shown: bool) -> Callable[[], None]:
         """Start the progress bar, and return what ends it."""
-        from tqdm.auto import tqdm
+        with extra("studies"):
+            from tqdm.auto import tqdm
 
         self._bar = tqdm(total=total, initial=len(self.outcomes), unit="point", disable=not shown)
         close: Callable[[], None] = self._bar.close
@@ -144,8 +178,8 @@ class _Recorder:
 
     def __call__(self, index: int, outcome: Outcome) -> None:
         with self._lock:
-            if self._journal is not None:
-                self._journal.append(index, outcome)
+            if self._store is not None and outcome.lasting and (key := self._keys[index]) is not None:
+                self._store.keep(key, outcome)
             self.outcomes[index] = outcome
             self._bar.update()
 

@@ -1,0 +1,201 @@
+"""Rolling torque of a ball with a thin compressible coating, a bed of springs with memory, at any speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._arrays import require_type
+from .._text import shown
+from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
+from ._inputs import Floats, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["KNOWN_IN_TIME", "longest_time", "winkler_torque"]
+
+#: Materials whose relaxation function is a sum of exponentials.
+KNOWN_IN_TIME = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
+
+#: Strips across half of the contact, by Gauss's rule in the angle ψ; bisections of a strip's length; and steps to the
+#: contact's size, each of which divides the error by four at least.
+_STRIPS, _BISECTIONS, _STEPS = 16, 50, 26
+
+
+def winkler_torque(
+    *,
+    load: ArrayLike,
+    angular_speed: ArrayLike,
+    radius: float,
+    thickness: float,
+    shear_modulus: ShearModulus,
+    poisson_ratio: float | None = None,
+    bulk_modulus: float | None = None,
+) -> Floats:
+    """Torque of a ball whose coating is a bed of viscoelastic springs, p = (1/h) ∫ M(t - t') dδ(t'), strip by strip.
+
+    M* = 2 μ* (1-ν)/(1-2ν), or K + 4μ*/3, is the modulus of a layer that cannot give way sideways; in time it is
+    M(t) = M_∞ + Σ M_k exp(-t/τ_k), and a dashpot η besides for Kelvin and Voigt. Material at the lateral distance z
+    meets the plane at x = a, a² = a₀² - z², unstrained, and after the way u is pressed by δ = (a u - u²/2) / R. With
+    l_k = Ω R τ_k and Φ_n = ∫ Φ_(n-1) du from Φ₀ = exp(-u/l), which is uⁿ/n! for l = ∞, integration by parts gives
+
+        R h p = Σ M_k (a Φ₁ - Φ₂)(u; l_k) + η Ω R (a - u).
+
+    The strip ends at u = L, where p is 0 again. Load and torque are the integrals over z of q = ∫ p du and
+    m = ∫ (a - u) p du = (a - L) q + ∫ q du, which replace Φ_n by Φ_(n+1) and Φ_(n+2).
+
+    Valid for a thin coating as `thin_compressible_layer` is, with its errors of the order h/a, without friction and
+    inertia, and for coatings that forget within a revolution, Ω τ_k ≪ 2π. At given load the torque is closer than the
+    contact: of the solver's (a standard linear solid, V τ from 0.1 to 1 a) it is within 0.5 % from a = 3 h on at
+    ν = 0.3 and within 1.2 % from 10 h on at ν = 0.45 where the moduli differ by two, 2.5 % where they differ by ten.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    angular_speed : array_like
+        Ω [rad/s], > 0, of a shape that broadcasts with that of the load.
+    radius : float
+        Outer radius R [m], > 0.
+    thickness : float
+        h of the coating [m], > 0.
+    shear_modulus : Elastic, KelvinVoigt, StandardLinearSolid or Prony
+        μ*(ω): a material that is known in time.
+    poisson_ratio, bulk_modulus : float
+        ν [-] in (-1, 0.5), or K [Pa] > 0: one of them, as in `Layer`.
+
+    Returns
+    -------
+    float or ndarray
+        T [N m].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    The derivation above; for cylinders in the same manner K. L. Johnson, Contact Mechanics, section 9.4.
+
+    Examples
+    --------
+    >>> from viscoroll import StandardLinearSolid
+    >>> foam = StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
+    >>> torque = winkler_torque(
+    ...     load=10.0, angular_speed=2.0, radius=50e-3, thickness=0.5e-3, shear_modulus=foam, poisson_ratio=0.2
+    ... )
+    >>> f"{torque * 1e3:.2f} mN m"
+    '5.07 mN m'
+    """
+    size, h = positive("radius", radius, "m"), positive("thickness", thickness, "m")
+    springs = _springs(shear_modulus, poisson_ratio, bulk_modulus)
+    forces, speeds = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
+
+    def torque(force: float, speed: float) -> float:
+        # Between the cube and the fourth power of a₀, as dashpots or springs bear the load.
+        a0 = (4.0 * force * size * h / (np.pi * springs.moduli.sum())) ** 0.25
+        for _ in range(_STEPS):
+            borne, moment = springs.load_and_moment(a0, speed * size)
+            a0 *= (force * size * h / borne) ** 0.25
+        return float(moment * force / borne)
+
+    return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
+
+
+@dataclass(frozen=True, slots=True)
+class _Springs:
+    """M(t) of a coating: springs M_k [Pa] with relaxation times τ_k [s], the last one ∞, and a dashpot [Pa s]."""
+
+    moduli: NDArray[np.float64]
+    times: NDArray[np.float64]
+    viscosity: float
+
+    def load_and_moment(self, a0: float, velocity: float) -> tuple[float, float]:
+        """Return load and torque of a contact that begins at the radius a₀ [m], times R h."""
+        nodes, weights = np.polynomial.legendre.leggauss(_STRIPS)
+        psi = 0.25 * np.pi * (1.0 + nodes)  # z = a₀ sin ψ, both sides alike
+        a = a0 * np.cos(psi)
+        length = self._length(a, velocity)
+        q, sum_of_q = (self._pressure(a, length, velocity, integrals=count) for count in (1, 2))
+        strips = 0.5 * np.pi * weights * a
+        return float(strips @ q), float(strips @ ((a - length) * q + sum_of_q))
+
+    def _length(self, a: NDArray[np.float64], velocity: float) -> NDArray[np.float64]:
+        """Find L in [a, 2a]: pressed until a, a spring with memory cannot press any more at 2a, where δ is 0 again."""
+        low, high = a, 2.0 * a
+        for _ in range(_BISECTIONS):
+            middle = 0.5 * (low + high)
+            presses = self._pressure(a, middle, velocity) > 0.0
+            low, high = np.where(presses, middle, low), np.where(presses, high, middle)
+        return 0.5 * (low + high)
+
+    def _pressure(
+        self, a: NDArray[np.float64], u: NDArray[np.float64], velocity: float, *, integrals: int = 0
+    ) -> NDArray[np.float64]:
+        """Return R h p after the way u, or its first or second integral."""
+        rate = 1.0 / (velocity * self.times[:, None])
+        phi = _repeated_integrals(u, rate)
+        n = 1 + integrals
+        free = _repeated_integrals(u, np.zeros((1, 1)))
+        dashpot = self.viscosity * velocity * (a * free[n - 1][0] - free[n][0])
+        return np.asarray(self.moduli @ (a * phi[n] - phi[n + 1]) + dashpot)
+
+
+def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Integrate exp(-u/l) up to four times from 0, Φ_n = uⁿ (1/n! - y/(n+1)! + y²/(n+2)! - ...) at y = u/l."""
+    y = u * rate
+    small = np.minimum(y, 1.0)
+    series = np.zeros_like(y)
+    for k in range(20, -1, -1):  # φ₄ by Horner's rule
+        series = (1.0 - small * series) / (k + 4.0)
+    phi = [np.asarray(series / 6.0)]
+    for factorial in (6.0, 2.0, 1.0, 1.0):
+        phi.insert(0, 1.0 / factorial - small * phi[0])
+    exact = [np.exp(-y)]
+    divisor = np.maximum(y, 1.0)
+    for factorial in (1.0, 1.0, 2.0, 6.0):
+        exact.append((1.0 / factorial - exact[-1]) / divisor)
+    return [u**n * np.where(y < 1.0, phi[n], exact[n]) for n in range(5)]
+
+
+def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modulus: float | None) -> _Springs:
+    """Return M(t) = 2 (1-ν)/(1-2ν) G(t), or K + 4/3 G(t)."""
+    if (poisson_ratio is None) == (bulk_modulus is None):
+        given = "none" if poisson_ratio is None else "both"
+        raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
+    shear = _shear_springs(shear_modulus)
+    factor, bulk = 4.0 / 3.0, 0.0
+    if poisson_ratio is not None:
+        nu = poisson(poisson_ratio, compressible=True)
+        factor = 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    else:
+        bulk = positive("bulk_modulus", bulk_modulus, "Pa")
+    moduli = factor * shear.moduli
+    moduli[-1] += bulk
+    return _Springs(moduli, shear.times, factor * shear.viscosity)
+
+
+def _shear_springs(modulus: ShearModulus) -> _Springs:
+    match modulus:
+        case Elastic(modulus=relaxed):
+            return _Springs(np.array([relaxed]), np.array([np.inf]), 0.0)
+        case KelvinVoigt(modulus=relaxed, viscosity=viscosity):
+            return _Springs(np.array([relaxed]), np.array([np.inf]), viscosity)
+        case StandardLinearSolid(instantaneous_modulus=stiff, relaxed_modulus=relaxed, relaxation_time=time):
+            return _Springs(np.array([stiff - relaxed, relaxed]), np.array([time, np.inf]), 0.0)
+        case Prony(instantaneous_modulus=stiff, weights=weights, relaxation_times=times):
+            shares = np.append(weights, 1.0 - np.sum(weights))
+            return _Springs(stiff * shares, np.append(times, np.inf), 0.0)
+    require_type("shear_modulus", modulus, ShearModulus)
+    names = ", ".join(kind.__name__ for kind in KNOWN_IN_TIME)
+    raise ValueError(f"shear_modulus must be one of {names}, which are known in time, got {shown(modulus)}")
+
+
+def longest_time(modulus: ShearModulus) -> float:
+    """Return how long a material remembers [s]: its longest relaxation time, 0 for none."""
+    times = _shear_springs(modulus).times[:-1]
+    return float(times.max(initial=0.0))

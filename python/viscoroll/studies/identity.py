@@ -1,0 +1,96 @@
+"""What makes two points of studies the same: all inputs as text."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..materials import ShearModulus
+from ..rolling import solve
+from .dimensions import LOAD_CASE
+
+if TYPE_CHECKING:
+    from ..geometry import CoatedSphere
+    from ..mesh import Mesh
+
+__all__ = ["PointKeys", "digest"]
+
+#: Nodes per revolution of the finest mesh there is, which a solve may choose by itself where none is given.
+_FINEST_MESH = 1_000_000
+
+#: Harmonics at which Python functions of frequency are compared, at equal ratios.
+_SAMPLES = 96
+
+_DEFAULTS = {
+    name: parameter.default
+    for name, parameter in inspect.signature(solve).parameters.items()
+    if name in LOAD_CASE and parameter.default is not parameter.empty
+}
+
+
+class PointKeys:
+    """Keys of points: equal where all that decides the result is. Balls are described once."""
+
+    def __init__(self) -> None:
+        self._balls: dict[tuple[int, float, int], str] = {}
+
+    def key(self, ball: CoatedSphere, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
+        """Return the key of a point.
+
+        Parameters
+        ----------
+        ball : CoatedSphere
+            Its ball, which must outlive this object.
+        arguments : mapping
+            Arguments of `viscoroll.solve`; what is left out has its default.
+        fields : tuple of str
+            Fields that are kept.
+        """
+        case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
+        speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
+        place = (id(ball), speed, highest)
+        if place not in self._balls:
+            self._balls[place] = _ball_text(ball, speed, highest)
+        return digest(f"{case!r} {fields!r} {self._balls[place]}")
+
+
+def digest(text: str) -> str:
+    """Return a short text that differs wherever the long one does."""
+    return hashlib.sha256(text.encode()).hexdigest()[:32]
+
+
+def _highest_harmonic(mesh: Mesh | None) -> int:
+    """Highest order that is asked of a function of frequency: `measured_order` of the core, or the truncation order."""
+    if mesh is None:
+        return 2 * _FINEST_MESH
+    return mesh.max_order or 2 * mesh.nodes_per_revolution
+
+
+def _ball_text(ball: CoatedSphere, speed: float, highest: int) -> str:
+    frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
+    texts = [f"{ball.inner_boundary.name} {ball.core_radius!r}"]
+    for layer in ball.layers:
+        properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
+        modulus = layer.shear_modulus
+        text = repr(modulus) if isinstance(modulus, ShearModulus) else _sampled(modulus, frequencies)
+        texts.append(f"{properties!r} {text}")
+    return "; ".join(texts)
+
+
+def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:
+    """Text of a Python function of frequency: its values, or what it raises, at each frequency."""
+    try:
+        return repr(np.asarray(modulus(np.array(frequencies))).tolist())
+    except Exception:
+        return repr([_value_or_error(modulus, frequency) for frequency in frequencies])
+
+
+def _value_or_error(modulus: Callable[[Any], Any], frequency: float) -> object:
+    try:
+        return np.asarray(modulus(np.array([frequency]))).tolist()
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"

@@ -1,0 +1,71 @@
+"""Packages of extras that are not installed: an ImportError that names the package and the command that installs it."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+import viscoroll as vr
+from viscoroll._extras import extra
+
+BALL = "ball = vr.paper.ball(); case = dict(angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=64)); "
+FIGURE_4 = "from viscoroll.reproduce import ITEMS, Runner; ITEMS['figure4'].compute(Runner(coarse=True))"
+SWEEP = BALL + "vr.sweep(ball, load=[50.0, 60.0], **case, progress=False, cache={!r})"
+RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
+
+
+@pytest.mark.parametrize(
+    ("package", "statement", "name"),
+    [
+        ("xarray", SWEEP.format(None), "studies"),
+        ("tqdm", SWEEP.format(None), "studies"),
+        ("netCDF4", SWEEP.format("study.nc"), "studies"),
+        ("scipy", "vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0, 3.1])", "studies"),
+        ("scipy", FIGURE_4, "studies"),
+        ("xarray", RESULT + "to_xarray()", "files"),
+        ("netCDF4", RESULT + "save('fields.nc')", "files"),
+        ("meshio", RESULT + "save('fields.vtu')", "files"),
+        ("matplotlib", RESULT + "plot()", "plot"),
+        ("matplotlib", "import viscoroll.reproduce", "plot"),
+        ("matplotlib", "import viscoroll.compare", "plot"),
+        ("pydantic", "import viscoroll.case", "cli"),
+        ("pydantic", "import viscoroll.studies.file", "cli"),
+        ("typer", "import viscoroll.cli", "cli"),
+        ("rich", "import viscoroll.cli", "cli"),
+    ],
+)  # fmt: skip
+def test_a_missing_package_is_named_with_its_extra(tmp_path, package, statement, name):
+    program = (
+        f"import sys; sys.modules[{package!r}] = None; import viscoroll as vr; import viscoroll.paper; {statement}"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
+    last = done.stderr.strip().splitlines()[-1]
+    assert last == f"ImportError: this needs {package}: pip install 'viscoroll[{name}]'"
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("package", "arguments", "name"),
+    [("scipy", "reproduce table2", "studies"), ("matplotlib", "plot study.nc", "plot")],
+)
+def test_the_command_line_says_it_in_one_line(tmp_path, package, arguments, name):
+    program = f"import sys; sys.modules[{package!r}] = None; from viscoroll.__main__ import main; main()"
+    command = [sys.executable, "-c", program, *arguments.split()]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr == f"viscoroll: this needs {package}: pip install 'viscoroll[{name}]'\n"
+
+
+def test_the_extras_of_messages_exist():
+    from importlib.metadata import metadata
+
+    assert {"studies", "files", "plot", "cli"} <= set(metadata("viscoroll").get_all("Provides-Extra"))
+    assert vr.sweep.__doc__.count("viscoroll[studies]") == 1
+
+
+def test_other_errors_are_left_as_they_are():
+    with pytest.raises(ZeroDivisionError), extra("plot"):
+        raise ZeroDivisionError
+    with pytest.raises(ModuleNotFoundError, match=r"No module named 'viscoroll\.absent'"), extra("plot"):
+        import viscoroll.absent  # noqa: F401

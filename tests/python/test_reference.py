@@ -1,0 +1,27 @@
+"""What the core is checked against does not use the core."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+import reference
+from viscoroll.reproduce import plain
+
+FILES = [Path(plain.__file__), *sorted(Path(reference.__file__).parent.glob("*.py"))]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_the_reference_is_independent_of_the_core(path):
+    """Only libraries, its own modules and the plain product are imported."""
+    allowed = {"viscoroll.reproduce.plain"}
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        names = []
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            names = [node.module or ""]
+            assert node.level == 0 or path.parent == Path(reference.__file__).parent, ast.unparse(node)
+        for name in names:
+            assert name in allowed or not name.startswith("viscoroll"), ast.unparse(node)
