@@ -145,7 +145,7 @@ void speed_sweep(benchmark::State& state) {
   for (auto _ : state) {
     next = 0;
     std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::thread::hardware_concurrency(); ++i) threads.emplace_back(work);
+    for (int i = 0; i < core_count(); ++i) threads.emplace_back(work);
   }
   state.counters["error"] = relative_error(torque, 11.348e-3);
 }

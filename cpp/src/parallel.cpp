@@ -5,11 +5,10 @@
 #include <exception>
 #include <mutex>
 #include <string>
-#include <system_error>
-#include <thread>
-#include <vector>
 
+#include "thread_pool.hpp"
 #include "validate.hpp"
+#include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -29,7 +28,7 @@ void require_thread_count(int threads) {
 }
 
 std::size_t worker_count(std::size_t count, int threads) {
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
+  const auto wanted = static_cast<std::size_t>(threads > 0 ? threads : core_count());
   return std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(count, 1));
 }
 
@@ -40,35 +39,36 @@ void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view
   std::exception_ptr failure;
   std::mutex failure_mutex;
 
-  const auto run = [&](std::size_t number) {
-    const Worker worker{
-        .number = number, .checkpoint = [&, number] {
-          if (number == 0) {
-            watch.poll(stage, static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count));
-          }
-          if (stop) throw Cancelled();
-        }};
+  const auto guarded = [&](const auto& action) {
     try {
-      for (std::size_t index = next++; index < count && !stop; index = next++) {
-        body(index, worker);
-        worker.checkpoint();
-      }
+      action();
     } catch (...) {
       const std::scoped_lock lock(failure_mutex);
       if (!failure) failure = std::current_exception();
       stop = true;  // after the failure is stored, for the checkpoints of the others throw too
     }
   };
+  const auto poll = [&] {
+    watch.poll(stage, static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count));
+  };
+  const auto run = [&](std::size_t number) {
+    const Worker worker{.number = number, .checkpoint = [&, number] {
+                          if (number == 0) poll();
+                          if (stop) throw Cancelled();
+                        }};
+    guarded([&] {
+      for (std::size_t index = next++; index < count && !stop; index = next++) {
+        body(index, worker);
+        worker.checkpoint();
+      }
+    });
+  };
 
-  {
-    const std::size_t workers = worker_count(count, threads);
-    std::vector<std::jthread> others;
-    others.reserve(workers);
-    try {
-      for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
-    } catch (const std::system_error&) {
-      // The system grants no more threads: those that run share the work.
-    }
+  if (const std::size_t workers = worker_count(count, threads); workers > 1) {
+    run_together(workers - 1, run, [&] {
+      if (!stop) guarded(poll);
+    });
+  } else {
     run(0);
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The only place that starts threads, and the only one that calls an `Observer`.
+/// @brief The only place that puts threads to work, and the only one that calls an `Observer`.
 #pragma once
 
 #include <chrono>
@@ -42,11 +42,12 @@ struct Worker {
 };
 
 /// @brief Run `body(index, worker)` for every index in [0, count) on `threads` threads, the caller's being worker 0.
+/// Callers may be many, also a body, and share the other threads: where those are busy, the caller does more itself.
 /// The order of execution is free, so a body writes only to what belongs to its index. The first exception of any
 /// body stops the others and is thrown again here.
 /// @param[in] count number of indices
 /// @param[in] threads number of threads, 0 for all cores
-/// @param[in] watch polled by worker 0 between indices
+/// @param[in] watch polled by worker 0 between indices, and while it waits for the others
 /// @param[in] stage what is being done, in words
 /// @param[in] body work on one index
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,

@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.hpp"
+#include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
 
 PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
@@ -8,6 +9,7 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.attr("__version__") = VISCOROLL_VERSION;
   m.attr("__commit__") = VISCOROLL_COMMIT;
   py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
+  m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");
   bind_inputs(m);
   bind_modal(m);
   bind_solve(m);

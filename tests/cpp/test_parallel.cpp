@@ -2,22 +2,50 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <latch>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "parallel.hpp"
+#include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-TEST(ParallelFor, VisitsEveryIndexOnceOnAnyNumberOfThreads) {
+using namespace std::chrono_literals;
+
+/// Calls `parallel_for` without an observer.
+void run(std::size_t count, int threads, const std::function<void(std::size_t, const Worker&)>& body) {
   const Observer observer;
   Watch watch(observer);
+  parallel_for(count, threads, watch, "", body);
+}
+
+/// Calls `parallel_for` so that all its threads work at the same time.
+void run_at_once(int threads, const std::function<void(std::size_t, const Worker&)>& body) {
+  std::latch all_here(threads);
+  run(static_cast<std::size_t>(threads), threads, [&](std::size_t i, const Worker& worker) {
+    all_here.arrive_and_wait();
+    body(i, worker);
+  });
+}
+
+/// Counts the threads that touch it.
+struct ThreadCounter {
+  static inline std::atomic<int> threads = 0;
+  ThreadCounter() { ++threads; }
+  void touch() {}
+};
+thread_local ThreadCounter thread_counter;
+
+TEST(ParallelFor, VisitsEveryIndexOnceOnAnyNumberOfThreads) {
   for (const int threads : {0, 1, 2, 7}) {
     std::vector<std::atomic<int>> visits(1000);
-    parallel_for(visits.size(), threads, watch, "", [&](std::size_t i, const Worker& worker) {
+    run(visits.size(), threads, [&](std::size_t i, const Worker& worker) {
       ++visits[i];
       EXPECT_LT(worker.number, worker_count(visits.size(), threads));
     });
@@ -25,23 +53,95 @@ TEST(ParallelFor, VisitsEveryIndexOnceOnAnyNumberOfThreads) {
   }
 }
 
+TEST(ParallelFor, UsesAsManyThreadsAsAskedForEachWithItsNumber) {
+  std::vector<std::atomic<int>> numbers(7);
+  run_at_once(7, [&](std::size_t, const Worker& worker) { ++numbers[worker.number]; });
+  for (const auto& count : numbers) EXPECT_EQ(count, 1);
+}
+
+TEST(ParallelFor, KeepsItsThreads) {
+  constexpr int kThreads = 3;
+  ThreadCounter::threads = 0;
+  for (int call = 0; call < 50; ++call) {
+    run_at_once(kThreads, [](std::size_t, const Worker&) { thread_counter.touch(); });
+  }
+  EXPECT_LE(ThreadCounter::threads, 10);  // as many as other tests have started; new ones each time would be 100
+}
+
 TEST(ParallelFor, ThrowsTheFirstExceptionAgainAndStopsTheRest) {
-  const Observer observer;
-  Watch watch(observer);
   std::atomic<int> visits = 0;
-  EXPECT_THROW(parallel_for(1'000'000, 2, watch, "",
-                            [&](std::size_t i, const Worker&) {
-                              ++visits;
-                              if (i == 3) throw std::out_of_range("three");
-                            }),
+  EXPECT_THROW(run(1'000'000, 2,
+                   [&](std::size_t i, const Worker&) {
+                     ++visits;
+                     if (i == 3) throw std::out_of_range("three");
+                   }),
                std::out_of_range);
   EXPECT_LT(visits, 1'000'000);
 }
 
+TEST(ParallelFor, ThrowsTheExceptionOfAHelperAndServesTheNext) {
+  for (int call = 0; call < 20; ++call) {
+    EXPECT_THROW(run_at_once(2,
+                             [](std::size_t, const Worker& worker) {
+                               if (worker.number == 1) throw std::out_of_range("helper");
+                             }),
+                 std::out_of_range);
+  }
+}
+
 TEST(ParallelFor, DoesNothingForNoIndex) {
-  const Observer observer;
+  run(0, 2, [](std::size_t, const Worker&) { FAIL(); });
+}
+
+TEST(ParallelFor, MayBeCalledByItsBodies) {
+  std::vector<std::atomic<int>> visits(8 * 8 * 8);
+  run(8, 3, [&](std::size_t i, const Worker&) {
+    run(8, 3, [&](std::size_t j, const Worker&) {
+      run(8, 3, [&](std::size_t k, const Worker&) { ++visits[64 * i + 8 * j + k]; });
+    });
+  });
+  for (const auto& count : visits) EXPECT_EQ(count, 1);
+}
+
+TEST(ParallelFor, MayBeCalledByManyThreads) {
+  std::vector<long> sums(8);
+  {
+    std::vector<std::jthread> callers;
+    callers.reserve(sums.size());
+    for (long& sum : sums) {
+      callers.emplace_back([&sum] {
+        for (int call = 0; call < 200; ++call) {
+          std::vector<long> squares(100);
+          run(squares.size(), 1 + call % 4,
+              [&](std::size_t i, const Worker&) { squares[i] = static_cast<long>(i * i); });
+          sum += std::accumulate(squares.begin(), squares.end(), 0L);
+        }
+      });
+    }
+  }
+  for (const long sum : sums) EXPECT_EQ(sum, 200 * 328350);  // n (n + 1) (2 n + 1) / 6 up to 99
+}
+
+TEST(ParallelFor, IsCancelledWhileItWaitsForAHelper) {
+  std::atomic<bool> helping = false;
+  const Observer observer{.cancelled = [&] { return helping.load(); }};
   Watch watch(observer);
-  parallel_for(0, 2, watch, "", [](std::size_t, const Worker&) { FAIL(); });
+  const auto body = [&](std::size_t, const Worker& worker) {
+    while (worker.number == 0 && !helping) std::this_thread::yield();
+    while (worker.number == 1) {
+      helping = true;
+      std::this_thread::sleep_for(1ms);
+      worker.checkpoint();
+    }
+  };
+  EXPECT_THROW(parallel_for(2, 2, watch, "", body), Cancelled);
+}
+
+TEST(WorkerCount, IsThatOfTheCoresUnlessGivenAndAtMostThatOfTheWork) {
+  EXPECT_EQ(worker_count(1000, 0), static_cast<std::size_t>(core_count()));
+  EXPECT_EQ(worker_count(1000, 7), 7U);
+  EXPECT_EQ(worker_count(3, 7), 3U);
+  EXPECT_EQ(worker_count(0, 7), 1U);
 }
 
 TEST(Watch, StopsOnRequestAndReportsFromTheCallingThread) {
@@ -55,7 +155,7 @@ TEST(Watch, StopsOnRequestAndReportsFromTheCallingThread) {
                                 fractions.push_back(report.fraction);
                               }};
   Watch watch(observer);
-  const auto wait = [](std::size_t, const Worker&) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
+  const auto wait = [](std::size_t, const Worker&) { std::this_thread::sleep_for(2ms); };
   EXPECT_THROW(parallel_for(100'000, 2, watch, "waiting", wait), Cancelled);
   ASSERT_EQ(fractions.size(), 3U);
   EXPECT_LT(fractions[0], fractions[2]);

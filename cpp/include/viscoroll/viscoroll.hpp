@@ -2,6 +2,7 @@
 /// @brief Everything that the library offers.
 #pragma once
 
+#include "viscoroll/cores.hpp"      // IWYU pragma: export
 #include "viscoroll/errors.hpp"     // IWYU pragma: export
 #include "viscoroll/influence.hpp"  // IWYU pragma: export
 #include "viscoroll/materials.hpp"  // IWYU pragma: export

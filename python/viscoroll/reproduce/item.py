@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import csv
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from .._core import core_count
 from ..mesh import Mesh
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ class Runner:
         self.coarse = coarse
         nodes, order = (300, 300) if coarse else (500, 500)
         self.mesh = Mesh(nodes_per_revolution=nodes, max_order=order)
-        self._workers = workers or os.cpu_count() or 1
+        self._workers = workers or core_count()
         self._report = report
         self._done = self._total = 0
         self._memory: dict[Callable[[Runner], Any], Any] = {}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor, as_completed
@@ -13,13 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._core import ConvergenceError
+from .._core import ConvergenceError, core_count
 from ..geometry import CoatedSphere
 from ..result import Result
 from ..rolling import RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
 
-__all__ = ["Outcome", "cores", "run", "solve_group", "solve_point"]
+__all__ = ["Outcome", "run", "solve_group", "solve_point"]
 
 #: Points of a task for an executor, at most: what is lost of each worker where this process is killed.
 _LARGEST_TASK = 8
@@ -173,11 +172,6 @@ def run(
     _collect({executor.submit(_solve_task, task): task for task in tasks}, record_all)
 
 
-def cores() -> int:
-    """Return the number of cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, Outcome], object]) -> None:
     stop = threading.Event()
 
@@ -194,9 +188,9 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
             task.ball, task.shared, task.cases, fields=task.fields, threads=threads, progress=check, record=keep
         )
 
-    tasks = plan.tasks(indices, largest=-(-len(indices) // (_TASKS_PER_CORE * cores())))
-    threads = max(1, cores() // max(1, len(tasks)))
-    with ThreadPoolExecutor(cores()) as pool:
+    tasks = plan.tasks(indices, largest=-(-len(indices) // (_TASKS_PER_CORE * core_count())))
+    threads = max(1, core_count() // max(1, len(tasks)))
+    with ThreadPoolExecutor(core_count()) as pool:
         try:
             _collect({pool.submit(work, task): task for task in tasks}, lambda *_: None)
         finally:

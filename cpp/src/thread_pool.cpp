@@ -1,0 +1,165 @@
+#include "thread_pool.hpp"
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <pthread.h>
+#define VISCOROLL_POSIX
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "viscoroll/cores.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Threads that wait for offers of work. They are started when first wanted and kept.
+class ThreadPool {
+ public:
+  using Work = std::function<void(std::size_t)>;
+
+  void run(std::size_t helpers, const Work& work, const std::function<void()>& waiting);
+
+  /// End the threads that have no work.
+  /// @return the lock, under which there are none
+  std::unique_lock<std::mutex> retire();
+
+  void before_fork() { retire().release(); }
+  void after_fork_in_parent() { mutex_.unlock(); }
+  void after_fork_in_child();
+
+ private:
+  /// Lives on the stack of who makes it.
+  struct Offer {
+    const Work& work;
+    std::size_t seats;        // that nobody has taken
+    std::size_t number = 1;   // of the next helper
+    std::size_t working = 0;  // helpers at work
+    std::condition_variable ended;
+  };
+
+  void grow(std::size_t helpers);
+  void help(std::list<std::thread>::iterator self);
+
+  std::mutex mutex_;  // of all members, and of all offers
+  std::condition_variable offered_;
+  std::condition_variable left_;
+  std::deque<Offer*> offers_;  // with a free seat, the oldest first
+  std::list<std::thread> threads_;
+  std::list<std::thread> gone_;
+  std::size_t idle_ = 0;  // threads that wait
+  bool retiring_ = false;
+};
+
+void ThreadPool::run(std::size_t helpers, const Work& work, const std::function<void()>& waiting) {
+  Offer offer{.work = work, .seats = helpers};
+  {
+    const std::scoped_lock lock(mutex_);
+    offers_.push_back(&offer);
+    grow(helpers);
+  }
+  for (std::size_t helper = 0; helper < helpers; ++helper) offered_.notify_one();
+  work(0);
+
+  constexpr auto kPeriod = std::chrono::milliseconds(20);
+  std::unique_lock lock(mutex_);
+  std::erase(offers_, &offer);
+  while (!offer.ended.wait_for(lock, kPeriod, [&] { return offer.working == 0; })) {
+    lock.unlock();
+    waiting();
+    lock.lock();
+  }
+}
+
+/// Start threads for the seats that those who wait cannot fill: one for each core but the caller's, more only for a
+/// caller who wants more.
+void ThreadPool::grow(std::size_t helpers) {
+  std::size_t seats = 0;
+  for (const Offer* offer : offers_) seats += offer->seats;
+  const std::size_t most = std::max(helpers, static_cast<std::size_t>(core_count() - 1));
+  while (!retiring_ && idle_ < seats && threads_.size() < most) {
+    const auto self = threads_.emplace(threads_.end());
+    try {
+      *self = std::thread([this, self] { help(self); });
+    } catch (const std::system_error&) {
+      threads_.erase(self);
+      return;  // The system grants no more threads: those that there are share the work.
+    }
+    ++idle_;
+  }
+}
+
+void ThreadPool::help(std::list<std::thread>::iterator self) {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    offered_.wait(lock, [&] { return retiring_ || !offers_.empty(); });
+    --idle_;
+    if (retiring_) break;
+    Offer& offer = *offers_.front();
+    const std::size_t number = offer.number++;
+    if (--offer.seats == 0) offers_.pop_front();
+    ++offer.working;
+    lock.unlock();
+    offer.work(number);
+    lock.lock();
+    if (--offer.working == 0) offer.ended.notify_one();  // under the lock, without which the offer may be gone
+    ++idle_;
+  }
+  gone_.splice(gone_.end(), threads_, self);
+  left_.notify_all();
+}
+
+std::unique_lock<std::mutex> ThreadPool::retire() {
+  std::unique_lock lock(mutex_);
+  while (idle_ > 0) {
+    retiring_ = true;
+    offered_.notify_all();
+    left_.wait(lock);
+  }
+  retiring_ = false;
+  for (std::thread& thread : gone_) thread.join();  // which needs no lock any more
+  gone_.clear();
+  return lock;
+}
+
+/// Start afresh. What was is not destroyed: the threads that worked are not here, and their handles cannot be closed.
+void ThreadPool::after_fork_in_child() {
+  mutex_.unlock();
+  std::construct_at(this);
+}
+
+/// Never destroyed, for threads may still compute while the process ends.
+ThreadPool& the_pool() {
+  static ThreadPool& pool = *std::make_unique<ThreadPool>().release();
+  return pool;
+}
+
+#ifdef VISCOROLL_POSIX
+/// No thread waits while the process forks, and none when the library is unloaded.
+struct Precautions {
+  Precautions() {
+    pthread_atfork([] { the_pool().before_fork(); }, [] { the_pool().after_fork_in_parent(); },
+                   [] { the_pool().after_fork_in_child(); });
+  }
+  ~Precautions() { the_pool().retire(); }
+};
+#endif
+
+}  // namespace
+
+void run_together(std::size_t helpers, const std::function<void(std::size_t)>& work,
+                  const std::function<void()>& waiting) {
+#ifdef VISCOROLL_POSIX
+  static const Precautions precautions;
+#endif
+  the_pool().run(helpers, work, waiting);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,169 @@
+/// What the threads do when their process forks, ends, or may use few cores: POSIX, and Linux in part.
+#if defined(__unix__) || defined(__APPLE__)
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <latch>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "cores.hpp"
+#include "parallel.hpp"
+#include "viscoroll/cores.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr unsigned kPatience = 60;  // seconds until a process counts as hanging
+
+/// @return 0 if 0 to 999 add up
+int sum(const std::function<void(std::size_t)>& before_each) {
+  const Observer observer;
+  Watch watch(observer);
+  std::atomic<long> sum = 0;
+  parallel_for(1000, 2, watch, "", [&](std::size_t i, const Worker&) {
+    before_each(i);
+    sum += static_cast<long>(i);
+  });
+  return sum == 499500 ? 0 : 1;
+}
+
+int sum_alone_or_together() {
+  return sum([](std::size_t) {});
+}
+
+int sum_together() {
+  std::latch both_here(2);
+  return sum([&](std::size_t i) {
+    if (i < 2) both_here.arrive_and_wait();
+  });
+}
+
+/// @return what a forked process returned from `work`, or -1 if it came to another end
+int in_child(const std::function<int()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(kPatience);
+    _exit(work());
+  }
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Fork, LeavesBothProcessesWithThreads) {
+  ASSERT_EQ(sum_together(), 0);
+  EXPECT_EQ(in_child([] { return sum_together() + in_child(sum_together); }), 0);  // a child and its own
+  EXPECT_EQ(sum_together(), 0);
+}
+
+TEST(Fork, LeavesBothProcessesWithThreadsWhileOthersCompute) {
+  std::atomic<bool> stop = false;
+  {
+    const std::jthread other([&] {
+      while (!stop) EXPECT_EQ(sum_alone_or_together(), 0);
+    });
+    for (int child = 0; child < 20; ++child) EXPECT_EQ(in_child(sum_together), 0);
+    stop = true;
+  }
+  EXPECT_EQ(sum_together(), 0);
+}
+
+#ifdef __linux__
+TEST(Fork, FindsNoThreadWithoutWork) {
+  // What Python counts when it warns of forks: the threads of the parent, after the fork.
+  const auto threads = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); };
+  EXPECT_EQ(in_child([&] {
+              const auto before = threads();
+              const int failure = sum_together();
+              return failure + in_child([] { return 0; }) + (threads() == before ? 0 : 1);
+            }),
+            0);
+}
+#endif
+
+TEST(Exit, WaitsForNoThread) {
+  EXPECT_EXIT(
+      {
+        alarm(kPatience);
+        std::latch busy(2);
+        std::thread([&] {
+          const Observer observer;
+          Watch watch(observer);
+          parallel_for(2, 2, watch, "", [&](std::size_t, const Worker&) {
+            busy.count_down();
+            std::this_thread::sleep_for(std::chrono::hours(1));
+          });
+        }).detach();
+        busy.wait();
+        std::exit(sum_alone_or_together());
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+#ifdef __linux__
+TEST(Cores, AreThoseOfTheAffinityMask) {
+  int before = 0;
+  int bound = 0;
+  std::thread([&] {
+    before = usable_cores();
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<std::size_t>(sched_getcpu()), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof(one), &one), 0);  // of this thread
+    bound = usable_cores();
+  }).join();
+  EXPECT_GE(before, core_count());
+  EXPECT_EQ(bound, 1);
+}
+
+/// A folder with what Linux tells of control groups.
+class ControlGroups : public testing::Test {
+ protected:
+  ~ControlGroups() override { std::filesystem::remove_all(root_); }
+
+  void write(const std::string& path, const std::string& text) const {
+    std::filesystem::create_directories((root_ / path).parent_path());
+    std::ofstream(root_ / path) << text;
+  }
+
+  const std::filesystem::path root_ =
+      std::filesystem::path(testing::TempDir()) / ("viscoroll_groups_" + std::to_string(getpid()));
+};
+
+TEST_F(ControlGroups, GrantNoMoreThanTheSmallestQuotaOfVersion2) {
+  write("proc/self/cgroup", "0::/user.slice/job\n");
+  write("sys/fs/cgroup/user.slice/job/cpu.max", "max 100000\n");
+  EXPECT_EQ(granted_cores(root_), std::numeric_limits<double>::infinity());
+  write("sys/fs/cgroup/user.slice/cpu.max", "250000 100000\n");
+  EXPECT_EQ(granted_cores(root_), 2.5);
+}
+
+TEST_F(ControlGroups, GrantTheQuotaOfAContainer) {
+  write("proc/self/cgroup", "12:memory:/docker/a1\n4:cpu,cpuacct:/docker/a1\n0::/\n");
+  EXPECT_EQ(granted_cores(root_), std::numeric_limits<double>::infinity());
+  write("sys/fs/cgroup/cpu,cpuacct/cpu.cfs_quota_us", "150000\n");
+  write("sys/fs/cgroup/cpu,cpuacct/cpu.cfs_period_us", "100000\n");
+  EXPECT_EQ(granted_cores(root_), 1.5);
+  write("sys/fs/cgroup/cpu,cpuacct/cpu.cfs_quota_us", "-1\n");
+  EXPECT_EQ(granted_cores(root_), std::numeric_limits<double>::infinity());
+}
+#endif
+
+}  // namespace
+}  // namespace viscoroll::detail
+
+#endif
