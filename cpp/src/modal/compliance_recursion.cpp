@@ -14,6 +14,33 @@ constexpr double kDepth = 24.0;        // exponent beyond which material is out 
 constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
 constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
 
+/// Share of k by which shear waves decay with depth: sqrt(1 - (speed along the surface / shear wave speed)^2).
+template <class Scalar>
+double decay(const Medium<Scalar>& medium, double cosine) {
+  constexpr double kLeastDecay = 0.05;
+  if (medium.inertia == 0.0) return 1.0;
+  const std::complex<double> q = medium.inertia * medium.outer_radius * medium.outer_radius / medium.mu;
+  return std::clamp(std::sqrt(1.0 - q * cosine * cosine).real(), kLeastDecay, 1.0);
+}
+
+/// Radius below which material is out of reach of the surface.
+template <class Scalar>
+double deepest_radius(const OrderInLayers<Scalar>& order, double k) {
+  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
+  // whose two solutions differ by the third power of the radius.
+  const bool held = order.media.front().within == InnerBoundary::rigid;
+  const double exponent = std::max(k, held ? 1e-300 : 0.5);
+  const double cosine = k > 0.0 ? order.m / k : 0.0;
+  double left = kDepth;
+  for (auto medium = order.media.rbegin(); medium != order.media.rend(); ++medium) {
+    const double rate = exponent * decay(*medium, cosine);
+    const double reach = medium->outer_radius * std::exp(-left / rate);
+    if (reach >= medium->inner_radius) return reach;
+    left -= rate * std::log(medium->outer_radius / medium->inner_radius);
+  }
+  return 0.0;
+}
+
 /// Up to kLanes orders on their way outwards.
 template <class Scalar>
 class Batch {
@@ -23,9 +50,7 @@ class Batch {
       const double m = at(l).m;
       const double n = at(l).n;
       const double k = std::hypot(m, n);
-      // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling
-      // does, whose two solutions differ by the third power of the radius.
-      deepest_[l] = surface() * std::exp(-kDepth / std::max(k, is_held() ? 1e-300 : 0.5));
+      deepest_[l] = deepest_radius(at(l), k);
       step_.k.set(l, k);
       step_.membrane.set(l, k * k);
       const double cosine = k > 0.0 ? m / k : 1.0;
