@@ -14,6 +14,33 @@ constexpr double kDepth = 24.0;        // exponent beyond which material is out 
 constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
 constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
 
+/// Share of k by which shear waves decay with depth: sqrt(1 - (speed along the surface / shear wave speed)^2).
+template <class Scalar>
+double decay(const Medium<Scalar>& medium, double cosine) {
+  constexpr double kLeastDecay = 0.05;
+  if (medium.inertia == 0.0) return 1.0;
+  const std::complex<double> q = medium.inertia * medium.outer_radius * medium.outer_radius / medium.mu;
+  return std::clamp(std::sqrt(1.0 - q * cosine * cosine).real(), kLeastDecay, 1.0);
+}
+
+/// Radius below which material is out of reach of the surface.
+template <class Scalar>
+double deepest_radius(const OrderInLayers<Scalar>& order, double k) {
+  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
+  // whose two solutions differ by the third power of the radius.
+  const bool held = order.media.front().within == InnerBoundary::rigid;
+  const double exponent = std::max(k, held ? 1e-300 : 0.5);
+  const double cosine = k > 0.0 ? order.m / k : 0.0;
+  double left = kDepth;
+  for (auto medium = order.media.rbegin(); medium != order.media.rend(); ++medium) {
+    const double rate = exponent * decay(*medium, cosine);
+    const double reach = medium->outer_radius * std::exp(-left / rate);
+    if (reach >= medium->inner_radius) return reach;
+    left -= rate * std::log(medium->outer_radius / medium->inner_radius);
+  }
+  return 0.0;
+}
+
 /// Up to kLanes orders on their way outwards.
 template <class Scalar>
 class Batch {
@@ -23,9 +50,7 @@ class Batch {
       const double m = at(l).m;
       const double n = at(l).n;
       const double k = std::hypot(m, n);
-      // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling
-      // does, whose two solutions differ by the third power of the radius.
-      deepest_[l] = surface() * std::exp(-kDepth / std::max(k, is_held() ? 1e-300 : 0.5));
+      deepest_[l] = deepest_radius(at(l), k);
       step_.k.set(l, k);
       step_.membrane.set(l, k * k);
       const double cosine = k > 0.0 ? m / k : 1.0;
@@ -46,9 +71,8 @@ class Batch {
     for (std::size_t layer = 0; layer < at(0).media.size(); ++layer) {
       const int steps = enter(layer);
       for (int step = 0; step < steps; ++step) {
-        prepare(layer, step, steps);
         advance(step_, start(), compliance_);
-        for (std::size_t l = 0; l < kLanes; ++l) started_[l] = started_[l] || extent_[l] > 0.0;
+        leave_step();
         if (!visit(*this)) return false;
       }
     }
@@ -101,28 +125,32 @@ class Batch {
       extent_[l] = std::log1p((medium.outer_radius - inner_[l]) / inner_[l]);
       const double longest = std::min(std::log1p(kStepRatio), kStepExponent / (step_.k.value(l) + 1.0));
       steps = std::max(steps, static_cast<int>(std::ceil(extent_[l] / longest)));
+    }
+    step_.has_inertia = false;
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const Medium<Scalar>& medium = at(l).media[layer];
       if (layer > 0) scale(l, medium.mu / at(l).media[layer - 1].mu);
+      step_.b.set(l, medium.b);
+      step_.q.set(l, medium.inertia * inner_[l] * inner_[l] / medium.mu);
+      step_.growth.set(l, std::expm1(extent_[l] / std::max(steps, 1)));
+      step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
+      at_free_surface_[l] = layer == 0 && medium.within == InnerBoundary::hollow && inner_[l] == medium.inner_radius;
     }
     return steps;
+  }
+
+  void leave_step() {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const double ratio = 1.0 + step_.growth.value(l);
+      step_.q.set(l, ratio * ratio * step_.q.value(l));
+      at_free_surface_[l] = false;
+      started_[l] = started_[l] || extent_[l] > 0.0;
+    }
   }
 
   void scale(std::size_t l, const Scalar& factor) {
     auto& y = compliance_;
     for (Lanes<Scalar>* entry : {&y.rr, &y.rk, &y.rx, &y.kk, &y.kx, &y.xx}) entry->set(l, factor * entry->value(l));
-  }
-
-  void prepare(std::size_t layer, int step, int steps) {
-    step_.has_inertia = false;
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      const Medium<Scalar>& medium = at(l).media[layer];
-      const double radius = inner_[l] * std::exp(extent_[l] * step / steps);
-      step_.b.set(l, medium.b);
-      step_.growth.set(l, std::expm1(extent_[l] / steps));
-      step_.q.set(l, medium.inertia * radius * radius / medium.mu);
-      step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
-      at_free_surface_[l] =
-          layer == 0 && step == 0 && medium.within == InnerBoundary::hollow && inner_[l] == medium.inner_radius;
-    }
   }
 
   /// Three stresses on what carries them; at a free surface three displacements. A solid ball starts like one on a
@@ -144,8 +172,8 @@ class Batch {
   StepLanes<Scalar> step_;
   SymmetricLanes<Scalar> compliance_;
   std::array<double, kLanes> deepest_{};  // radius below which nothing reaches the surface
-  std::array<double, kLanes> inner_{};    // radius at which the lane enters the layer
-  std::array<double, kLanes> extent_{};   // of the layer in ln r
+  std::array<double, kLanes> inner_{};    // radius at which the order enters the layer
+  std::array<double, kLanes> extent_{};   // of its way through the layer in ln r
   std::array<bool, kLanes> at_free_surface_{};
   std::array<bool, kLanes> started_{};
 };

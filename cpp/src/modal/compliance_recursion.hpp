@@ -21,8 +21,8 @@ struct OrderInLayers {
 ///
 /// With d = Y (r sigma), Y = 0 at the rigid core, each step takes Y to (T11 Y + T12)(T21 Y + T22)^-1, the transition
 /// matrix T of a step being short enough to keep all digits. T itself is never formed: its product with (Y; I) is the
-/// Taylor series of the solution about the step's inner radius. Material deeper than 24 / sqrt(m^2 + n^2) in ln r
-/// changes the surface by exp(-48), and is left out.
+/// Taylor series of the solution about the step's inner radius. Material deeper than 24 / k in ln r changes the
+/// surface by exp(-48), and is left out; with inertia, depth counts less by the slower decay of shear waves.
 /// @param[in] orders all with layers of the same radii; neighbors are solved side by side, best with like m^2 + n^2
 /// @param[out] compliances one for each [m/Pa]
 template <class Scalar>

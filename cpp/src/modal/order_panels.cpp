@@ -107,7 +107,7 @@ class CellSamples {
         const Matrix3<cplx> y = *compliance++ * (order->m * order->media.back().mu);
         const double n_ratio = order->n / order->m;
         ++order;
-        const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1), y(0, 2) / n_ratio,
+        const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1),           y(0, 2) / n_ratio,
                                                  y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
         for (int e = 0; e < kEntries; ++e) values_(i, e * kPanelNodes + j) = entries[static_cast<std::size_t>(e)];
       }
