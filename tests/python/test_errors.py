@@ -269,9 +269,8 @@ def test_extreme_scales_give_scaled_results(radius, modulus):
     def press(radius, modulus):
         layer = vr.Layer(thickness=0.1 * radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
         ball = vr.CoatedSphere(core_radius=radius, layers=[layer])
-        return vr.solve(
-            ball, load=1e-3 * modulus * radius**2, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=200)
-        )
+        mesh = vr.Mesh(nodes_per_revolution=300, max_order=300)
+        return vr.solve(ball, load=1e-3 * modulus * radius**2, angular_speed=1.0, mesh=mesh)
 
     r, unit = press(radius, modulus), press(1.0, 1.0)
     assert unit.contact.sum() > 10

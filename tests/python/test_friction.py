@@ -82,11 +82,10 @@ def test_every_drive(paper_ball, drive, compliance, kinematics):
         assert r.creepage == pytest.approx(drive.creepage, abs=1e-14)
 
 
-@pytest.mark.parametrize("patch_load", vr.PatchLoad)
-def test_curved_patches(paper_ball, patch_load):
-    r = roll(paper_ball, patch_load=patch_load)
-    assert r.residual < 1e-8
-    assert r.resisting_torque == pytest.approx(roll(paper_ball).resisting_torque, rel=5e-3)
+def test_curved_patches(paper_ball):
+    curved, flat = (roll(paper_ball, patch_load=patch_load) for patch_load in vr.PatchLoad)
+    assert max(curved.residual, flat.residual) < 1e-8
+    assert 0.0 < abs(curved.resisting_torque / flat.resisting_torque - 1.0) < 5e-3
 
 
 # Ratios T_r(mu) / T_r(0) of theory.md section 6, an independent NumPy computation, printed to three digits.

@@ -115,7 +115,8 @@ def test_centrifugal_displacement_of_one_layer():
         ]
         a, b = np.linalg.solve(rows, [inner, traction(outer, 1.0, outer)])
         expected = -outer + a * j1(k * outer) + b * y1(k * outer)
-        assert vr.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-10)
+        # j1 loses two digits at kr = 0.1, and the difference from the radius four.
+        assert vr.centrifugal_displacement(ball, speed) == pytest.approx(expected, rel=1e-9, abs=0.0)
 
 
 def test_centrifugal_displacement_in_the_limit_of_low_speed():
@@ -131,7 +132,8 @@ def test_centrifugal_displacement_in_the_limit_of_low_speed():
         thickness=outer - inner, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=nu, density=density
     )
     displacement = vr.centrifugal_displacement(vr.CoatedSphere(core_radius=inner, layers=[layer]), speed)
-    assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9)
+    # Of the order of 1e-14 m: the absolute tolerance of pytest.approx, 1e-12, would hide it.
+    assert displacement == pytest.approx(a * outer + b / outer**2 - q * outer**3, rel=1e-9, abs=0.0)
 
 
 def test_centrifugal_displacement_of_equal_layers_is_that_of_one(rubber):
@@ -140,7 +142,7 @@ def test_centrifugal_displacement_of_equal_layers_is_that_of_one(rubber):
         return vr.CoatedSphere(core_radius=20e-3, layers=[layer] * count)
 
     one, three = (vr.centrifugal_displacement(ball(count), 500.0) for count in (1, 3))
-    assert three == pytest.approx(one, rel=1e-12)
+    assert three == pytest.approx(one, rel=1e-12, abs=0.0)
 
 
 def test_centrifugal_displacement_enters_the_contact():

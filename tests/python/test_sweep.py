@@ -53,7 +53,8 @@ def test_every_point_equals_a_direct_solve():
                     elif name in study.data_vars:
                         # A model's tables reach as far as its largest load asks for, which changes round-off.
                         value = np.nan if value is None else value
-                        np.testing.assert_allclose(point[name].item(), value, rtol=1e-9, atol=1e-9, err_msg=name)
+                        # Zeros, as of frictionless forces and the residual, are round-off of numbers near 1 and 100.
+                        np.testing.assert_allclose(point[name].item(), value, rtol=1e-8, atol=1e-13, err_msg=name)
     assert set(expected) - set(study.variables) == {"compliance", "patch_load"}
 
 
