@@ -46,7 +46,7 @@ def energy_derivatives(y, softness):
 
 def points_of(basis):
     """Return theta and R of the quadrature points."""
-    return (np.asarray(x) for x in basis.global_coordinates().value)
+    return (np.asarray(x) for x in np.asarray(basis.global_coordinates()))
 
 
 def strain_entries(basis):
@@ -58,9 +58,9 @@ def strain_entries(basis):
     s, c = np.sin(theta), np.cos(theta)
     columns = []
     for u, p in basis.basis:
-        gradient, field = np.asarray(u.grad), np.asarray(u.value)
+        gradient, field = np.asarray(u.grad), np.asarray(u)
         entries = [gradient[0, 0] / radius, gradient[0, 1], gradient[1, 0] / radius, gradient[1, 1]]
-        columns.append(np.stack([*entries, field[0] / (radius * s), np.broadcast_to(p.value, s.shape)]))
+        columns.append(np.stack([*entries, field[0] / (radius * s), np.broadcast_to(p, s.shape)]))
     return np.stack([c, s, -s, c, np.ones_like(s), np.zeros_like(s)]), np.stack(columns)
 
 
@@ -150,7 +150,7 @@ class Coating:
             step = np.append(solution[:-1], solution[-1] - height)
             state[free] += step[: free.size]
             state[touching] += step[free.size :]
-            if np.abs(step[self.moving]).max() < 1e-9 * self.thickness:
+            if np.abs(step[self.moving]).max() < 1e-8 * self.thickness:
                 return state, self.outer_radius - solution[-1], -self._equations(state)[0][touching].sum()
         raise RuntimeError(f"no convergence with contact up to {self.edge} rad")
 

@@ -16,7 +16,7 @@ each. Three viscosities are objective and the linear one at small strain, their 
 2 eta times
 
     newton     J D : D                          Cauchy's stress 2 eta D
-    jaumann    D : b D = tr(C^-1 Cdot Cdot)/4   Kirchhoff's stress eta (b D + D b), Jaumann's rate of the neo-Hookean G b
+    jaumann    D : b D = tr(C^-1 Cdot Cdot)/4   Kirchhoff's stress eta (b D + D b), Jaumann's rate of eta b
     lagrange   Edot : Edot, E = (C - 1)/2       Piola's second stress 2 eta Edot
 
 and, to keep a constant nu, nu/(1-2nu) J (tr D)^2 more, for lagrange nu/(1-2nu) (tr Edot)^2. Torque = power / Omega,
