@@ -1,0 +1,135 @@
+"""How far linear theory is from finite strain: both compliances beside a finite-element witness.
+
+The whole campaign is `python -m tests.reference.finite_strain_table`; here are two penetrations of one geometry, on a
+mesh with h/50 at the edge. It misses (against h/2000) 1e-5 of the penetration at a given load and 1e-3 of the torque.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from reference import finite_strain_table as table
+from reference.bonded_layer import bonded_layer
+from reference.finite_strain import Coating
+from reference.finite_strain_torque import VISCOSITIES, slow_torques
+
+PAPER = (20.0, 21.0, 0.5)  # core and outer radius in mm, Poisson's ratio
+COARSE = {"finest": 0.02, "coarsest": 0.2, "growth": 1.4}
+RADIAL, VERTICAL = vr.Compliance.RADIAL, vr.Compliance.VERTICAL
+
+
+@pytest.fixture(scope="module")
+def pressed():
+    """Coating, state, strain and load at 6 and 15 % of the thickness, from edges that make that nearly."""
+    cases, guess = {}, None
+    for strain, edge in ((0.06, 0.0752), (0.15, 0.1257)):
+        coating = Coating(*PAPER, edge, **COARSE)
+        state, penetration, load = coating.press(guess and coating.guess_from(*guess))
+        cases[strain] = coating, state, penetration / coating.thickness, load
+        guess = coating, state
+    return cases
+
+
+def test_contact_pushes_and_overlaps_nowhere(pressed):
+    # A wrong condition at the edge would leave tension before it or overlap behind it.
+    for coating, state, _, _ in pressed.values():
+        theta, gap, force = coating.surface(state)
+        inside = theta < coating.edge * (1.0 - 1e-9)
+        assert np.all(force[inside] > 0.0)
+        assert np.all(gap[theta > coating.edge * (1.0 + 1e-9)] > 0.0)
+        np.testing.assert_allclose(force[~inside], 0.0, atol=1e-9 * force.max())
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
+def test_small_strain_is_a_bonded_layer(poisson_ratio):
+    # R = 301 h and a = h: strains of 2e-3, a/R of 3e-3. Otherwise the elements, the law or the bond would be wrong.
+    radius = 301.0
+    coating = Coating(radius - 1.0, radius, poisson_ratio, 1.0 / radius)
+    state, penetration, load = coating.press()
+    exact_load, exact_approach = bonded_layer(1.0, poisson_ratio)
+    assert load * radius == pytest.approx(exact_load, rel=5e-3)  # cube of the edge, which is exact to h/500
+    assert penetration * radius == pytest.approx(exact_approach, rel=2e-3)
+    # Linear theory: P Omega r_o eta/G, whatever the viscosity. A wrong rate of C, a factor or a part left out, shows.
+    for torque in slow_torques(coating, state, load).values():
+        assert torque == pytest.approx(1.0, abs=2e-3)
+
+
+def squeezed(x):
+    """Return where a coating around the origin goes, r_i = 4, r_o = 5; z is the vertical."""
+    radius = np.linalg.norm(x)
+    depth, height = radius - 4.0, x[2] / radius
+    sink = 0.2 * depth * height**2
+    return np.array([x[0] * (1.0 + 0.1 * depth * height), x[1] * (1.0 + 0.1 * depth * height), x[2] - sink])
+
+
+def cauchy_green(x, step=1e-4):
+    """Return C of `squeezed` by differences."""
+    columns = [(squeezed(x + step * e) - squeezed(x - step * e)) / (2.0 * step) for e in np.eye(3)]
+    gradient = np.stack(columns, axis=1)
+    return gradient.T @ gradient
+
+
+def turned(angle):
+    """Return the rotation about y, which carries z towards x."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+
+
+def test_power_is_that_of_turning_the_ball():
+    # The power of a given field that no mesh knows: C of a particle before and after a small turn of the ball, in its
+    # own axes, in Cartesian coordinates. Were the derivation of the rate wrong, in azimuth or in spin, they would
+    # differ; the cap of the witness is cut off where `squeezed` is sampled, at 2.5 rad.
+    coating = Coating(4.0, 5.0, 0.3, 0.5, finest=0.1, coarsest=0.1, growth=1.0)
+    state = np.zeros(coating.basis.N)
+    theta, radius = coating.basis.doflocs
+    for name, row in (("u^1^1", 0), ("u^2^1", 2)):
+        dofs = coating.basis.get_dofs(elements=True).all([name])
+        at = np.stack([radius * np.sin(theta), 0.0 * theta, radius * np.cos(theta)])[:, dofs]
+        state[dofs] = [squeezed(x)[row] - x[row] for x in at.T]
+
+    turn, power = 1e-4, dict.fromkeys(VISCOSITIES, 0.0)
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    bulk = 0.3 / 0.4
+    for r, wr in zip(4.5 + 0.5 * nodes, 0.5 * weights, strict=True):
+        for t, wt in zip(1.25 + 1.25 * nodes, 1.25 * weights, strict=True):
+            for azimuth in (np.arange(4) + 0.5) * np.pi / 2.0:  # exact for cos^2 and sin^2
+                x = r * np.array([np.sin(t) * np.cos(azimuth), np.sin(t) * np.sin(azimuth), np.cos(t)])
+                ahead, behind = (q.T @ cauchy_green(q @ x) @ q for q in (turned(turn), turned(-turn)))
+                c, rate = cauchy_green(x), (ahead - behind) / (2.0 * turn)
+                f = np.linalg.cholesky(c).T
+                d = 0.5 * np.linalg.solve(f.T, np.linalg.solve(f.T, rate).T)
+                ratio, swelling = np.linalg.det(f), np.trace(d) ** 2
+                volume = 2.0 * wr * wt * np.pi / 2.0 * r**2 * np.sin(t)  # times 2 eta
+                power["newton"] += volume * ratio * (np.sum(d * d) + bulk * swelling)
+                power["jaumann"] += volume * (np.trace(d @ f @ f.T @ d) + bulk * ratio * swelling)
+                power["lagrange"] += volume * 0.25 * (np.sum(rate * rate) + bulk * np.trace(rate) ** 2)
+    found = slow_torques(coating, state, 1.0)
+    for name in VISCOSITIES:
+        assert found[name] * coating.outer_radius == pytest.approx(power[name], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("strain", "radial", "vertical"),
+    [(0.06, -0.0025, 0.034), (0.15, -0.0036, 0.111)],
+)
+def test_radial_penetration_is_nearer_to_finite_strain(pressed, strain, radial, vertical):
+    # C_RR is within half a percent, C_WW is 3 and 11 % too soft. Another number would mean another compliance, or that
+    # the README's account of them is wrong. 1e-3 is for meshes and for the curvature terms.
+    coating, _, found, load = pressed[strain]
+    for compliance, expected in ((RADIAL, radial), (VERTICAL, vertical)):
+        error = table.penetration(PAPER, load, coating.edge, compliance) / found - 1.0
+        assert error == pytest.approx(expected, abs=1e-3)
+
+
+def test_radial_torque_lies_between_the_viscosities_of_finite_strain(pressed):
+    # At 15 % finite strain has 0.98 to 1.06, by the viscosity; C_RR has 0.997 and C_WW 1.13, which none has.
+    coating, state, _, load = pressed[0.15]
+    finite = slow_torques(coating, state, load)
+    assert [finite[name] for name in VISCOSITIES] == pytest.approx([1.0605, 1.0240, 0.9819], abs=2e-3)
+    case = PAPER, load, coating.edge
+    radial, _ = table.low_speed_torques(*case, RADIAL)
+    offset, drive = table.low_speed_torques(*case, VERTICAL)
+    assert radial == pytest.approx(0.9967, abs=1e-3)
+    assert (offset, drive) == pytest.approx((1.0266, 1.1307), abs=1e-3)
+    assert min(finite.values()) < radial < max(finite.values()) < drive
