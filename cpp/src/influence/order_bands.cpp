@@ -87,7 +87,7 @@ double finest_order(const CoatedSphere& sphere) {
 }
 
 /// Tables are interpolated with kinks, and users' functions may be.
-double rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
   double highest = 0.0;
   for (const Layer& layer : sphere.layers) {
     if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
@@ -101,14 +101,22 @@ double rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh
 
 }  // namespace
 
-std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
-  if (mesh.max_order) return whole_orders(*mesh.max_order, mesh.nodes_per_revolution);
-  return octaves(mesh.nodes_per_revolution, finest_order(sphere), rough_orders(sphere, angular_speed, mesh));
+double exact_share(double wave_number, double middle) {
+  return std::isinf(middle) ? 1.0 : Step{.middle = middle}(wave_number);
 }
 
-std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh) {
+double exact_end(double middle) { return Step{.middle = middle}.end(); }
+
+std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+                                 double rough_orders) {
+  if (mesh.max_order) return whole_orders(*mesh.max_order, mesh.nodes_per_revolution);
+  return octaves(mesh.nodes_per_revolution, finest_order(sphere),
+                 std::max(rough_orders, material_rough_orders(sphere, angular_speed, mesh)));
+}
+
+std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh, double rough_orders) {
   const int nodes = theta_nodes_per_revolution(mesh);
-  return mesh.max_order ? whole_orders(*mesh.max_order, nodes) : octaves(nodes, finest_order(sphere));
+  return mesh.max_order ? whole_orders(*mesh.max_order, nodes) : octaves(nodes, finest_order(sphere), rough_orders);
 }
 
 double measured_order(const Mesh& mesh) {

@@ -33,10 +33,22 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order = 0.0,
                                              double rough_orders = 0.0);
 
+/// @brief Smooth step between the degrees of a sphere that are summed one by one and those of the local metric.
+/// @param[in] wave_number k, or l + 1/2
+/// @param[in] middle of the step, maybe infinite
+/// @return the share of the former, from 1 to 0
+[[nodiscard]] double exact_share(double wave_number, double middle);
+
+/// @return the degree from which on nothing is left of the former
+[[nodiscard]] double exact_end(double middle);
+
+/// @param[in] rough_orders at least these are summed one by one
 /// @return bands along phi
-[[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh);
+[[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+                                               double rough_orders = 0.0);
 /// @return bands along theta
-[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh);
+[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh,
+                                                 double rough_orders = 0.0);
 
 /// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicCoating`
 [[nodiscard]] double measured_order(const Mesh& mesh);

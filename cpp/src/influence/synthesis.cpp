@@ -72,6 +72,17 @@ Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
   return waves;
 }
 
+/// Share of the orders that is not summed by degrees.
+Eigen::ArrayXd local_share(double m, const Eigen::ArrayXd& n, const LocalMetric& metric) {
+  if (metric.exact_degree == 0.0) return Eigen::ArrayXd::Ones(n.size());
+  return 1.0 - (m * m + n.square()).sqrt().unaryExpr([&](double k) { return exact_share(k, metric.exact_degree); });
+}
+
+std::vector<double> scaled(std::vector<double> orders, double factor) {
+  for (double& order : orders) order *= factor;
+  return orders;
+}
+
 /// Sums over n: the rows belong to the orders m, the columns to the offsets in theta.
 struct ThetaSums {
   RowMajor real;
@@ -81,9 +92,11 @@ struct ThetaSums {
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
-            const std::vector<OrderBand>& theta_bands, const Mesh& mesh, double outer_radius, int theta_reach)
+            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Mesh& mesh, double outer_radius,
+            int theta_reach)
       : phi_bands_(phi_bands),
         theta_bands_(theta_bands),
+        metric_(metric),
         phi_spacing_(phi_spacing(mesh)),
         theta_reach_(theta_reach),
         orders_(all_orders(phi_bands)) {
@@ -178,13 +191,15 @@ class Synthesis {
     std::vector<RowMajor> summands(kernels_.size(), RowMajor(2 * count, n.size()));
     std::array<Eigen::ArrayXcd, kEntries> values;
     for (Index i = 0; i < count; ++i) {
-      const OrderValues order(orders_[static_cast<std::size_t>(first + i)], n, series[static_cast<std::size_t>(i)]);
+      const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
+      const OrderValues order(m, n, series[static_cast<std::size_t>(i)]);
+      const Eigen::ArrayXd share = local_share(m, n, metric_);
       std::array<bool, kEntries> evaluated{};
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
         const auto entry = static_cast<std::size_t>(kernels_[k].request.entry);
         if (!evaluated[entry]) order.evaluate(kernels_[k].request.entry, values[entry]);
         evaluated[entry] = true;
-        const Eigen::ArrayXcd weighted = phi_weights_[k][first + i] * values[entry] * theta_weights_[k][band];
+        const Eigen::ArrayXcd weighted = phi_weights_[k][first + i] * values[entry] * theta_weights_[k][band] * share;
         summands[k].row(i) = weighted.real().matrix().transpose();
         summands[k].row(count + i) = weighted.imag().matrix().transpose();
       }
@@ -195,6 +210,7 @@ class Synthesis {
 
   const std::vector<OrderBand>& phi_bands_;
   const std::vector<OrderBand>& theta_bands_;
+  LocalMetric metric_;
   double phi_spacing_;
   int theta_reach_;
   std::vector<double> orders_;  // m of all bands
@@ -227,16 +243,26 @@ OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh&
                theta_bands(sphere, mesh), threads, watch, curvature) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-                   std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature)
+                   std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature,
+                   const LocalMetric& metric)
     : mesh_(mesh),
       phi_bands_(std::move(phi_bands)),
       theta_bands_(std::move(theta_bands)),
-      coating_(sphere, angular_speed, all_orders(phi_bands_), measured_order(mesh), curvature),
+      metric_(metric),
+      // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
+      coating_(sphere, angular_speed * metric.sine, scaled(all_orders(phi_bands_), 1.0 / metric.sine),
+               measured_order(mesh) / metric.sine, curvature),
       spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch)) {}
+
+OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
+                   int threads, Watch& watch)
+    : OrderSum(checked(sphere, angular_speed), angular_speed, mesh,
+               phi_bands(sphere, angular_speed, mesh, metric.exact_degree),
+               theta_bands(sphere, mesh, metric.exact_degree), threads, watch, Curvature::sphere, metric) {}
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
-  Synthesis synthesis(requests, phi_bands_, theta_bands_, mesh_, coating_.outer_radius(), theta_reach);
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, coating_.outer_radius(), theta_reach);
   parallel_for(synthesis.blocks(), threads, watch, "summing orders",
                [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
 

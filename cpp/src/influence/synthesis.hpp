@@ -29,6 +29,13 @@ struct TableRequest {
   friend bool operator==(const TableRequest&, const TableRequest&) = default;
 };
 
+/// @brief Orders as they are seen from another place than the equator of a sphere, above the degrees that
+/// `sphere_sum.hpp` sums by themselves.
+struct LocalMetric {
+  double sine = 1.0;          ///< sin(theta): order m has the wave number m / sine along phi
+  double exact_degree = 0.0;  ///< middle of the step up to which wave numbers are left out; 0 leaves none out
+};
+
 /// @brief What the tables of a coating on a mesh are summed from.
 class OrderSum {
  public:
@@ -44,7 +51,13 @@ class OrderSum {
 
   /// @brief The same with other orders than those of the mesh.
   OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-           std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature = Curvature::sphere);
+           std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature = Curvature::sphere,
+           const LocalMetric& metric = {});
+
+  /// @brief The high orders in another metric, with the membrane stiffness of a sphere. Forces are per area of the
+  /// equator's metric.
+  OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, const LocalMetric& metric, int threads,
+           Watch& watch);
 
   [[nodiscard]] const HarmonicCoating& coating() const { return coating_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
@@ -62,6 +75,7 @@ class OrderSum {
   Mesh mesh_;
   std::vector<OrderBand> phi_bands_;
   std::vector<OrderBand> theta_bands_;
+  LocalMetric metric_;
   HarmonicCoating coating_;
   std::unique_ptr<Spectrum> spectrum_;
 };

@@ -1,0 +1,132 @@
+#include "modal/degree_compliance.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "modal/compliance_recursion.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using std::numbers::sqrt2;
+
+/// u, v, s and tau of degree 1 under a uniform force of amplitude f, with f r^2 and the mean of u + sqrt(2) v, the
+/// share of the uniform displacement (1, sqrt(2)): r^-3 times its integral over r^2 dr.
+using State = Eigen::Matrix<cplx, 6, 1>;
+
+/// z' = B z in ln r.
+Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stress_unit) {
+  const cplx mu = medium.mu / stress_unit;
+  const cplx b = medium.b;
+  const cplx a = 1.0 - 2.0 * b;
+  const cplx gamma = mu * (3.0 - 4.0 * b);
+  // t = sqrt(2) v - 2 u; L - 2 = 0.
+  Eigen::Matrix<cplx, 6, 6> matrix;
+  matrix << -2.0 * a, sqrt2 * a, b / mu, 0.0, 0.0, 0.0,                    //
+      -sqrt2, 1.0, 0.0, 1.0 / mu, 0.0, 0.0,                                //
+      4.0 * gamma, -2.0 * sqrt2 * gamma, 1.0 - 4.0 * b, sqrt2, -1.0, 0.0,  //
+      -2.0 * sqrt2 * gamma, 2.0 * gamma, -sqrt2 * a, -2.0, -sqrt2, 0.0,    //
+      0.0, 0.0, 0.0, 0.0, 2.0, 0.0,                                        //
+      1.0, sqrt2, 0.0, 0.0, 0.0, -3.0;
+  return matrix;
+}
+
+/// Degree 1 of a hollow or solid ball; see `degree_compliance`.
+DegreeCompliance free_degree_one(std::span<const Medium<cplx>> media) {
+  constexpr double kCavity = 1e-4;  // of a solid ball: what it changes falls with its third power
+  constexpr double kStep = 0.5;     // in ln r, over which solutions stay of one size
+  const double surface = media.back().outer_radius;
+  const double stress_unit = std::abs(media.back().mu);
+  const double inner = std::max(media.front().inner_radius, kCavity * surface) / surface;
+
+  // A displacement of the free inner surface that is not uniform, and the uniform force. Lengths are per outer radius.
+  Eigen::Matrix<cplx, 6, 2> states = Eigen::Matrix<cplx, 6, 2>::Zero();
+  states(1, 0) = 1.0;
+  states(4, 1) = inner * inner;
+  double radius = inner;
+  for (const Medium<cplx>& medium : media) {
+    const double extent = std::log(medium.outer_radius / surface / radius);
+    if (extent <= 0.0) continue;
+    const int steps = static_cast<int>(std::ceil(extent / kStep));
+    const Eigen::Matrix<cplx, 6, 6> step = (weighed_matrix(medium, stress_unit) * (extent / steps)).exp();
+    for (int i = 0; i < steps; ++i) {
+      states = step * states;
+      states.col(0) /= states.col(0).head<4>().cwiseAbs().maxCoeff();
+    }
+    radius = medium.outer_radius / surface;
+  }
+
+  // Stresses s and tau at the surface ask for the force -(s + sqrt(2) tau) / volume, with 1/3 as the unit of both.
+  const double volume = 1.0 - inner * inner * inner;
+  const auto displacement = [&](double s, double tau) -> Eigen::Vector2cd {
+    const double force = -(s + sqrt2 * tau) / volume;
+    const State loaded = force * states.col(1);
+    const Eigen::Vector2cd rest(s - loaded(2), tau - loaded(3));
+    const cplx amount = states.col(0).segment<2>(2).dot(rest) / states.col(0).segment<2>(2).squaredNorm();
+    const State state = loaded + amount * states.col(0);
+    const cplx uniform = -state(5) / volume;
+    return {state(0) + uniform, state(1) + sqrt2 * uniform};
+  };
+  const double unit = surface / stress_unit;
+  const Eigen::Vector2cd by_radial = unit * displacement(1.0, 0.0);
+  const Eigen::Vector2cd by_tangential = unit * displacement(0.0, 1.0);
+  return {.radial = by_radial(0), .mixed = by_tangential(0), .along = by_tangential(1), .across = 0.0};
+}
+
+}  // namespace
+
+DegreeCompliance degree_compliance(std::span<const Medium<cplx>> media, int degree) {
+  if (degree == 0) {
+    // The surface has no tangential harmonic of degree 0; the membrane stiffness would be negative.
+    std::vector<Medium<cplx>> radial(media.begin(), media.end());
+    for (Medium<cplx>& medium : radial) medium.curvature = Curvature::sphere;
+    return {.radial = surface_compliance<cplx>(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
+  }
+  if (degree == 1 && media.front().within != InnerBoundary::rigid) return free_degree_one(media);
+  const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, std::sqrt(degree * (degree + 1.0)));
+  return {.radial = y(0, 0), .mixed = y(0, 2), .along = y(2, 2), .across = y(1, 1)};
+}
+
+std::vector<DegreeCompliance> degree_compliances(const HarmonicCoating& coating, const Spectrum& spectrum,
+                                                 std::size_t i, int highest) {
+  constexpr int kFirstOfSpectrum = 2;
+  const double order = coating.orders()[i];
+  const int first = static_cast<int>(std::lround(order));
+  std::vector<DegreeCompliance> compliances;
+  std::vector<Medium<cplx>> media = coating.media(i);
+  for (Medium<cplx>& medium : media) medium.curvature = Curvature::exact;
+  for (int degree = first; degree < std::min(kFirstOfSpectrum, highest + 1); ++degree) {
+    compliances.push_back(degree_compliance(media, degree));
+  }
+  const int from = std::max(first, kFirstOfSpectrum);
+  if (highest < from) return compliances;
+
+  OrderSeries series;
+  spectrum.series(i, series);
+  const Eigen::ArrayXd degrees = Eigen::ArrayXd::LinSpaced(highest - from + 1, from, highest);
+  const Eigen::ArrayXd k = (degrees * (degrees + 1.0)).sqrt();
+  // The entries at k^2 = L, whatever m and n make it up: rtheta and phitheta hold factors n, here k.
+  const OrderValues values(0.0, k, series);
+  Eigen::ArrayXcd radial, mixed, phi, phi_theta, theta;
+  values.evaluate(Entry::rr, radial);
+  values.evaluate(Entry::rtheta, mixed);
+  values.evaluate(Entry::phiphi, phi);
+  values.evaluate(Entry::phitheta, phi_theta);
+  values.evaluate(Entry::thetatheta, theta);
+  for (Eigen::Index l = 0; l < k.size(); ++l) {
+    // phiphi = across + m^2/k^2 (along - across), thetatheta = along - the same, phitheta = m n/k^2 (along - across).
+    const cplx turned = order / k[l] * phi_theta[l];
+    compliances.push_back({.radial = radial[l],
+                           .mixed = cplx(0.0, 1.0) * mixed[l],
+                           .along = theta[l] + turned,
+                           .across = phi[l] - turned});
+  }
+  return compliances;
+}
+
+}  // namespace viscoroll::detail
