@@ -42,6 +42,8 @@ struct SphereRequest {
   /// on both sides, the power lost per radian.
   bool power = false;
   PatchLoad patch_load = PatchLoad::flat;
+
+  friend bool operator==(const SphereRequest&, const SphereRequest&) = default;
 };
 
 /// @brief What the tables of a coating on a mesh are summed from.

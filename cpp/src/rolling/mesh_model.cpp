@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <iterator>
+#include <string>
 
 #include "modal/centrifugal.hpp"
+#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -17,12 +20,35 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
   return kind == TableKind::displacement ? displacement_tables(formulation) : dissipation_tables(formulation);
 }
 
+/// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
+CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
+  constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 per modulus, which changes the torque by less
+  const HarmonicCoating coating = coating_at_rest(sphere, angular_speed, Curvature::sphere);
+  const double speed = angular_speed * coating.outer_radius();
+  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
+    const double share = sphere.layers[l].density * speed * speed / std::abs(coating.modulus(l, 0));
+    if (share > kNegligible) {
+      reject("layers[" + std::to_string(l) + "].density",
+             "so small that inertia is negligible with curvature EXACT, at most " +
+                 text(sphere.layers[l].density * kNegligible / share) + " kg/m^3 at this speed",
+             text(sphere.layers[l].density) + " kg/m^3");
+    }
+    sphere.layers[l].density = 0.0;
+  }
+  return sphere;
+}
+
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     int threads, Watch& watch)
-    : orders_(sphere, angular_speed, mesh, threads, watch, curvature),
-      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, curvature))) {}
+MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+                     Watch& watch)
+    : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
+              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature),
+      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))) {
+  if (curvature == Curvature::exact) {
+    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
+  }
+}
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
                                                             int phi_reach, int theta_reach,

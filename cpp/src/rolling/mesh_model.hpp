@@ -9,6 +9,7 @@
 
 #include "influence/synthesis.hpp"
 #include "parallel.hpp"
+#include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/influence.hpp"
@@ -40,6 +41,10 @@ class MeshModel {
     return {
         .radius = coating().outer_radius(), .phi_spacing = phi_spacing(mesh()), .theta_spacing = theta_spacing(mesh())};
   }
+  /// @return tables of the exact sphere, where that is what the model is of
+  [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
+  /// @return what was kept of the curvature
+  [[nodiscard]] Curvature curvature() const { return sphere_tables_ ? Curvature::exact : coating().curvature(); }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
@@ -67,6 +72,7 @@ class MeshModel {
   [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
 
   OrderSum orders_;
+  std::unique_ptr<const SphereTables> sphere_tables_;
   double centrifugal_;
   mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind

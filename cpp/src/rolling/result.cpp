@@ -113,7 +113,9 @@ class Summary {
   }
 
   void add_fields(Result& r) const {
-    const ArrayXd patch_area = given_.patch_load == PatchLoad::flat ? flat_area_ : area_;
+    // The paper's flat patch has the size of those on the equator.
+    const bool flat = given_.patch_load == PatchLoad::flat && given_.curvature != Curvature::exact;
+    const ArrayXd patch_area = flat ? flat_area_ : area_;
     const ArrayXd pressure = pressing_ / patch_area;
     ArrayX2d shear(size_, 2);
     shear.col(0) = contact_.force.col(kForward) / patch_area;

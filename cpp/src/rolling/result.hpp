@@ -13,6 +13,7 @@ struct ContactConditions {
   LoadCase load_case;
   Mesh mesh;
   Compliance compliance;
+  Curvature curvature;
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]
   double centrifugal;        ///< d_R^(c) [m]

@@ -13,6 +13,7 @@
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
+#include "surface/sphere_operator.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -87,15 +88,32 @@ class LoadCaseSolver {
         return model_.tables(formulation_, kind, phi_reach, theta_reach, execution_);
       };
     };
+    std::shared_ptr<const SurfaceOperator> surface = std::make_shared<TableOperator>(
+        formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
+        tables(TableKind::dissipation), execution_);
+    if (model_.sphere_tables()) surface = on_exact_sphere(std::move(surface));
     ContactProblem problem{
-        .surface = std::make_shared<TableOperator>(
-            formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
-            tables(TableKind::dissipation), execution_),
+        .surface = std::move(surface),
         .initial_gap = swelling_ * nodes.height(),
         .normal_force = load_case_.load,
         .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
     return problem;
+  }
+
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
+      std::shared_ptr<const SurfaceOperator> nearby) const {
+    SphereRequest request{.tangential = nearby->local().directions.size() == 3,
+                          .power = false,
+                          .patch_load = options_.patch_load};
+    const auto& [phi, theta] = nearby->window();
+    auto tables = model_.sphere_tables()->tables(request, phi.count() - 1, theta.last, execution_);
+    request.power = true;
+    return std::make_shared<SphereOperator>(std::move(nearby), std::move(tables),
+                                            [this, request](int phi_reach, int half_theta) {
+                                              return model_.sphere_tables()->tables(request, phi_reach, half_theta,
+                                                                                    execution_);
+                                            });
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
@@ -143,6 +161,7 @@ class LoadCaseSolver {
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
                         .compliance = options_.compliance,
+                        .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.coating().sphere()),
                         .centrifugal = model_.centrifugal(),

@@ -57,7 +57,6 @@ void validate(const Options& options) {
   }
   if (options.max_iterations < 1) detail::reject("max_iterations", ">= 1", std::to_string(options.max_iterations));
   detail::require_thread_count(options.threads);
-  detail::require_orders(options.curvature);
 }
 
 Result with_warnings(Result result, const Options& options, bool mesh_given) {
@@ -90,7 +89,6 @@ RollingModel::RollingModel(const CoatedSphere& sphere, double angular_speed, con
   viscoroll::validate(mesh);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
-  detail::require_orders(curvature);
   detail::Watch watch(observer);
   impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, curvature, threads, watch}});
 }

@@ -1,0 +1,31 @@
+#include "rolling/sphere_tables.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace viscoroll::detail {
+
+std::shared_ptr<const std::vector<SphereTable>> SphereTables::tables(const SphereRequest& request, int phi_reach,
+                                                                     int half_theta,
+                                                                     const Execution& execution) const {
+  std::unique_lock lock(mutex_, std::defer_lock);
+  while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
+    execution.watch.get().poll("waiting for another thread's tables", 0.0);
+  }
+  const auto same = [&](const Set& set) { return set.request == request; };
+  const auto found = std::find_if(sets_.begin(), sets_.end(), same);
+  if (found != sets_.end()) {
+    const SphereTable& table = found->tables->front();
+    const int half = (table.theta_nodes() - 1) / 2;
+    if (table.phi_reach() >= phi_reach && half >= half_theta) return found->tables;
+    phi_reach = std::max(phi_reach, table.phi_reach());
+    half_theta = std::max(half_theta, half);
+    sets_.erase(found);
+  }
+  auto tables = std::make_shared<const std::vector<SphereTable>>(
+      sum_.tables(request, phi_reach, half_theta, execution.threads, execution.watch));
+  sets_.push_back({.request = request, .tables = tables});
+  return tables;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,51 @@
+/// @file
+/// @brief The surface of the exact sphere.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "influence/sphere_product.hpp"
+#include "surface/surface_operator.hpp"
+#include "surface/table_operator.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Displacements on the exact sphere, whose influence depends on both thetas. Translation-invariant tables of the
+/// same coating with the membrane stiffness of a sphere stand for it in scales and preconditioners.
+class SphereOperator : public SurfaceOperator {
+ public:
+  using Tables = std::shared_ptr<const std::vector<SphereTable>>;
+  /// Gives tables of the power lost, for thetas from -half_theta to half_theta.
+  using DissipationSource = std::function<Tables(int phi_reach, int half_theta)>;
+
+  /// @param[in] nearby operator on the same window, with `Curvature::sphere`
+  /// @param[in] tables of displacements, reaching across the window
+  /// @param[in] dissipation_source tables of the dissipation
+  SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Tables tables, DissipationSource dissipation_source);
+
+  [[nodiscard]] const Window& window() const override { return nearby_->window(); }
+  [[nodiscard]] const Execution& execution() const override { return nearby_->execution(); }
+  [[nodiscard]] const LocalCompliance& local() const override { return nearby_->local(); }
+  [[nodiscard]] VectorField displacement(const VectorField& force) const override;
+  using SurfaceOperator::normal_displacement;
+  [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
+                                                    const Eigen::VectorXd& pressing) const override;
+  /// Patches of twice the width lie on a whole patch and half of each neighbor.
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
+  /// From the spectral power of each degree and order, summed as the displacements are.
+  [[nodiscard]] double dissipation(const VectorField& force) const override;
+
+ private:
+  /// Forces along x, y and z as loads along the components.
+  [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
+
+  std::shared_ptr<const SurfaceOperator> nearby_;
+  Tables tables_;
+  DissipationSource dissipation_source_;
+  SphereProduct product_;
+};
+
+}  // namespace viscoroll::detail
