@@ -5,12 +5,12 @@
 /// stresses in units of the layer's modulus, the equations of layer_system.hpp read
 ///
 ///     u_r' = a t + b s               s'     = -2 gamma t + (1 - 4b) s + k tau_k
-///     v_k' = v_k - k u_r + tau_k     tau_k' = k (gamma t - a s) + k^2 v_k - 2 tau_k
-///     v_x' = v_x + tau_x             tau_x' = k^2 v_x - 2 tau_x
+///     v_k' = v_k - k u_r + tau_k     tau_k' = k (gamma t - a s) + c v_k - 2 tau_k
+///     v_x' = v_x + tau_x             tau_x' = c v_x - 2 tau_x
 ///
-/// with t = k v_k - 2 u_r: one number, b, is all of the material that is left. Inertia adds q (1 + x)^2 M u at the
-/// radius r (1 + x), q = rho Omega^2 r^2 / mu, to the rates of the stresses. M, that of `inertia_matrix` turned,
-/// couples the six.
+/// with t = k v_k - 2 u_r and the membrane stiffness c: one number, b, is all of the material that is left. Inertia
+/// adds q (1 + x)^2 M u at the radius r (1 + x), q = rho Omega^2 r^2 / mu, to the rates of the stresses. M, that of
+/// `inertia_matrix` turned, couples the six.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct SymmetricLanes {
 template <class Scalar>
 struct StepLanes {
   Lanes<double> k;
-  Lanes<double> membrane;  ///< k^2: stiffness of the surface against tangential displacements
+  Lanes<double> membrane;  ///< `membrane_stiffness`, k^2 - 2 on a sphere
   Lanes<Scalar> b;         ///< `shear_ratio`
   Lanes<double> growth;    ///< x: relative growth of the radius in the step; 0 where a lane does not take part
   bool has_inertia = false;
