@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <complex>
 #include <iterator>
+#include <numbers>
 
 #include "viscoroll/modal.hpp"
 
@@ -17,11 +19,24 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
   return kind == TableKind::displacement ? displacement_tables(formulation) : dissipation_tables(formulation);
 }
 
+/// Loads that alternate from row to row see the mesh's highest order m. The displacement at the nodes resists them with
+/// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
+/// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
+/// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
+double stable_collocation(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+  const std::array m{mesh.nodes_per_revolution / 2};
+  const std::array n{0};
+  const ComplexMatrix3 compliance = surface_compliance(sphere, angular_speed, m, n).front();
+  const double phase = std::max(-std::arg(compliance[0]), -std::arg(compliance[4]));
+  return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+}
+
 }  // namespace
 
 MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch)
     : orders_(sphere, angular_speed, mesh, threads, watch),
-      centrifugal_(centrifugal_displacement(sphere, angular_speed)) {}
+      centrifugal_(centrifugal_displacement(sphere, angular_speed)),
+      collocation_(stable_collocation(sphere, angular_speed, mesh)) {}
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
                                                             int phi_reach, int theta_reach,

@@ -38,6 +38,8 @@ class MeshModel {
     return {
         .radius = coating().outer_radius(), .phi_spacing = phi_spacing(mesh()), .theta_spacing = theta_spacing(mesh())};
   }
+  /// @return where displacements are taken, downstream of the nodes, see `SurfaceOperator::collocation` [spacings]
+  [[nodiscard]] double collocation() const { return collocation_; }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
@@ -66,6 +68,7 @@ class MeshModel {
 
   OrderSum orders_;
   double centrifugal_;
+  double collocation_;
   mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind
 };

@@ -30,8 +30,10 @@ class LoadCaseSolver {
       : model_(model),
         load_case_(load_case),
         options_(options),
-        formulation_{
-            .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
+        formulation_{.compliance = options.compliance,
+                     .patch_load = options.patch_load,
+                     .tangential = load_case.friction > 0.0,
+                     .collocation = model.collocation()},
         limits_{.max_iterations = options.max_iterations},
         execution_{.threads = options.threads, .watch = watch},
         grid_(model.grid()),
@@ -91,7 +93,7 @@ class LoadCaseSolver {
         .surface = std::make_shared<TableOperator>(
             formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
             tables(TableKind::dissipation), execution_),
-        .initial_gap = swelling_ * nodes.height(),
+        .initial_gap = swelling_ * displaced_points(nodes).height(),
         .normal_force = load_case_.load,
         .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
@@ -106,6 +108,11 @@ class LoadCaseSolver {
             .drive = make_drive()};
   }
 
+  /// Where displacements are taken.
+  [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
+    return {grid_, nodes.window(), formulation_.collocation};
+  }
+
   /// Of material over the plane, from row to row, were the speed 0.
   [[nodiscard]] Eigen::ArrayX2d rigid_slip(const SurfaceWindow& nodes) const {
     const double step = grid_.radius * grid_.phi_spacing;
@@ -113,7 +120,8 @@ class LoadCaseSolver {
     const Eigen::Index rest = nodes.shape().size() - stride;
     Eigen::ArrayX2d slip = Eigen::ArrayX2d::Zero(nodes.shape().size(), 2);
     if (options_.slip_kinematics == SlipKinematics::exact) {
-      slip.col(0).tail(rest) = swelling_ * (nodes.x().tail(rest) - nodes.x().head(rest));
+      const Eigen::ArrayXd x = swelling_ * displaced_points(nodes).x();
+      slip.col(0).tail(rest) = x.tail(rest) - x.head(rest);
     } else {
       slip.col(0).tail(rest).setConstant(-step);
     }
@@ -134,18 +142,19 @@ class LoadCaseSolver {
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
-  [[nodiscard]] Result result(const SurfaceWindow& window, const ContactSolution& contact, double dissipation) const {
+  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation) const {
     if (!(contact.penetration > 0.0)) {
       throw ConvergenceError("the load was found to lift the sphere", contact.iterations, contact.residual);
     }
     require_clear_of_core(contact.penetration - model_.centrifugal());
-    return make_result(window, contact,
+    return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
                         .compliance = options_.compliance,
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.coating().sphere()),
                         .centrifugal = model_.centrifugal(),
+                        .height = displaced_points(nodes).height(),
                         .dissipation = dissipation});
   }
 
