@@ -36,11 +36,19 @@ ContactProblem coarsened(const ContactProblem& problem) {
     for (int k = coarse.theta.first; k <= coarse.theta.last; ++k) nodes.push_back(fine.number_of(2 * i, 2 * k));
   }
   ContactProblem result = with_nodes(problem, problem.surface->coarsened(), nodes);
+  // Where displacements are taken downstream of the nodes, coarse ones lie between those of two fine rows.
+  const double share = problem.surface->collocation();
+  const auto next_row = [&](Index node) { return nodes[static_cast<std::size_t>(node)] + fine.theta.count(); };
+  for (Index node = 0; share > 0.0 && node < coarse.shape().size(); ++node) {
+    result.initial_gap[node] += share * (problem.initial_gap[next_row(node)] - result.initial_gap[node]);
+  }
   if (result.friction) {
     const Index stride = fine.theta.count();
     for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways make a coarse one
-      result.friction->rigid_slip.row(node) +=
-          problem.friction->rigid_slip.row(nodes[static_cast<std::size_t>(node)] - stride);
+      const Index fine_node = nodes[static_cast<std::size_t>(node)];
+      const auto& fine_slip = problem.friction->rigid_slip;
+      result.friction->rigid_slip.row(node) += (1.0 - share) * fine_slip.row(fine_node - stride);
+      if (share > 0.0) result.friction->rigid_slip.row(node) += share * fine_slip.row(fine_node + stride);
     }
     result.friction->step *= 2.0;
   }

@@ -47,7 +47,8 @@ Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double 
   const cplx scale = kernel.phase / (circumference * circumference);
   return band.weights * band.orders.unaryExpr([&](double m) {
     const double patch = sinc(0.5 * m * spacing);
-    return scale * (kernel.request.power ? cplx(0.0, m) * patch * patch : cplx(patch));
+    const cplx shift = std::polar(1.0, m * spacing * kernel.request.phi_shift);
+    return scale * (kernel.request.power ? cplx(0.0, m) * patch * patch : patch * shift);
   });
 }
 

@@ -25,6 +25,7 @@ struct TableRequest {
   /// degree `receiver_shape`: with nodal forces on both sides, the power lost per radian.
   bool power = false;
   int receiver_shape = 0;
+  double phi_shift = 0.0;  ///< where displacement is taken, downstream of the node [spacings], in [0, 1/2]
 
   friend bool operator==(const TableRequest&, const TableRequest&) = default;
 };

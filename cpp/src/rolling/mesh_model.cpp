@@ -4,11 +4,14 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <iterator>
+#include <numbers>
 #include <string>
 
 #include "modal/centrifugal.hpp"
 #include "validate.hpp"
+#include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -38,13 +41,28 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   return sphere;
 }
 
+/// Loads that alternate from row to row see the mesh's highest order m. The displacement at the nodes resists them with
+/// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
+/// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
+/// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
+double stable_collocation(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature) {
+  const std::array m{mesh.nodes_per_revolution / 2};
+  const std::array n{0};
+  const ComplexMatrix3 compliance = surface_compliance(sphere, angular_speed, m, n, curvature).front();
+  const double phase = std::max(-std::arg(compliance[0]), -std::arg(compliance[4]));
+  return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+}
+
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
-                     Watch& watch)
+MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
+                     int threads, Watch& watch)
     : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
               threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature),
-      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))) {
+      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
+      collocation_(curvature == Curvature::exact
+                       ? 0.0
+                       : stable_collocation(sphere, angular_speed, mesh, coating().curvature())) {
   if (curvature == Curvature::exact) {
     sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
   }

@@ -45,6 +45,8 @@ class MeshModel {
   [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
   /// @return what was kept of the curvature
   [[nodiscard]] Curvature curvature() const { return sphere_tables_ ? Curvature::exact : coating().curvature(); }
+  /// @return where displacements are taken, downstream of the nodes, see `SurfaceOperator::collocation` [spacings]
+  [[nodiscard]] double collocation() const { return collocation_; }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
@@ -74,6 +76,7 @@ class MeshModel {
   OrderSum orders_;
   std::unique_ptr<const SphereTables> sphere_tables_;
   double centrifugal_;
+  double collocation_;
   mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind
 };

@@ -129,7 +129,7 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    r.displacement = to_vector(contact_.gap - window_.height() + r.penetration);
+    r.displacement = to_vector(contact_.gap - given_.height + r.penetration);
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;

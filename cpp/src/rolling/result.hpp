@@ -17,6 +17,7 @@ struct ContactConditions {
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]
   double centrifugal;        ///< d_R^(c) [m]
+  Eigen::ArrayXd height;     ///< above the lowest point of where displacements are taken, undeformed [m]
   double dissipation;        ///< in the coating, per radian [N m]
 };
 

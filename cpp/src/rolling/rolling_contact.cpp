@@ -31,8 +31,10 @@ class LoadCaseSolver {
       : model_(model),
         load_case_(load_case),
         options_(options),
-        formulation_{
-            .compliance = options.compliance, .patch_load = options.patch_load, .tangential = load_case.friction > 0.0},
+        formulation_{.compliance = options.compliance,
+                     .patch_load = options.patch_load,
+                     .tangential = load_case.friction > 0.0,
+                     .collocation = model.collocation()},
         limits_{.max_iterations = options.max_iterations},
         execution_{.threads = options.threads, .watch = watch},
         grid_(model.grid()),
@@ -92,28 +94,25 @@ class LoadCaseSolver {
         formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
         tables(TableKind::dissipation), execution_);
     if (model_.sphere_tables()) surface = on_exact_sphere(std::move(surface));
-    ContactProblem problem{
-        .surface = std::move(surface),
-        .initial_gap = swelling_ * nodes.height(),
-        .normal_force = load_case_.load,
-        .friction = std::nullopt};
+    ContactProblem problem{.surface = std::move(surface),
+                           .initial_gap = swelling_ * displaced_points(nodes).height(),
+                           .normal_force = load_case_.load,
+                           .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
     return problem;
   }
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
       std::shared_ptr<const SurfaceOperator> nearby) const {
-    SphereRequest request{.tangential = nearby->local().directions.size() == 3,
-                          .power = false,
-                          .patch_load = options_.patch_load};
+    SphereRequest request{
+        .tangential = nearby->local().directions.size() == 3, .power = false, .patch_load = options_.patch_load};
     const auto& [phi, theta] = nearby->window();
     auto tables = model_.sphere_tables()->tables(request, phi.count() - 1, theta.last, execution_);
     request.power = true;
-    return std::make_shared<SphereOperator>(std::move(nearby), std::move(tables),
-                                            [this, request](int phi_reach, int half_theta) {
-                                              return model_.sphere_tables()->tables(request, phi_reach, half_theta,
-                                                                                    execution_);
-                                            });
+    return std::make_shared<SphereOperator>(
+        std::move(nearby), std::move(tables), [this, request](int phi_reach, int half_theta) {
+          return model_.sphere_tables()->tables(request, phi_reach, half_theta, execution_);
+        });
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
@@ -124,6 +123,11 @@ class LoadCaseSolver {
             .drive = make_drive()};
   }
 
+  /// Where displacements are taken.
+  [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
+    return {grid_, nodes.window(), formulation_.collocation};
+  }
+
   /// Of material over the plane, from row to row, were the speed 0.
   [[nodiscard]] Eigen::ArrayX2d rigid_slip(const SurfaceWindow& nodes) const {
     const double step = grid_.radius * grid_.phi_spacing;
@@ -131,7 +135,8 @@ class LoadCaseSolver {
     const Eigen::Index rest = nodes.shape().size() - stride;
     Eigen::ArrayX2d slip = Eigen::ArrayX2d::Zero(nodes.shape().size(), 2);
     if (options_.slip_kinematics == SlipKinematics::exact) {
-      slip.col(0).tail(rest) = swelling_ * (nodes.x().tail(rest) - nodes.x().head(rest));
+      const Eigen::ArrayXd x = swelling_ * displaced_points(nodes).x();
+      slip.col(0).tail(rest) = x.tail(rest) - x.head(rest);
     } else {
       slip.col(0).tail(rest).setConstant(-step);
     }
@@ -152,12 +157,12 @@ class LoadCaseSolver {
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
-  [[nodiscard]] Result result(const SurfaceWindow& window, const ContactSolution& contact, double dissipation) const {
+  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation) const {
     if (!(contact.penetration > 0.0)) {
       throw ConvergenceError("the load was found to lift the sphere", contact.iterations, contact.residual);
     }
     require_clear_of_core(contact.penetration - model_.centrifugal());
-    return make_result(window, contact,
+    return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
                         .compliance = options_.compliance,
@@ -165,6 +170,7 @@ class LoadCaseSolver {
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.coating().sphere()),
                         .centrifugal = model_.centrifugal(),
+                        .height = displaced_points(nodes).height(),
                         .dissipation = dissipation});
   }
 

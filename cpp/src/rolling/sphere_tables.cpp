@@ -6,8 +6,7 @@
 namespace viscoroll::detail {
 
 std::shared_ptr<const std::vector<SphereTable>> SphereTables::tables(const SphereRequest& request, int phi_reach,
-                                                                     int half_theta,
-                                                                     const Execution& execution) const {
+                                                                     int half_theta, const Execution& execution) const {
   std::unique_lock lock(mutex_, std::defer_lock);
   while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
     execution.watch.get().poll("waiting for another thread's tables", 0.0);

@@ -48,6 +48,10 @@ class SurfaceOperator {
   [[nodiscard]] virtual const Window& window() const = 0;
   [[nodiscard]] virtual const Execution& execution() const = 0;
 
+  /// @brief Where displacements are taken, downstream of the nodes [spacings]: 0, at the nodes, but where memory leaves
+  /// the surface no resistance to forces that alternate from row to row (theory.md section 5).
+  [[nodiscard]] virtual double collocation() const { return 0.0; }
+
   /// @param[in] force on every node [N]
   /// @return displacement of every node [m]
   [[nodiscard]] virtual VectorField displacement(const VectorField& force) const = 0;

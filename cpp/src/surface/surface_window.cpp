@@ -20,7 +20,8 @@ struct Angle {
 
 }  // namespace
 
-SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window) : grid_(grid), window_(window) {
+SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, double shift)
+    : grid_(grid), window_(window), shift_(shift) {
   const auto& [phi, theta] = window;
   const Eigen::Index count = shape().size();
   x_.resize(count);
@@ -32,7 +33,7 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window) : gr
   for (int k = theta.first; k <= theta.last; ++k) columns.emplace_back(-k * grid.theta_spacing);  // pi/2 - theta
   Eigen::Index node = 0;
   for (int i = phi.first; i <= phi.last; ++i) {
-    const Angle forward(-i * grid.phi_spacing);  // pi/2 - phi
+    const Angle forward(-(i + shift) * grid.phi_spacing);  // pi/2 - phi
     for (const Angle& sideways : columns) {
       x_[node] = grid.radius * sideways.cosine * forward.sine;
       y_[node] = grid.radius * sideways.cosine * forward.cosine;
@@ -46,7 +47,8 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window) : gr
 Eigen::ArrayXd SurfaceWindow::phi() const {
   const Eigen::Index columns = shape().theta_nodes;
   return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
-    return std::numbers::pi / 2.0 + static_cast<double>(window_.phi.first + node / columns) * grid_.phi_spacing;
+    return std::numbers::pi / 2.0 +
+           (static_cast<double>(window_.phi.first + node / columns) + shift_) * grid_.phi_spacing;
   });
 }
 

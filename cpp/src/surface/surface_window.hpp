@@ -22,7 +22,8 @@ class SurfaceWindow {
  public:
   /// @param[in] grid all nodes
   /// @param[in] window its nodes, less than a quarter revolution from the lowest point
-  SurfaceWindow(const SurfaceGrid& grid, const Window& window);
+  /// @param[in] shift of all points downstream of the nodes [spacings]
+  SurfaceWindow(const SurfaceGrid& grid, const Window& window, double shift = 0.0);
 
   [[nodiscard]] WindowShape shape() const { return window_.shape(); }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
@@ -46,6 +47,7 @@ class SurfaceWindow {
  private:
   SurfaceGrid grid_;
   Window window_;
+  double shift_;
   Eigen::ArrayXd x_, y_, z_, height_;
 };
 

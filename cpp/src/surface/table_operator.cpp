@@ -18,8 +18,8 @@ std::size_t shapes(const Formulation& formulation) {
   return formulation.patch_load == PatchLoad::flat ? 1 : std::size_t{kPatchShapes};
 }
 
-TableRequest displacement_request(Entry entry, std::size_t source) {
-  return {.entry = entry, .source_shape = static_cast<int>(source)};
+TableRequest displacement_request(const Formulation& formulation, Entry entry, std::size_t source) {
+  return {.entry = entry, .source_shape = static_cast<int>(source), .phi_shift = formulation.collocation};
 }
 
 /// Work between patch shapes whose degrees add up to 2 at most, as exact as the displacements.
@@ -55,7 +55,8 @@ class Terms {
     std::vector<ConvolutionTerm> terms;
     for_component_pairs([&](std::size_t p, std::size_t q, SignedEntry c) {
       for (std::size_t source = 0; source < shapes_; ++source) {
-        terms.push_back({p, index_of(displacement_request(c.entry, source), requests), q * shapes_ + source, c.sign});
+        terms.push_back(
+            {p, index_of(displacement_request(formulation_, c.entry, source), requests), q * shapes_ + source, c.sign});
       }
     });
     return terms;
@@ -122,16 +123,20 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
 }
 
 /// Sums of a table over patches of two spacings: a quarter, a half and a quarter each way; at every `stride`-th offset.
-Table widened(const Table& fine, int stride) {
+/// A share of displacements is taken an offset further downstream.
+Table widened(const Table& fine, int stride, double downstream = 0.0) {
   constexpr std::array<double, 3> kShare{0.25, 0.5, 0.25};
-  Table coarse((fine.phi_reach() - 1) / stride, (fine.theta_reach() - 1) / stride, fine.mirror() < 0.0);
+  const std::array<double, 4> phi_share{0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream,
+                                        0.25 * downstream};
+  const int last = downstream > 0.0 ? 2 : 1;
+  Table coarse((fine.phi_reach() - last) / stride, (fine.theta_reach() - 1) / stride, fine.mirror() < 0.0);
   for (int j = -coarse.phi_reach(); j <= coarse.phi_reach(); ++j) {
     const auto row = coarse.row(j);
     for (int l = 0; l <= coarse.theta_reach(); ++l) {
       double sum = 0.0;
-      for (int dj = -1; dj <= 1; ++dj) {
+      for (int dj = -1; dj <= last; ++dj) {
         for (int dl = -1; dl <= 1; ++dl) {
-          sum += kShare[static_cast<std::size_t>(dj + 1)] * kShare[static_cast<std::size_t>(dl + 1)] *
+          sum += phi_share[static_cast<std::size_t>(dj + 1)] * kShare[static_cast<std::size_t>(dl + 1)] *
                  fine(stride * j + dj, stride * l + dl);
         }
       }
@@ -154,7 +159,7 @@ std::vector<TableRequest> displacement_tables(const Formulation& formulation) {
   std::vector<TableRequest> requests;
   for_entries(formulation, [&](Entry entry) {
     for (std::size_t source = 0; source < shapes(formulation); ++source) {
-      requests.push_back(displacement_request(entry, source));
+      requests.push_back(displacement_request(formulation, entry, source));
     }
   });
   return requests;
@@ -178,6 +183,9 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceWindow
       tables_(std::move(tables)),
       dissipation_source_(std::move(dissipation_source)),
       local_{.tables = {}, .directions = load_directions(formulation, nodes)},
+      displaced_directions_(formulation.collocation > 0.0
+                                ? load_directions(formulation, SurfaceWindow(grid_, window_, formulation.collocation))
+                                : decltype(displaced_directions_){}),
       weights_(patch_weights(formulation, nodes)),
       displacements_(window_.shape(), *tables_, Terms(formulation).displacement(), execution.threads, execution.watch),
       execution_(execution) {
@@ -202,9 +210,10 @@ Eigen::ArrayXXd TableOperator::loads(const VectorField& force) const {
 VectorField TableOperator::displacement(const VectorField& force) const {
   const Eigen::ArrayXXd components = displacements_.apply(loads(force), execution_.threads, execution_.watch);
   VectorField result = VectorField::Zero(force.rows(), 3);
-  for (std::size_t p = 0; p < local_.directions.size(); ++p) {
+  const auto& directions = displaced_directions();
+  for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += local_.directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
+      result.col(axis) += directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
     }
   }
   return result;
@@ -223,7 +232,7 @@ Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const 
         });
       },
       [&](int row, std::size_t component, const double* line) {
-        const Eigen::ArrayXd& direction = directions[component][kDown];
+        const Eigen::ArrayXd& direction = displaced_directions()[component][kDown];
         nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
           const double share = direction[nodes.node(i)] * line[k];
           result[i] = component == 0 ? share : result[i] + share;
@@ -252,7 +261,8 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
   // What is loaded and what is displaced are both averages over wider patches where work is lost.
   return std::make_shared<TableOperator>(
       flat, SurfaceWindow(grid, window_.coarsened()),
-      flat_tables(*tables_, displacement_tables, [](const Table& table) { return widened(table, 2); }),
+      flat_tables(*tables_, displacement_tables,
+                  [this](const Table& table) { return widened(table, 2, formulation_.collocation); }),
       [source = dissipation_source_, flat_tables](int phi_reach, int theta_reach) {
         return flat_tables(*source(2 * phi_reach + 2, 2 * theta_reach + 2), dissipation_tables,
                            [](const Table& table) { return widened(widened(table, 1), 2); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -19,7 +20,8 @@ namespace viscoroll::detail {
 struct Formulation {
   Compliance compliance;
   PatchLoad patch_load;
-  bool tangential;  ///< whether forces along the plane occur
+  bool tangential;           ///< whether forces along the plane occur
+  double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
 
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
@@ -31,8 +33,8 @@ struct Formulation {
 [[nodiscard]] std::vector<TableRequest> dissipation_tables(const Formulation& formulation);
 
 /// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
-/// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along the
-/// plane press with their share of r, and u_r moves the surface along the plane.
+/// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along
+/// the plane press with their share of r, and u_r moves the surface along the plane.
 class TableOperator : public SurfaceOperator {
  public:
   using Tables = std::shared_ptr<const std::vector<Table>>;
@@ -58,10 +60,14 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
+  [[nodiscard]] double collocation() const override { return formulation_.collocation; }
   /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
   [[nodiscard]] double dissipation(const VectorField& force) const override;
 
  private:
+  [[nodiscard]] const std::vector<std::array<Eigen::ArrayXd, 3>>& displaced_directions() const {
+    return displaced_directions_.empty() ? local_.directions : displaced_directions_;
+  }
   /// Forces along x, y and z as loads along the components, a column for each component * shapes + shape.
   [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
 
@@ -71,6 +77,8 @@ class TableOperator : public SurfaceOperator {
   Tables tables_;
   DissipationSource dissipation_source_;
   LocalCompliance local_;
+  /// As the directions of `local_`, where displacements are taken; empty where that is at the nodes.
+  std::vector<std::array<Eigen::ArrayXd, 3>> displaced_directions_;
   std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
   Convolution displacements_;
   Execution execution_;
