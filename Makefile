@@ -18,7 +18,7 @@ JOBS := $(shell nproc 2>/dev/null || echo 2)
 help:
 	@echo "make demo      solve the paper's example and draw it"
 	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
-	@echo "make lint      check formatting, types and stubs"
+	@echo "make lint      check formatting, C++ by clang-tidy, types and stubs"
 	@echo "make format    format all sources"
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
@@ -63,6 +63,8 @@ lint: $(VENV)/lint.stamp
 	$(BIN)/ruff check python tests bench
 	$(BIN)/clang-format --dry-run --Werror $(CXX_FILES)
 	$(BIN)/gersemi --check $(CMAKE_FILES)
+	cmake --preset release
+	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/release -j $(JOBS) -quiet -hide-progress
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
 

@@ -72,8 +72,10 @@ TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
   const ComplexBuffer input = ramp(64);
   ComplexBuffer expected = input;
   shared.backward(expected.data());
+  constexpr int kThreads = 8;
   std::vector<std::jthread> threads;
-  for (int t = 0; t < 8; ++t) {
+  threads.reserve(kThreads);
+  for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([&] {
       for (int i = 0; i < 50; ++i) {
         const ComplexFft own(64);

@@ -37,7 +37,7 @@ void run_at_once(int threads, const std::function<void(std::size_t, const Worker
 /// Counts the threads that touch it.
 struct ThreadCounter {
   static inline std::atomic<int> threads = 0;
-  ThreadCounter() { ++threads; }
+  ThreadCounter() noexcept { ++threads; }
   void touch() {}
 };
 thread_local ThreadCounter thread_counter;
@@ -94,7 +94,7 @@ TEST(ParallelFor, DoesNothingForNoIndex) {
 }
 
 TEST(ParallelFor, MayBeCalledByItsBodies) {
-  std::vector<std::atomic<int>> visits(8 * 8 * 8);
+  std::vector<std::atomic<int>> visits(512);
   run(8, 3, [&](std::size_t i, const Worker&) {
     run(8, 3, [&](std::size_t j, const Worker&) {
       run(8, 3, [&](std::size_t k, const Worker&) { ++visits[64 * i + 8 * j + k]; });

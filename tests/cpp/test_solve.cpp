@@ -28,8 +28,10 @@ TEST(Solve, ManyThreadsSolveAtOnce) {
     return solve(cases::unlike_layers(), {.load = 50.0, .angular_speed = 2.5}, kCoarse).resisting_torque;
   };
   const double expected = torque();
+  constexpr int kThreads = 8;
   std::vector<std::jthread> threads;
-  for (int t = 0; t < 8; ++t) threads.emplace_back([&] { EXPECT_EQ(torque(), expected); });
+  threads.reserve(kThreads);
+  for (int t = 0; t < kThreads; ++t) threads.emplace_back([&] { EXPECT_EQ(torque(), expected); });
 }
 
 TEST(Solve, FrictionDoesNotDependOnTheNumberOfThreads) {
@@ -55,6 +57,7 @@ TEST(RollingModel, ThreadsShareIt) {
   // Each load needs wider tables than the one before.
   const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
   std::vector<std::jthread> threads;
+  threads.reserve(loads.size());
   for (const double load : loads) {
     threads.emplace_back([&model, load] {
       const LoadCase load_case{.load = load, .angular_speed = 2.5, .friction = 0.1};

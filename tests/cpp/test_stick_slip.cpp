@@ -27,7 +27,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
     state_.force = VectorField::Zero(shape.size(), 3);
     for (Eigen::Index i = 3; i < shape.phi_nodes - 2; ++i) {
       for (Eigen::Index k = 2; k < shape.theta_nodes - 2; ++k) {
-        if (std::hypot(i - 8.0, k - 8.0) > 6.0) continue;
+        if (std::hypot(static_cast<double>(i - 8), static_cast<double>(k - 8)) > 6.0) continue;
         const Eigen::Index node = i * shape.theta_nodes + k;
         const auto aside = static_cast<double>(k - 8);
         const double angle = aside * (0.1 + 0.02 * static_cast<double>(i));

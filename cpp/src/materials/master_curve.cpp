@@ -23,23 +23,25 @@ std::size_t first_dynamic(const MasterCurve& curve) { return curve.frequency.fro
 }  // namespace
 
 void validate_table(const MasterCurve& curve, std::string_view prefix) {
-  const std::string base(prefix);
   const std::size_t length = curve.frequency.size();
   require_column(prefix, "storage", curve.storage, length);
   require_column(prefix, "loss", curve.loss, length);
   for (std::size_t i = 0; i < length; ++i) {
-    const std::string index = "[" + std::to_string(i) + "]";
-    require_nonnegative(base + "frequency" + index, curve.frequency[i], "rad/s");
+    const auto entry = [&](std::string_view column) {
+      return std::string(prefix).append(column).append("[").append(std::to_string(i)).append("]");
+    };
+    require_nonnegative(entry("frequency"), curve.frequency[i], "rad/s");
     if (i > 0 && !(curve.frequency[i] > curve.frequency[i - 1])) {
-      reject(base + "frequency" + index,
+      reject(entry("frequency"),
              "> frequency[" + std::to_string(i - 1) + "] = " + text(curve.frequency[i - 1]) + " rad/s (a sorted table)",
              curve.frequency[i]);
     }
-    require_positive(base + "storage" + index, curve.storage[i], "Pa");
-    require_nonnegative(base + "loss" + index, curve.loss[i], "Pa");
+    require_positive(entry("storage"), curve.storage[i], "Pa");
+    require_nonnegative(entry("loss"), curve.loss[i], "Pa");
   }
   if (length < 2 || length - first_dynamic(curve) < 2) {
-    reject(base + "frequency", "a table of at least two entries above 0 rad/s", std::to_string(length) + " entries");
+    reject(std::string(prefix) + "frequency", "a table of at least two entries above 0 rad/s",
+           std::to_string(length) + " entries");
   }
 }
 

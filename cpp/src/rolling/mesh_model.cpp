@@ -110,8 +110,8 @@ void MeshModel::add(const Formulation& formulation, std::span<const TableKind> k
 }
 
 const MeshModel::TableSet* MeshModel::find(const Formulation& formulation, TableKind kind) const {
-  const auto set = std::find_if(sets_.begin(), sets_.end(),
-                                [&](const TableSet& s) { return s.formulation == formulation && s.kind == kind; });
+  const auto set =
+      std::ranges::find_if(sets_, [&](const TableSet& s) { return s.formulation == formulation && s.kind == kind; });
   return set == sets_.end() ? nullptr : &*set;
 }
 

@@ -90,6 +90,7 @@ RollingModel::RollingModel(const CoatedSphere& sphere, double angular_speed, con
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
+  // NOLINTNEXTLINE(modernize-make-unique): which cannot make an aggregate in place, and this one cannot be moved
   impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, curvature, threads, watch}});
 }
 
