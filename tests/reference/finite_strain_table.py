@@ -1,6 +1,6 @@
 """Both compliances of the library beside finite strain: `python -m tests.reference.finite_strain_table`.
 
-Prints a table for every geometry, ten minutes in all on one core. Of the reference, this file alone imports the
+Prints a table for every geometry, some twenty minutes in all on one core. Of the reference, this file alone imports the
 package, as what is judged. Lengths are in mm, moduli in units of G; loads agree, and all else is compared.
 """
 
