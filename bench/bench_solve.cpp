@@ -110,6 +110,21 @@ void friction(benchmark::State& state, double coefficient, int nodes) {
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
+/// A ball of which half the radius is coating, on the exact sphere or with what another curvature keeps of it; the
+/// error is against the exact sphere's torque on meshes of up to 1600 nodes per revolution [N m].
+void thick_coating(benchmark::State& state, Curvature curvature, int nodes, double coefficient, double reference) {
+  const CoatedSphere sphere = cases::thick_coating();
+  const Options options{
+      .mesh = Mesh{.nodes_per_revolution = nodes}, .compliance = Compliance::radial, .curvature = curvature};
+  Result result;
+  for (auto _ : state) {
+    result = solve(sphere, {.load = 100.0, .angular_speed = 2.5, .friction = coefficient}, options);
+  }
+  state.counters["error"] = relative_error(result.driving_torque, reference);
+  state.counters["power_balance_error"] = result.power_balance_error;
+  count(result, state);
+}
+
 /// Sixteen coefficients from 0.01 to 2 on one set of tables; the error is the largest power balance.
 void friction_sweep(benchmark::State& state) {
   double error = 0.0;
@@ -135,7 +150,7 @@ void speed_sweep(benchmark::State& state) {
   const auto work = [&] {
     for (int i = next++; i < 200; i = next++) {
       const double speed = 2.5 * std::pow(500.0, (i - kExample) / 199.0);
-      const RollingModel model(sphere, speed, {500, 500}, 1);
+      const RollingModel model(sphere, speed, {500, 500}, 1, Curvature::paper);
       for (int load = 10; load <= 100; load += 10) {
         const Result result = model.solve({.load = 1.0 * load, .angular_speed = speed}, options);
         if (i == kExample && load == 100) torque = result.resisting_torque;
@@ -168,6 +183,17 @@ BENCHMARK_CAPTURE(friction, mu_001_pi_250, 0.01, 500)->Unit(kUnit)->UseRealTime(
 BENCHMARK_CAPTURE(friction, mu_03_pi_400, 0.3, 800)->Unit(kUnit)->UseRealTime();
 BENCHMARK(friction_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK(speed_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
+// On meshes of 1600 nodes per revolution without friction and 800 with it.
+constexpr double kThickTorque = 52.74e-3;
+constexpr double kThickFrictionTorque = 52.0e-3;
+BENCHMARK_CAPTURE(thick_coating, paper, Curvature::paper, 800, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, sphere, Curvature::sphere, 800, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, exact_200, Curvature::exact, 200, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, exact_400, Curvature::exact, 400, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, exact_800, Curvature::exact, 800, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, exact_400_friction, Curvature::exact, 400, 0.3, kThickFrictionTorque)
+    ->Unit(kUnit)
+    ->UseRealTime();
 constexpr double kRadialTorque = 11.3867e-3;    // meshes of pi/6600 and finer
 constexpr double kVerticalTorque = 11.1854e-3;  // likewise
 BENCHMARK_CAPTURE(to_accuracy, one_percent, 0.01, Compliance::vertical, kVerticalTorque)->Unit(kUnit)->UseRealTime();

@@ -16,6 +16,13 @@ inline viscoroll::CoatedSphere paper_sphere(double density = 1000.0, double thic
                       .density = density}}};
 }
 
+/// A coating that makes up half of the radius, 21 mm, of the same material.
+inline viscoroll::CoatedSphere thick_coating() {
+  viscoroll::CoatedSphere sphere = paper_sphere(0.0, 10.5e-3);
+  sphere.core_radius = 10.5e-3;
+  return sphere;
+}
+
 /// Two layers that share no relaxation function: every order m has a response of its own.
 inline viscoroll::CoatedSphere unlike_layers() {
   return {.core_radius = 20e-3,

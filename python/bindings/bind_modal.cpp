@@ -13,6 +13,26 @@ namespace {
 using namespace viscoroll;
 using cplx = std::complex<double>;
 
+py::array_t<cplx> as_array(const std::vector<ComplexMatrix3>& compliances) {
+  py::array_t<cplx> result({static_cast<py::ssize_t>(compliances.size()), py::ssize_t{3}, py::ssize_t{3}});
+  cplx* out = result.mutable_data();
+  for (const ComplexMatrix3& compliance : compliances) out = std::copy(compliance.begin(), compliance.end(), out);
+  return result;
+}
+
+py::array_t<cplx> degree_compliance_array(const CoatedSphere& sphere, const InputArray<int>& degree,
+                                          const InputArray<int>& order, double angular_speed) {
+  const auto degrees = view(degree);
+  const auto orders = view(order);
+  std::vector<ComplexMatrix3> compliances;
+  {
+    const Observer observer = python_observer(py::none());
+    const py::gil_scoped_release release;
+    compliances = degree_compliance(sphere, angular_speed, degrees, orders, observer);
+  }
+  return as_array(compliances);
+}
+
 py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const InputArray<int>& m,
                                            const InputArray<int>& n, double angular_speed, Curvature curvature) {
   const auto orders_m = view(m);
@@ -23,10 +43,7 @@ py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const Inp
     const py::gil_scoped_release release;
     compliances = surface_compliance(sphere, angular_speed, orders_m, orders_n, curvature, observer);
   }
-  py::array_t<cplx> result({static_cast<py::ssize_t>(compliances.size()), py::ssize_t{3}, py::ssize_t{3}});
-  cplx* out = result.mutable_data();
-  for (const ComplexMatrix3& compliance : compliances) out = std::copy(compliance.begin(), compliance.end(), out);
-  return result;
+  return as_array(compliances);
 }
 
 py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mesh& mesh, double angular_speed,
@@ -46,6 +63,8 @@ py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mes
 }  // namespace
 
 void bind_modal(py::module_& m) {
+  m.def("degree_compliance", &degree_compliance_array, py::arg("sphere"), py::arg("degree").noconvert(),
+        py::arg("order").noconvert(), py::kw_only(), py::arg("angular_speed"));
   m.def("surface_compliance", &surface_compliance_array, py::arg("sphere"), py::arg("m").noconvert(),
         py::arg("n").noconvert(), py::kw_only(), py::arg("angular_speed"), py::arg("curvature"));
   m.def(

@@ -137,6 +137,7 @@ void bind_solve(py::module_& m) {
       .def_readonly("center_height", &Result::center_height)
       .def_readonly("penetration", &Result::penetration)
       .def_readonly("strain", &Result::strain)
+      .def_readonly("model_error", &Result::model_error)
       .def_readonly("semi_axis_x", &Result::semi_axis_x)
       .def_readonly("semi_axis_z", &Result::semi_axis_z)
       .def_readonly("contact_area", &Result::contact_area)

@@ -40,6 +40,7 @@ from .mesh import Mesh
 from .orders import (
     centrifugal_displacement,
     critical_speed,
+    degree_compliance,
     influence_tables,
     state_matrix,
     surface_compliance,
@@ -79,6 +80,7 @@ __all__ = [
     "analytic",
     "centrifugal_displacement",
     "critical_speed",
+    "degree_compliance",
     "fit_friction_law",
     "fit_power_law",
     "fit_thickness_law",

@@ -22,7 +22,14 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["centrifugal_displacement", "critical_speed", "influence_tables", "state_matrix", "surface_compliance"]
+__all__ = [
+    "centrifugal_displacement",
+    "critical_speed",
+    "degree_compliance",
+    "influence_tables",
+    "state_matrix",
+    "surface_compliance",
+]
 
 
 def surface_compliance(
@@ -68,7 +75,7 @@ def surface_compliance(
     """
     require_type("ball", ball, CoatedSphere)
     require_type("curvature", curvature, Curvature)
-    orders_m, orders_n = _broadcast(as_orders("m", m), as_orders("n", n))
+    orders_m, orders_n = _broadcast("m and n", as_orders("m", m), as_orders("n", n))
     compliance = _core.surface_compliance(
         ball._to_core(),
         np.ascontiguousarray(orders_m.ravel()),
@@ -77,6 +84,55 @@ def surface_compliance(
         curvature=curvature,
     )
     return compliance.reshape(*orders_m.shape, 3, 3)
+
+
+def degree_compliance(
+    ball: CoatedSphere, angular_speed: float, degree: ArrayLike, order: ArrayLike
+) -> NDArray[np.complex128]:
+    """Surface compliance of the exact sphere without inertia: displacement per surface stress of single harmonics.
+
+    These are the vector spherical harmonics Y, Ψ = r∇Y/√(l(l+1)) and Φ = e_r × Ψ about the rolling axis.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Core and layers; densities do not count.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    degree, order : array_like of int
+        Degrees l ≥ 0 and orders m, |m| ≤ l, of shapes that broadcast. The material sees the frequency mΩ.
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 3, 3)
+        Compliance [m/Pa], rows and columns in the order (Y, Ψ, Φ). Degree 0 has Y alone. Without a core, degree 1 is
+        what is left beyond the rigid motions: its loads are balanced by a uniform force on the volume, and the mean
+        displacement of the volume and the mean turning of the surface are 0.
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic, Layer, CoatedSphere
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=1.0), poisson_ratio=0.5)
+    >>> ball = CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> degree_compliance(ball, 1.0, [10, 20], 0).shape
+    (2, 3, 3)
+    """
+    require_type("ball", ball, CoatedSphere)
+    degrees, orders = _broadcast("degree and order", as_orders("degree", degree), as_orders("order", order))
+    compliance = _core.degree_compliance(
+        ball._to_core(),
+        np.ascontiguousarray(degrees.ravel()),
+        np.ascontiguousarray(orders.ravel()),
+        angular_speed=as_float("angular_speed", angular_speed),
+    )
+    return compliance.reshape(*degrees.shape, 3, 3)
 
 
 def state_matrix(
@@ -247,11 +303,11 @@ def influence_tables(
     )
 
 
-def _broadcast(m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+def _broadcast(names: str, m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     try:
         shape = np.broadcast_shapes(m.shape, n.shape)
     except ValueError:
-        raise ValueError(f"m and n must have shapes that broadcast, got {m.shape} and {n.shape}") from None
+        raise ValueError(f"{names} must have shapes that broadcast, got {m.shape} and {n.shape}") from None
     return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
 
 

@@ -38,6 +38,21 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
                                                              Curvature curvature = Curvature::sphere,
                                                              const Observer& observer = {});
 
+/// @brief Surface compliance of the exact sphere without inertia, of single degrees l and orders m of the vector
+/// spherical harmonics Y, Psi = r grad Y / sqrt(l (l + 1)) and Phi = e_r x Psi: displacement [m] per surface stress
+/// [Pa]. Theory.md section 3.
+/// @param[in] sphere core and layers, whose densities do not count
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] degree l, >= 0
+/// @param[in] order m, any sign, |m| <= l, as many as `degree`
+/// @param[in] observer progress and cancellation
+/// @return one matrix for each pair (l, m) [m/Pa], in the order (Y, Psi, Phi)
+/// @throws std::invalid_argument for bad input
+/// @throws Cancelled where the observer stopped it
+[[nodiscard]] std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double angular_speed,
+                                                            std::span<const int> degree, std::span<const int> order,
+                                                            const Observer& observer = {});
+
 /// @brief Matrix of the system z' = B z in s = ln r, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi,
 /// r sigma_rtheta): paper equation (23) in the form of theory.md section 3, finite at Poisson's ratio 1/2.
 /// @param[in] layer the layer that holds the point

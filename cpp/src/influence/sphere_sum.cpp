@@ -132,8 +132,6 @@ Eigen::ArrayXd node_thetas(int nodes, double spacing) {
   return 0.5 * std::numbers::pi + spacing * Eigen::ArrayXd::LinSpaced(nodes, -half, half);
 }
 
-std::size_t table_count(const SphereRequest& request) { return request.tangential ? 9 : 1; }
-
 /// Chebyshev nodes of the metric's range, and the polynomial that is 1 at one of them and 0 at the others.
 class MetricNodes {
  public:
@@ -172,7 +170,8 @@ SphereSum::SphereSum(const CoatedSphere& sphere, double angular_speed, const Mes
 
 std::vector<SphereTable> SphereSum::tables(const SphereRequest& request, int phi_reach, int half_theta, int threads,
                                            Watch& watch) const {
-  std::vector<SphereTable> tables(table_count(request), SphereTable(phi_reach, 2 * half_theta + 1));
+  std::vector<SphereTable> tables(static_cast<std::size_t>(request.count()),
+                                  SphereTable(phi_reach, 2 * half_theta + 1));
   add_degrees(request, tables, threads, watch);
   if (std::isfinite(exact_degree_)) add_local(request, tables, threads, watch);
   return tables;

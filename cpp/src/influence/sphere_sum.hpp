@@ -35,6 +35,9 @@ class SphereTable {
   std::vector<Eigen::MatrixXd> slices_;
 };
 
+/// @brief Values of all tables of a window with so many nodes along each side, beyond which it is refused: 4 GB.
+constexpr double kMostTableValues = 5e8;
+
 /// @brief Which tables.
 struct SphereRequest {
   bool tangential = false;  ///< all nine [3 P + Q] of (r, phi, theta), or r by r alone
@@ -43,6 +46,7 @@ struct SphereRequest {
   bool power = false;
   PatchLoad patch_load = PatchLoad::flat;
 
+  [[nodiscard]] int count() const { return tangential ? 9 : 1; }
   friend bool operator==(const SphereRequest&, const SphereRequest&) = default;
 };
 

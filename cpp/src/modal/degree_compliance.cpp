@@ -88,6 +88,11 @@ DegreeCompliance degree_compliance(std::span<const Medium<cplx>> media, int degr
     return {.radial = surface_compliance<cplx>(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
   }
   if (degree == 1 && media.front().within != InnerBoundary::rigid) return free_degree_one(media);
+  if (degree == 1) {
+    // Along the diagonal k^2 is 2 to the last bit: a small core makes much of any stiffness against turning.
+    const Matrix3<cplx> y = surface_compliance<cplx>(media, 1.0, 1.0);
+    return {.radial = y(0, 0), .mixed = sqrt2 * y(0, 1), .along = y(1, 1) + y(1, 2), .across = y(1, 1) - y(1, 2)};
+  }
   const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, std::sqrt(degree * (degree + 1.0)));
   return {.radial = y(0, 0), .mixed = y(0, 2), .along = y(2, 2), .across = y(1, 1)};
 }

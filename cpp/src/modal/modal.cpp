@@ -1,12 +1,14 @@
 // Public face of this folder: single orders, for callers outside the library.
 #include "viscoroll/modal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
 #include "modal/compliance_recursion.hpp"
+#include "modal/degree_compliance.hpp"
 #include "modal/layer_system.hpp"
 #include "modal/medium.hpp"
 #include "parallel.hpp"
@@ -42,6 +44,40 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
     const Eigen::Matrix3cd compliance =
         detail::to_physical(detail::surface_compliance<cplx>(media, magnitudes[i], conjugate ? -n[i] : n[i]));
     Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
+  });
+  return compliances;
+}
+
+std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double angular_speed,
+                                              std::span<const int> degree, std::span<const int> order,
+                                              const Observer& observer) {
+  constexpr int kHighestDegree = 1000000;
+  if (degree.size() != order.size()) {
+    detail::reject("order", "as long as degree (" + std::to_string(degree.size()) + ")", std::to_string(order.size()));
+  }
+  std::vector<double> magnitudes;
+  for (std::size_t i = 0; i < degree.size(); ++i) {
+    if (degree[i] < 0 || degree[i] > kHighestDegree) {
+      detail::reject("degree", "in [0, 1e6]", std::to_string(degree[i]));
+    }
+    if (order[i] < -degree[i] || order[i] > degree[i]) {
+      detail::reject("order", "at most the degree " + std::to_string(degree[i]) + " in magnitude",
+                     std::to_string(order[i]));
+    }
+    magnitudes.push_back(std::abs(order[i]));
+  }
+  CoatedSphere still = sphere;
+  for (Layer& layer : still.layers) layer.density = 0.0;
+  const detail::HarmonicCoating coating(still, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
+                                        Curvature::exact);
+
+  detail::Watch watch(observer);
+  std::vector<ComplexMatrix3> compliances(degree.size());
+  detail::parallel_for(degree.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
+    const auto c = detail::degree_compliance(coating.media(i), degree[i]);
+    ComplexMatrix3& matrix = compliances[i];
+    matrix = {c.radial, c.mixed, 0.0, c.mixed, c.along, 0.0, 0.0, 0.0, c.across};
+    if (order[i] < 0) std::transform(matrix.begin(), matrix.end(), matrix.begin(), [](cplx z) { return std::conj(z); });
   });
   return compliances;
 }

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "viscoroll/errors.hpp"
@@ -34,10 +35,22 @@ Mesh make_mesh(double nodes_per_revolution) {
 /// contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
+/// Finest mesh whose tables can be kept: those of the exact sphere depend on both thetas.
+double most_nodes_per_revolution(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options,
+                                 double contact_radius) {
+  if (options.curvature != Curvature::exact) return kMostNodesPerRevolution;
+  const bool tangential = options.compliance == Compliance::vertical || load_case.friction > 0.0;
+  const int count = SphereRequest{.tangential = tangential, .power = false}.count();
+  const double nodes_across = std::cbrt(0.5 * kMostTableValues / count);
+  constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
+  return std::numbers::pi * nodes_across / kMargin * outer_radius(sphere) / contact_radius;
+}
+
 /// Whether the next mesh would ask for more than is at hand.
-bool is_finest(const Result& result, double friction) {
+bool is_finest(const Result& result, double friction, double most_nodes) {
   const double next = 4.0 * result.refinements.back().contact_nodes;
   return result.mesh.nodes_per_revolution == kMostNodesPerRevolution ||
+         (most_nodes < kMostNodesPerRevolution && 2.0 * result.mesh.nodes_per_revolution > most_nodes) ||
          next > (friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes);
 }
 
@@ -89,8 +102,10 @@ class Refiner {
   Refiner(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch)
       : sphere_(sphere), load_case_(load_case), options_(options), watch_(watch) {
     const double radius = estimate_contact_radius(sphere, load_case.angular_speed, load_case.load);
+    most_nodes_ = most_nodes_per_revolution(sphere, load_case, options, radius);
     // The first mesh is to show the error of the second, which should do.
-    mesh_ = make_mesh(std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius);
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius;
+    mesh_ = make_mesh(std::min(nodes, most_nodes_));
   }
 
   [[nodiscard]] Result solve() {
@@ -122,7 +137,7 @@ class Refiner {
       return !best_ && first_failure && restart_from(2.0 * mesh_.nodes_per_revolution);
     }
     if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
-    return !is_finest(*best_, load_case_.friction) && restart_from(2.0 * mesh_.nodes_per_revolution);
+    return !is_finest(*best_, load_case_.friction, most_nodes_) && restart_from(2.0 * mesh_.nodes_per_revolution);
   }
 
   /// @return whether that is another mesh
@@ -145,6 +160,7 @@ class Refiner {
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
+  double most_nodes_;
   Mesh mesh_;
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;

@@ -107,6 +107,11 @@ class LoadCaseSolver {
     SphereRequest request{
         .tangential = nearby->local().directions.size() == 3, .power = false, .patch_load = options_.patch_load};
     const auto& [phi, theta] = nearby->window();
+    const double values = request.count() * (2.0 * phi.count() - 1.0) * std::pow(theta.count(), 2);
+    if (values > kMostTableValues) {
+      reject("mesh.nodes_per_revolution", "coarse enough for tables of " + text(kMostTableValues) + " values",
+             std::to_string(model_.mesh().nodes_per_revolution) + " (curvature EXACT makes " + text(values) + ")");
+    }
     auto tables = model_.sphere_tables()->tables(request, phi.count() - 1, theta.last, execution_);
     request.power = true;
     return std::make_shared<SphereOperator>(

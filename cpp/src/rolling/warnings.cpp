@@ -51,10 +51,10 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
   }
   if (result.strain > kLargestStrain) {
-    warnings.push_back(
-        {WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
-                                        rounded(result.strain) + " (good up to " + rounded(kLargestStrain) +
-                                        "): linear theory is checked against finite strain up to there"});
+    warnings.push_back({WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
+                                                       rounded(result.strain) + " (good up to " +
+                                                       rounded(kLargestStrain) + "): linear theory may be off by " +
+                                                       rounded(result.model_error) + " of the torque"});
   }
   return warnings;
 }

@@ -12,8 +12,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Displacements on the exact sphere, whose influence depends on both thetas. Translation-invariant tables of the
-/// same coating with the membrane stiffness of a sphere stand for it in scales and preconditioners.
+/// @brief Displacements on the exact sphere, whose influence depends on both thetas. Translation-invariant tables of
+/// the same coating with the membrane stiffness of a sphere stand for it in scales and preconditioners.
 class SphereOperator : public SurfaceOperator {
  public:
   using Tables = std::shared_ptr<const std::vector<SphereTable>>;

@@ -1,0 +1,257 @@
+"""The exact sphere: single harmonics, Hertz on a solid ball, low speeds, the power balance, thin and thick coatings."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+
+EXACT = vr.Curvature.EXACT
+RADIAL = vr.Compliance.RADIAL
+OUTER = 21e-3
+
+
+def elastic_ball(thickness, *, modulus=1.0, poisson_ratio=0.5, radius=1.0, inner_boundary=vr.InnerBoundary.RIGID):
+    layer = vr.Layer(
+        thickness=thickness, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=poisson_ratio, density=0.0
+    )
+    core = 0.0 if inner_boundary is vr.InnerBoundary.SOLID else radius - thickness
+    return vr.CoatedSphere(core_radius=core, layers=[layer], inner_boundary=inner_boundary)
+
+
+def paper_ball(thickness):
+    return paper.ball(thickness=thickness, core_radius=OUTER - thickness, density=0.0)
+
+
+def incompressible_solutions(degree):
+    """Solutions u Y + v Psi of an incompressible layer with mu = 1, for each r^s: (s, u, v, s_rr, s_rv) at r = 1.
+
+    The potentials: u = grad(r^l Y), and grad(r^(-l-1) Y), without pressure; and those of the pressure p = r^l Y or
+    r^(-l-1) Y, u = a r^(s) Y + b r^(s) sqrt(L) Psi with div u = 0 and laplace(u) = grad p (H. Lamb, Hydrodynamics,
+    art. 335).
+    """
+    root = mpmath.sqrt(degree * (degree + 1))
+
+    def stress(s, u, v, pressure):
+        # s_rr = -p + 2 u', s_rv = v' - v / r + sqrt(L) u / r
+        return s, u, v, -pressure + 2 * s * u, (s - 1) * v + root * u
+
+    solutions = []
+    for power in (mpmath.mpf(degree), mpmath.mpf(-degree - 1)):
+        # Gradient of r^power Y: exponent power - 1.
+        solutions.append(stress(power - 1, power, root, mpmath.mpf(0)))
+        # r times the radial part of laplace(u) = grad p is laplace(x . u) = x . grad p + 2 div u = power p, where
+        # x . u = c r^(power + 2) Y.
+        c = power / ((power + 2) * (power + 3) - degree * (degree + 1))
+        # div u = 0: (s + 2) u = sqrt(L) v with s = power + 1.
+        solutions.append(stress(power + 1, c, (power + 3) * c / root, mpmath.mpf(1)))
+    return solutions
+
+
+def closed_compliance(degree, core):
+    """Spheroidal and toroidal compliance of an incompressible layer, mu = 1, on a rigid core, outer radius 1."""
+    with mpmath.workdps(60 + int(2 * degree * -math.log10(core))):
+        core = mpmath.mpf(core)
+        solutions = incompressible_solutions(degree)
+        fixed = mpmath.matrix([[core**s * value for s, *values in solutions for value in (values[i],)] for i in (0, 1)])
+        surface = mpmath.matrix([[values[i] for _, *values in solutions] for i in range(4)])
+        system = mpmath.matrix(4, 4)
+        system[:2, :] = fixed
+        system[2:, :] = surface[2:, :]
+        result = np.zeros((3, 3))
+        for column in (0, 1):
+            load = mpmath.matrix([0, 0, 0, 0])
+            load[2 + column] = 1
+            moved = surface * mpmath.lu_solve(system, load)
+            result[:2, column] = float(moved[0]), float(moved[1])
+        # w = r^l - c r^(-l-1), chi = w' - w.
+        c = core ** (2 * degree + 1)
+        result[2, 2] = float((1 - c) / (degree - 1 + c * (degree + 2)))
+        return result
+
+
+@pytest.mark.parametrize("core", [0.001, 0.2, 0.5, 0.95])
+@pytest.mark.parametrize("degree", [1, 2, 3, 10, 77, 400])
+def test_degrees_agree_with_the_closed_solutions(degree, core):
+    c = vr.degree_compliance(elastic_ball(1.0 - core), 1.0, degree, min(degree, 3))
+    expected = closed_compliance(degree, core)
+    size = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
+    assert np.abs(c - expected).max() <= 1e-9 * size.max()
+    assert (np.abs(c - expected) <= 1e-9 * size + 1e-14 * np.abs(expected).max()).all()
+
+
+def test_material_sees_the_order_and_not_the_degree(rubber):
+    layer = vr.Layer(thickness=0.3, shear_modulus=rubber, poisson_ratio=0.4)
+    ball = vr.CoatedSphere(core_radius=0.7, layers=[layer])
+    order = np.arange(-5, 6)
+    c = vr.degree_compliance(ball, 2.5, 5, order)
+    modulus = rubber.complex_modulus(2.5 * np.abs(order))
+    modulus = np.where(order < 0, modulus.conj(), modulus)
+    expected = vr.degree_compliance(elastic_ball(0.3, poisson_ratio=0.4), 2.5, 5, 0) / modulus[:, None, None]
+    np.testing.assert_allclose(c, expected, rtol=1e-12, atol=1e-25)
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.0, 0.3, 0.45])
+def test_degree_one_of_a_solid_ball_is_the_rest_of_a_slow_shaking(poisson_ratio):
+    """What a free ball yields to a slowly shaken surface, less the motion of its mass as a whole."""
+
+    def shaken(omega2, load):
+        # grad(j1(alpha r) Y) and curl curl(x j1(beta r) Y), with mu = rho = 1.
+        confined = mpmath.mpf(2 * (1 - poisson_ratio)) / (1 - 2 * poisson_ratio)
+        alpha, beta = mpmath.sqrt(omega2 / confined), mpmath.sqrt(omega2)
+        root = mpmath.sqrt(2)
+
+        def j1(x):
+            return mpmath.sin(x) / x**2 - mpmath.cos(x) / x
+
+        def longitudinal(r):
+            return mpmath.diff(lambda s: j1(alpha * s), r), root * j1(alpha * r) / r
+
+        def transverse(r):
+            return 2 * j1(beta * r) / r, root * mpmath.diff(lambda s: s * j1(beta * s), r) / r
+
+        columns = []
+        for field in (longitudinal, transverse):
+            u, v = field(mpmath.mpf(1))
+            du, dv = (mpmath.diff(lambda r, i=i, field=field: field(r)[i], mpmath.mpf(1)) for i in (0, 1))
+            dilation = du + 2 * u - root * v
+            columns.append((u, v, (confined - 2) * dilation + 2 * du, dv - v + root * u))
+        system = mpmath.matrix([[column[2] for column in columns], [column[3] for column in columns]])
+        amount = mpmath.lu_solve(system, mpmath.matrix(load))
+        return [sum(a * column[i] for a, column in zip(amount, columns, strict=True)) for i in (0, 1)]
+
+    with mpmath.workdps(40):
+        omega2 = mpmath.mpf("1e-9")
+        expected = np.zeros((2, 2))
+        for column, load in enumerate(([1, 0], [0, 1])):
+            # Force per mass 4 pi / 3: s + sqrt(2) tau over 1/3 of what (1, sqrt(2)) squared gives.
+            rigid = -(load[0] + mpmath.sqrt(2) * load[1]) / omega2
+            moved = shaken(omega2, load)
+            expected[:, column] = float(moved[0] - rigid), float(moved[1] - mpmath.sqrt(2) * rigid)
+    ball = elastic_ball(1.0, poisson_ratio=poisson_ratio, inner_boundary=vr.InnerBoundary.SOLID)
+    c = vr.degree_compliance(ball, 1.0, 1, 0)
+    np.testing.assert_allclose(c[:2, :2], expected, rtol=0.0, atol=1e-8 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("inner_boundary", vr.InnerBoundary)
+def test_every_degree_is_passive(rubber, inner_boundary):
+    degree = np.arange(1, 30)
+    for thickness in (1e-3, 0.1, 0.5, 0.9, 0.999):
+        solid = inner_boundary is vr.InnerBoundary.SOLID
+        layer = vr.Layer(thickness=1.0 if solid else thickness, shear_modulus=rubber, poisson_ratio=0.3)
+        ball = vr.CoatedSphere(
+            core_radius=0.0 if solid else 1.0 - thickness, layers=[layer], inner_boundary=inner_boundary
+        )
+        c = vr.degree_compliance(ball, 2.5, degree, np.minimum(degree, 4))
+        np.testing.assert_allclose(c, c.transpose(0, 2, 1), rtol=1e-9, atol=1e-20)
+        stored = np.linalg.eigvalsh(c.real)
+        assert (stored >= -1e-9 * stored[:, -1:]).all()
+        assert (np.linalg.eigvalsh(-c.imag) >= -1e-9 * stored[:, -1:]).all()
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
+def test_hertz_on_a_solid_ball(poisson_ratio):
+    """Penetration tends to Hertz's linearly in a / R: what the center of the ball moves less than infinity does."""
+    radius, modulus = 20e-3, 1e6
+    ball = elastic_ball(
+        radius, modulus=modulus, poisson_ratio=poisson_ratio, radius=radius, inner_boundary=vr.InnerBoundary.SOLID
+    )
+    shares, penetrations = [0.1, 0.05, 0.025], []
+    for share in shares:
+        a = share * radius
+        load = 8.0 / 3.0 * modulus / (1.0 - poisson_ratio) * a**3 / radius
+        mesh = vr.Mesh(nodes_per_revolution=round(2.0 * np.pi / share * 20))
+        r = vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, compliance=RADIAL, curvature=EXACT)
+        penetrations.append(r.penetration / (a**2 / radius))
+        assert r.semi_axis_x == pytest.approx(a, rel=1e-2)  # a fifth of a spacing
+        assert r.max_pressure == pytest.approx(1.5 * load / (np.pi * a**2), rel=0.5 * share**2 + 5e-3)
+        assert abs(r.resisting_torque) < 1e-9 * load * a
+    assert penetrations[0] < penetrations[1] < penetrations[2] < 1.0
+    limit = np.polynomial.Polynomial.fit(shares, penetrations, 2)(0.0)
+    assert limit == pytest.approx(1.0, abs=1e-3)
+
+
+def roll(ball, curvature, **options):
+    return vr.solve(ball, load=100.0, angular_speed=2.5, curvature=curvature, **options)
+
+
+#: Errors of PAPER and SPHERE against the exact sphere [%], torque and penetration, by thickness per outer radius.
+ERRORS = {
+    0.05: ((-0.07, -0.03), (-0.02, 0.01)),
+    0.2: ((-0.62, -0.43), (-0.17, 0.06)),
+    0.5: ((-2.80, -3.39), (-0.79, -0.45)),
+    0.8: ((-10.51, -19.0), (-6.02, -11.1)),
+}
+
+
+@pytest.mark.parametrize("share", ERRORS)
+def test_what_the_other_curvatures_leave_out(share):
+    ball = paper_ball(share * OUTER)
+    mesh = vr.Mesh(nodes_per_revolution=800)
+    exact = roll(ball, EXACT, mesh=mesh, compliance=RADIAL)
+    for curvature, (torque, penetration) in zip((vr.Curvature.PAPER, vr.Curvature.SPHERE), ERRORS[share], strict=True):
+        r = roll(ball, curvature, mesh=mesh, compliance=RADIAL)
+        assert 100.0 * (r.resisting_torque / exact.resisting_torque - 1.0) == pytest.approx(torque, abs=0.06)
+        assert 100.0 * (r.penetration / exact.penetration - 1.0) == pytest.approx(penetration, abs=0.06)
+
+
+@pytest.mark.parametrize("compliance", vr.Compliance)
+@pytest.mark.parametrize("patch_load", vr.PatchLoad)
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_power_balance(compliance, patch_load, friction):
+    """The power lost, a sum of its own over degrees and orders, is the work done, the better the finer the mesh."""
+    errors = []
+    for nodes in (200, 400):
+        mesh = vr.Mesh(nodes_per_revolution=nodes)
+        options = {"compliance": compliance, "patch_load": patch_load, "friction": friction}
+        r = roll(paper_ball(10e-3), EXACT, mesh=mesh, **options)
+        assert r.residual < 1e-8
+        errors.append(r.power_balance_error)
+    assert errors[0] < 8e-3
+    assert errors[1] < 2e-3
+
+
+def test_low_speed():
+    """T -> P Omega r_o sum g tau / g_inf, whatever the thickness: the share that is left falls with the speed."""
+    ball, time = paper_ball(0.7 * OUTER), 0.125
+    ratios, shifts = [], [0.5, 1.0, 1.5]
+    nodes = 300
+    for shift in shifts:
+        speed = shift * 2.0 * np.pi / nodes / time
+        mesh = vr.Mesh(nodes_per_revolution=nodes)
+        r = vr.solve(ball, load=100.0, angular_speed=speed, mesh=mesh, compliance=RADIAL, curvature=EXACT)
+        ratios.append(r.resisting_torque / (100.0 * speed * OUTER * time))
+    assert np.polynomial.Polynomial.fit(shifts, ratios, 2)(0.0) == pytest.approx(1.0, abs=0.02)
+
+
+def test_truncated_sums_tend_to_the_whole():
+    ball = paper_ball(8e-3)
+    whole = roll(ball, EXACT, mesh=vr.Mesh(nodes_per_revolution=200), compliance=RADIAL)
+    cut = roll(ball, EXACT, mesh=vr.Mesh(nodes_per_revolution=200, max_order=600), compliance=RADIAL)
+    assert cut.resisting_torque == pytest.approx(whole.resisting_torque, rel=3e-3)
+    assert cut.penetration == pytest.approx(whole.penetration, rel=1e-3)
+
+
+def test_inertia_is_refused_where_it_counts():
+    ball = paper.ball(thickness=5e-3)
+    mesh = vr.Mesh(nodes_per_revolution=100)
+    slow = vr.solve(ball, load=50.0, angular_speed=2.5, mesh=mesh, curvature=EXACT)
+    without = vr.solve(
+        paper.ball(thickness=5e-3, density=0.0), load=50.0, angular_speed=2.5, mesh=mesh, curvature=EXACT
+    )
+    assert slow.resisting_torque == pytest.approx(without.resisting_torque, rel=1e-6)
+    with pytest.raises(ValueError, match=r"layers\[0\].density must be so small that inertia is negligible"):
+        vr.solve(ball, load=50.0, angular_speed=500.0, mesh=mesh, curvature=EXACT)
+
+
+def test_orders_are_refused(paper_ball):
+    with pytest.raises(ValueError, match="curvature must be SPHERE or PAPER"):
+        vr.surface_compliance(paper_ball, 2.5, 1, 2, curvature=EXACT)
+    with pytest.raises(ValueError, match="order must be at most the degree 2 in magnitude, got 3"):
+        vr.degree_compliance(paper_ball, 2.5, 2, 3)
+    with pytest.raises(ValueError, match=r"degree must be in \[0, 1e6\], got -1"):
+        vr.degree_compliance(paper_ball, 2.5, -1, 0)
