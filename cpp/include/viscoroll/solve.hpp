@@ -125,10 +125,13 @@ struct Result {
   double center_height = 0.0;  ///< H, centre of the sphere above the plane [m]
   double penetration = 0.0;    ///< r_o - H [m]
   double strain = 0.0;         ///< penetration per thickness of the coating [-]
-  double semi_axis_x = 0.0;    ///< of the ellipse with the contact's second moments [m]
-  double semi_axis_z = 0.0;    ///< of the ellipse with the contact's second moments [m]
-  double contact_area = 0.0;   ///< [m^2]
-  double max_pressure = 0.0;   ///< [Pa]
+  /// What linear theory does not know, relative, of torque and penetration with the radial compliance: 3/4 of the
+  /// strain, which covers finite-strain computations up to a strain of 0.24 (theory.md section 5) [-].
+  double model_error = 0.0;
+  double semi_axis_x = 0.0;   ///< of the ellipse with the contact's second moments [m]
+  double semi_axis_z = 0.0;   ///< of the ellipse with the contact's second moments [m]
+  double contact_area = 0.0;  ///< [m^2]
+  double max_pressure = 0.0;  ///< [Pa]
 
   /// T, moment of the contact forces about the center [N m]: what turns the sphere, and does the work of the model.
   /// With the radial compliance sum of x p + (y + u_y) t_x = T_r - Q H, with the vertical one, whose pressure does work
