@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -54,13 +55,22 @@ void table_2(benchmark::State& state) {
   state.counters["error"] = error;
 }
 
-/// Coatings that need every order m solved by itself; the error is the power balance.
-void order_by_order(benchmark::State& state, const CoatedSphere& sphere) {
-  const Options options = options_for({500, 500}, Compliance::vertical);
+/// Coatings whose compliance depends on both orders; the error is the power balance.
+void order_by_order(benchmark::State& state, const CoatedSphere& sphere, std::optional<int> max_order) {
+  const Options options{.mesh = Mesh{500, max_order}, .compliance = Compliance::vertical};
   Result result;
   for (auto _ : state) result = solve(sphere, cases::kRolling, options);
   state.counters["error"] = result.power_balance_error;
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+}
+
+/// The same with no mesh given.
+void order_by_order_to_accuracy(benchmark::State& state, const CoatedSphere& sphere, double angular_speed,
+                                double accuracy) {
+  Result result;
+  for (auto _ : state) result = solve(sphere, {.load = 100.0, .angular_speed = angular_speed}, {.accuracy = accuracy});
+  state.counters["error"] = result.power_balance_error;
+  count(result, state);
 }
 
 /// The paper's example on fine meshes, a cold start; `nodes` are chosen for a window of 512, 1024 or 2048 nodes along a
@@ -173,9 +183,23 @@ BENCHMARK_CAPTURE(paper_example, pi_250_N_500_vertical, 500, 500, Compliance::ve
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK(table_2)->Unit(kUnit)->UseRealTime()->Iterations(1);
-BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers())->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers(), 500)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order, unlike_layers_all_orders, cases::unlike_layers(), std::nullopt)
+    ->Unit(kUnit)
+    ->UseRealTime();
 // Mach number squared of 0.5 (theory.md section 7): the series in it no longer serves.
-BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3))
+BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3),
+                  500)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, unlike_layers, cases::unlike_layers(), 2.5, 1e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, stiff_skin, cases::stiff_skin(), 2.5, 1e-3)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, without_inertia, cases::paper_sphere(0.0), 100.0, 0.01)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, with_inertia, cases::paper_sphere(), 100.0, 0.01)
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK_CAPTURE(friction, mu_03_pi_250, 0.3, 500)->Unit(kUnit)->UseRealTime();

@@ -23,7 +23,7 @@ inline viscoroll::CoatedSphere thick_coating() {
   return sphere;
 }
 
-/// Two layers that share no relaxation function: every order m has a response of its own.
+/// Two layers that share no relaxation function.
 inline viscoroll::CoatedSphere unlike_layers() {
   return {.core_radius = 20e-3,
           .layers = {{.thickness = 0.5e-3,
@@ -32,6 +32,17 @@ inline viscoroll::CoatedSphere unlike_layers() {
                      {.thickness = 0.5e-3,
                       .shear_modulus = viscoroll::FractionalZener{6e6, 3e6, 0.05, 0.6},
                       .poisson_ratio = 0.49}}};
+}
+
+/// A stiff fractional skin over soft rubber.
+inline viscoroll::CoatedSphere stiff_skin() {
+  return {
+      .core_radius = 20e-3,
+      .layers = {
+          {.thickness = 2e-3, .shear_modulus = viscoroll::standard_linear_solid(2e6, 1e6, 0.05), .poisson_ratio = 0.5},
+          {.thickness = 0.5e-3,
+           .shear_modulus = viscoroll::FractionalZener{60e6, 20e6, 0.01, 0.5},
+           .poisson_ratio = 0.45}}};
 }
 
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};

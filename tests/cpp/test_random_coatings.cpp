@@ -3,8 +3,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "influence/order_bands.hpp"
 #include "modal/layer_system.hpp"
@@ -143,8 +145,12 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
   Watch watch(observer);
   int panels = 0;
   int refused = 0;
-  constexpr int kCoatings = 25;
-  for (unsigned seed = 0; seed < kCoatings; ++seed) {
+  std::vector<unsigned> seeds(16);
+  std::iota(seeds.begin(), seeds.end(), 0U);
+  // Waves that reach deep near the critical speed, and two thin shells on nothing, whose inertia series converges
+  // slowly.
+  seeds.insert(seeds.end(), {28U, 48U, 144U});
+  for (const unsigned seed : seeds) {
     RandomCoating random(seed);
     const CoatedSphere sphere = random.sphere(with_inertia);
     double speed = random.logarithmic(0.1, 100.0);
@@ -169,8 +175,8 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
       ++refused;  // hardly damped waves below the critical speed
     }
   }
-  EXPECT_GT(panels, kCoatings / 2);
-  EXPECT_LT(refused, kCoatings / 4);
+  EXPECT_GT(panels, 9);
+  EXPECT_LT(refused, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Inertia, RandomCoatings, testing::Bool(),

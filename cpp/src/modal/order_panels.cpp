@@ -37,25 +37,33 @@ class CellSamples {
     for (std::size_t i = 0; i < m_.size(); ++i) media_.push_back(at_nodes.media(i));
   }
 
+  /// Whether the last terms along k are negligible at the outermost m.
   [[nodiscard]] bool is_resolved_along_k() {
     solve({0, kOrderNodes - 1}, inner_nodes(kPanelNodes, 0));
-    return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); },
-                       [](const auto& series) { return series.template rightCols<2>(); });
+    return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); }, kLastColumns);
   }
 
+  /// Whether the last terms along m are negligible at the outermost k.
   [[nodiscard]] bool is_resolved_along_m() {
     solve(inner_nodes(kOrderNodes, 1), {0, kPanelNodes - 1});
-    return is_resolved([&](int entry) { return (m_transform() * columns(entry)).eval(); },
-                       [](const auto& series) { return series.template bottomRows<2>(); });
+    return is_resolved([&](int entry) { return (m_transform() * columns(entry)).eval(); }, kLastRows);
   }
 
-  /// The remaining nodes, and series in both directions.
+  /// Solve the remaining nodes; series in both directions.
   void complete() {
     solve(inner_nodes(kOrderNodes, 1), inner_nodes(kPanelNodes, 1));
     for (int entry = 0; entry < kEntries; ++entry) {
       auto block = values_.middleCols<kPanelNodes>(entry * kPanelNodes);
       block = (m_transform() * block * k_transform()).eval();
     }
+  }
+
+  /// The same judged by the whole series: a feature may lie between the outermost orders.
+  [[nodiscard]] bool is_complete_along_k() const {
+    return is_resolved([this](int entry) { return block(entry); }, kLastColumns);
+  }
+  [[nodiscard]] bool is_complete_along_m() const {
+    return is_resolved([this](int entry) { return block(entry); }, kLastRows);
   }
 
   [[nodiscard]] const CellTerms& terms() const { return values_; }
@@ -67,6 +75,12 @@ class CellSamples {
     return nodes;
   }
 
+  static constexpr auto kLastColumns = [](const auto& series) { return series.template rightCols<2>(); };
+  static constexpr auto kLastRows = [](const auto& series) { return series.template bottomRows<2>(); };
+
+  [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, kPanelNodes> block(int entry) const {
+    return values_.middleCols<kPanelNodes>(entry * kPanelNodes);
+  }
   /// An entry at the outermost m.
   [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
     return values_(std::array{0, kOrderNodes - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
@@ -124,21 +138,26 @@ class CellSamples {
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
 void append_cells(const HarmonicCoating& coating, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
   worker.checkpoint();
-  const auto is_wide = [](double low, double high) { return high / low > kSmallestRatio; };
-  CellSamples samples(coating, cell);
-  if (!samples.is_resolved_along_k() && is_wide(cell.lowest_ratio, cell.highest_ratio)) {
+  const bool is_wide_along_k = cell.highest_ratio / cell.lowest_ratio > kSmallestRatio;
+  const bool is_wide_along_m = cell.highest_m / cell.lowest_m > kSmallestRatio;
+  const auto halve_along_k = [&] {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
     append_cells(coating, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
     append_cells(coating, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
-  } else if (!samples.is_resolved_along_m() && is_wide(cell.lowest_m, cell.highest_m)) {
+  };
+  const auto halve_along_m = [&] {
     const double middle = std::sqrt(cell.lowest_m * cell.highest_m);
     append_cells(coating, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
     append_cells(coating, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
-  } else {
-    samples.complete();
-    cell.series = samples.terms();
-    cells.push_back(cell);
-  }
+  };
+  CellSamples samples(coating, cell);
+  if (!samples.is_resolved_along_k() && is_wide_along_k) return halve_along_k();
+  if (!samples.is_resolved_along_m() && is_wide_along_m) return halve_along_m();
+  samples.complete();
+  if (!samples.is_complete_along_k() && is_wide_along_k) return halve_along_k();
+  if (!samples.is_complete_along_m() && is_wide_along_m) return halve_along_m();
+  cell.series = samples.terms();
+  cells.push_back(cell);
 }
 
 /// T_0 ... T_23 of the coordinate of m in a cell.

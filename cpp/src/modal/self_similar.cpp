@@ -15,7 +15,7 @@ namespace {
 using cplx = std::complex<double>;
 
 constexpr double kInertiaTolerance = 1e-12;  // of the terms of the inertia series that are left out
-constexpr double kInertiaGrowth = 8.0;       // |f_{j+1}| / |f_j| stays below this short of the critical speed
+constexpr double kInertiaGrowth = 8.0;       // |f_{j+1}| / |f_j| stays below this in coatings of a rigid core
 constexpr int kMaxInertiaOrder = 3;
 
 /// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
@@ -62,10 +62,39 @@ std::size_t softest_layer(const HarmonicCoating& coating) {
   return softest;
 }
 
+/// How much each term of the inertia series exceeds the one before, per eta: more than in other coatings in a thin
+/// shell on nothing, which is soft in bending. Taken from the change of the compliance by inertia.
+/// @param[in] media layers in units of g, with inertia for eta = 1
+double inertia_growth(const std::vector<Medium<double>>& media, double highest_eta) {
+  std::array<std::vector<Medium<double>>, 2> at_rest_and_fast{media, media};
+  for (Medium<double>& medium : at_rest_and_fast[0]) medium.inertia = 0.0;
+  for (Medium<double>& medium : at_rest_and_fast[1]) medium.inertia *= highest_eta;
+  constexpr double kHighestOrder = 2000.0;
+  std::vector<OrderInLayers<double>> orders;
+  for (const auto& layers : at_rest_and_fast) {
+    for (const double share : {1.0, 0.5, 0.1}) {  // m^2 / k^2
+      for (double k = 1.0; k < kHighestOrder; k *= 1.25) {
+        orders.push_back({.media = layers, .m = k * std::sqrt(share), .n = k * std::sqrt(1.0 - share)});
+      }
+    }
+  }
+  std::vector<Matrix3<double>> solved(orders.size());
+  surface_compliances<double>(orders, solved);
+  double growth = kInertiaGrowth;
+  const std::size_t half = orders.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const Eigen::Vector3d size = solved[i].diagonal().cwiseSqrt();
+    const Matrix3<double> change = (solved[half + i] - solved[i]).cwiseQuotient(size * size.transpose());
+    growth = std::max(growth, 1.5 * change.cwiseAbs().maxCoeff() / highest_eta);
+  }
+  return growth;
+}
+
 /// Smallest order of the inertia series that leaves out less than the tolerance, if it is small enough.
-std::optional<int> inertia_order(double eta) {
-  double remainder = kInertiaGrowth * eta;
-  for (int order = 0; order <= kMaxInertiaOrder; ++order, remainder *= kInertiaGrowth * eta) {
+/// @param[in] ratio of its terms
+std::optional<int> inertia_order(double ratio) {
+  double remainder = ratio;
+  for (int order = 0; order <= kMaxInertiaOrder; ++order, remainder *= ratio) {
     if (remainder <= kInertiaTolerance) return order;
   }
   return std::nullopt;
@@ -237,7 +266,8 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
     spectrum->inertia_.push_back(density * speed * speed / spectrum->modulus_.back());
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
   }
-  const std::optional<int> order = inertia_order(highest_eta);
+  const double growth = highest_eta > 0.0 ? inertia_growth(*media, highest_eta) : 0.0;
+  const std::optional<int> order = inertia_order(growth * highest_eta);
   if (!order) return nullptr;
   spectrum->inertia_order_ = *order;
   for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
