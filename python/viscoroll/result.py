@@ -122,7 +122,7 @@ class Result:
     iterations : int
         Linear systems solved on the last mesh.
     products : int
-        Products with the influence tables that solved them, for large contacts; 0 where elimination did.
+        Products with the influence tables that solved them.
     residual : float
         Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
         norm of all violations, as forces, relative to the load.

@@ -290,5 +290,5 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
         turns = np.diff(np.sign(np.diff(middle[inside][4:])))
         assert np.count_nonzero(turns) <= 1
         torques.append(r.driving_torque)
-    assert torques[0] == pytest.approx(torques[1], rel=5e-3)
+    assert torques[0] == pytest.approx(torques[1], rel=1e-2)  # the staircase of 30 nodes across
     assert r.power_balance_error < 1e-2

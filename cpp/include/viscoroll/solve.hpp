@@ -112,8 +112,7 @@ struct Refinement {
 struct Result {
   Status status = Status::converged;  ///< how the solve ended
   int iterations = 0;                 ///< linear systems solved on the last mesh
-  /// Products with the influence tables by which they were solved, for large contacts; 0 where elimination was used.
-  int products = 0;
+  int products = 0;                   ///< with the influence tables, by which they were solved
   /// Largest violation of the contact conditions: a gap relative to the penetration without friction; with friction the
   /// norm of all of them, as forces relative to the load [-].
   double residual = 0.0;

@@ -35,6 +35,7 @@ struct ContactProblem {
 struct ContactOptions {
   int max_iterations;        ///< linear systems
   double tolerance = 1e-11;  ///< relative residual of the last systems, and of friction per normal force
+  double unsettled = 0.0;    ///< share of nodes that may be about to leave or join without friction
 };
 
 /// @return the problem with every other node

@@ -15,9 +15,11 @@ using Eigen::Index;
 constexpr Index kSmallWindow = 4096;            // nodes
 constexpr Index kSmallFrictionalWindow = 2500;  // where forces along the plane come on top
 constexpr double kCoarseTolerance = 1e-4;       // of a contact that is to be interpolated
+constexpr double kCoarseUnsettled = 0.001;      // of its nodes
 
 ContactOptions rough(ContactOptions options) {
   options.tolerance = kCoarseTolerance;
+  options.unsettled = kCoarseUnsettled;
   return options;
 }
 

@@ -20,6 +20,7 @@ constexpr double kFirstTolerance = 1e-5;      // of relative residuals, while th
 constexpr double kTightening = 0.03;          // of the tolerance as the set comes closer
 constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
 constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
+constexpr int kExchanges = 8;                 // passes in which nodes leave and join at once
 constexpr double kFailure = 1e-8;             // relative residual that no answer can be built on
 
 /// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
@@ -118,12 +119,15 @@ class NormalContactSolver {
       ++state_.iterations;
       press();
       const bool rough = tolerance_ > options_.tolerance;
-      bool changed = drop_tensile();
+      const bool exchange = state_.iterations <= kExchanges;
+      if (exchange) find_gap();
+      std::size_t changes = drop_tensile();
       if (state_.contact.empty()) throw ConvergenceError("no node carries load", state_.iterations, 1.0);
-      if (!changed) {
-        find_gap();
-        changed = add_overclosed();
-        state_.converged = !changed && !rough;
+      if (!exchange && changes == 0) find_gap();
+      if (exchange || changes == 0) {
+        changes += add_overclosed();
+        const auto count = static_cast<double>(state_.contact.size());
+        state_.converged = !rough && static_cast<double>(changes) <= options_.unsettled * count;
       }
       tolerance_ = std::max(kTightening * tolerance_, options_.tolerance);
     }
@@ -182,12 +186,13 @@ class NormalContactSolver {
     state_.force.col(kDown)(state_.contact) = -pressing.forces.array();
   }
 
-  bool drop_tensile() {
+  /// @return how many nodes left
+  std::size_t drop_tensile() {
     const auto is_tensile = [&](Index node) { return !(state_.force(node, kDown) < 0.0); };
     for (const Index node : state_.contact) {
       if (is_tensile(node)) state_.force(node, kDown) = 0.0;
     }
-    return std::erase_if(state_.contact, is_tensile) > 0;
+    return std::erase_if(state_.contact, is_tensile);
   }
 
   void find_gap() {
@@ -196,7 +201,8 @@ class NormalContactSolver {
     state_.gap = problem_.initial_gap + rise - state_.penetration;
   }
 
-  bool add_overclosed() {
+  /// Those that are there already, and those that have just left, have no gap. @return how many nodes joined
+  std::size_t add_overclosed() {
     const double tolerance = kOverclosureFactor * tolerance_;
     std::vector<Index> added;
     for (Index node = 0; node < state_.gap.size(); ++node) {
@@ -206,7 +212,7 @@ class NormalContactSolver {
     const auto middle = static_cast<std::ptrdiff_t>(state_.contact.size());
     state_.contact.insert(state_.contact.end(), added.begin(), added.end());
     std::inplace_merge(state_.contact.begin(), state_.contact.begin() + middle, state_.contact.end());
-    return !added.empty();
+    return added.size();
   }
 
   [[nodiscard]] double largest_violation() const {

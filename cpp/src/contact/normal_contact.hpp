@@ -17,8 +17,9 @@ struct NormalContactGuess {
   double penetration;                 ///< [m]
 };
 
-/// @brief Active set: drop all tensile nodes; only when there are none, add all overclosed ones; until nothing changes.
-/// Systems are solved by products and a Krylov method, the first ones roughly.
+/// @brief Active set, until nothing changes: drop all tensile nodes and add all overclosed ones, at first in the same
+/// pass, which is quick but may cycle, then only when there are none to drop. Systems are solved by products and a
+/// Krylov method, the first ones roughly.
 /// @param[in] problem surface, initial gap and normal force; friction is left out
 /// @param[in] guess to start from
 /// @param[in] options limits

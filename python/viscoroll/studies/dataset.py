@@ -27,7 +27,7 @@ __all__ = ["RESERVED", "build_dataset"]
 #: What a dataset holds besides `SCALARS` for each point: name, unit, what it is.
 _COUNTS = {
     "iterations": ("1", "linear systems solved on the last mesh"),
-    "products": ("1", "products with influence tables that solved them, 0 where elimination did"),
+    "products": ("1", "products with influence tables that solved them"),
     "residual": ("1", "largest violation of the contact conditions"),
     "contact_nodes": ("1", "nodes in contact"),
     "nodes_per_revolution": ("1", "nodes per revolution along phi"),
