@@ -1,6 +1,7 @@
 #include "influence/order_bands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -79,11 +80,23 @@ std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, do
 
 namespace {
 
-/// An incompressible layer yields the more the higher the order, up to that of its thickness.
-double finest_order(const CoatedSphere& sphere) {
-  double thinnest = sphere.layers.front().thickness;
-  for (const Layer& layer : sphere.layers) thinnest = std::min(thinnest, layer.thickness);
-  return outer_radius(sphere) / thinnest;
+/// Whether two layers are of one material, as far as rolling can tell.
+bool are_alike(const Layer& a, const Layer& b, double angular_speed) {
+  const std::array frequencies{0.0, angular_speed, 8.0 * angular_speed};  // which every mesh asks for
+  return a.poisson_ratio == b.poisson_ratio && a.bulk_modulus == b.bulk_modulus &&
+         complex_modulus(a.shear_modulus, frequencies) == complex_modulus(b.shear_modulus, frequencies);
+}
+
+/// Of the thinnest layer, at which an incompressible one yields most; neighbors of one material are one layer.
+double finest_order(const CoatedSphere& sphere, double angular_speed) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  double thickness = 0.0;
+  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
+    const bool joined = l > 0 && are_alike(sphere.layers[l - 1], sphere.layers[l], angular_speed);
+    if (l > 0 && !joined) thinnest = std::min(thinnest, thickness);
+    thickness = sphere.layers[l].thickness + (joined ? thickness : 0.0);
+  }
+  return outer_radius(sphere) / std::min(thinnest, thickness);
 }
 
 /// Tables are interpolated with kinks, and users' functions may be.
@@ -110,13 +123,15 @@ double exact_end(double middle) { return Step{.middle = middle}.end(); }
 std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                  double rough_orders) {
   if (mesh.max_order) return whole_orders(*mesh.max_order, mesh.nodes_per_revolution);
-  return octaves(mesh.nodes_per_revolution, finest_order(sphere),
+  return octaves(mesh.nodes_per_revolution, finest_order(sphere, angular_speed),
                  std::max(rough_orders, material_rough_orders(sphere, angular_speed, mesh)));
 }
 
-std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh, double rough_orders) {
+std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+                                   double rough_orders) {
   const int nodes = theta_nodes_per_revolution(mesh);
-  return mesh.max_order ? whole_orders(*mesh.max_order, nodes) : octaves(nodes, finest_order(sphere), rough_orders);
+  return mesh.max_order ? whole_orders(*mesh.max_order, nodes)
+                        : octaves(nodes, finest_order(sphere, angular_speed), rough_orders);
 }
 
 double measured_order(const Mesh& mesh) {

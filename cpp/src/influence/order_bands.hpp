@@ -47,7 +47,7 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                double rough_orders = 0.0);
 /// @return bands along theta
-[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, const Mesh& mesh,
+[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                  double rough_orders = 0.0);
 
 /// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicCoating`

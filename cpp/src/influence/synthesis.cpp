@@ -241,7 +241,7 @@ const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
                    Curvature curvature)
     : OrderSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
-               theta_bands(sphere, mesh), threads, watch, curvature) {}
+               theta_bands(sphere, angular_speed, mesh), threads, watch, curvature) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
                    std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature,
@@ -259,7 +259,8 @@ OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh&
                    int threads, Watch& watch)
     : OrderSum(checked(sphere, angular_speed), angular_speed, mesh,
                phi_bands(sphere, angular_speed, mesh, metric.exact_degree),
-               theta_bands(sphere, mesh, metric.exact_degree), threads, watch, Curvature::sphere, metric) {}
+               theta_bands(sphere, angular_speed, mesh, metric.exact_degree), threads, watch, Curvature::sphere,
+               metric) {}
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
