@@ -13,7 +13,7 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize lint format bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format bench deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -21,6 +21,7 @@ help:
 	@echo "make lint      check formatting, C++ by clang-tidy, types and stubs"
 	@echo "make format    format all sources"
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers"
+	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 
 demo: $(VENV)/demo.stamp
@@ -54,6 +55,13 @@ sanitize: $(DEPS)
 	cmake --preset asan-ubsan
 	cmake --build --preset asan-ubsan --parallel $(JOBS)
 	ctest --preset asan-ubsan --parallel $(JOBS)
+
+# CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
+CASES ?= 2000
+SEED ?= 1
+
+campaign: $(VENV)/test.stamp
+	$(BIN)/python -m tests.campaign --cases $(CASES) --seed $(SEED) --jobs $(JOBS)
 
 CXX_FILES := $(shell git ls-files '*.cpp' '*.hpp')
 CMAKE_FILES := $(shell git ls-files '*CMakeLists.txt' '*.cmake')

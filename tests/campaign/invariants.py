@@ -1,0 +1,118 @@
+"""What must hold in any solution, whatever was solved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import viscoroll as vr
+from numpy.typing import NDArray
+
+from .cases import Case
+
+__all__ = ["violations"]
+
+#: The solver ends at residuals of 1e-8; conditions at single nodes are allowed a hundred times that.
+TOLERANCE = 1e-6
+
+
+def violations(case: Case, result: vr.Result) -> dict[str, float]:
+    """Return the conditions that a solution violates, each with its error relative to what is allowed."""
+    if not _is_finite(result):
+        return {"not finite": math.inf}
+    checks = (_contact, _status, _powers, _symmetry, *((_friction, _drive) if case.has_friction else ()))
+    errors = {name: error / TOLERANCE for check in checks for name, error in check(case, result)}
+    return {name: error for name, error in errors.items() if not error <= 1.0}
+
+
+def _is_finite(result: vr.Result) -> bool:
+    scalars = [value for value in result.scalars().values() if isinstance(value, float)]
+    arrays = (result.pressure, result.gap, result.displacement, result.shear_traction, result.slip_velocity)
+    return all(math.isfinite(value) for value in scalars) and all(np.isfinite(array).all() for array in arrays)
+
+
+def _areas(result: vr.Result) -> NDArray[np.float64]:
+    """Return the areas on which tractions act [m²]."""
+    radius = result.ball.outer_radius
+    flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
+    if result.patch_load is vr.PatchLoad.FLAT:
+        return np.full(result.z.shape, flat)
+    return flat * np.sqrt(1.0 - (result.z / radius) ** 2)
+
+
+def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    depth = result.penetration + result.centrifugal_displacement
+    peak = float(result.pressure.max())
+    inside, outside = result.contact, ~result.contact
+    yield "pressure < 0", -float(result.pressure.min()) / peak
+    yield "gap < 0", -float(result.gap.min()) / depth
+    yield "gap in contact", float(np.abs(result.gap[inside]).max(initial=0.0)) / depth
+    yield "pressure out of contact", float(result.pressure[outside].max(initial=0.0)) / peak
+    yield "load balance", abs(float((result.pressure * _areas(result)).sum()) / result.load - 1.0)
+    yield "penetration <= 0", 0.0 if depth > 0.0 else 1.0
+    yield "penetration >= thickness", 0.0 if result.penetration < result.ball.thickness else 1.0
+
+
+def _status(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    accuracy = case.arguments.get("accuracy")
+    consistent = {
+        vr.Status.CONVERGED: accuracy is None or result.error_estimate <= accuracy,
+        vr.Status.ACCURACY_NOT_REACHED: accuracy is not None and result.error_estimate > accuracy,
+    }
+    yield "iterations ran out", float(result.status is vr.Status.MAX_ITERATIONS)
+    yield "status against estimate", float(not consistent.get(result.status, True))
+    yield "residual", result.residual
+
+
+def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    traction = np.hypot(*result.shear_traction)
+    limit = result.friction * result.pressure
+    slip, stick = result.slip, result.stick
+    peak = float(limit.max())
+    speed = np.hypot(*result.slip_velocity)
+    fastest = max(float(speed.max()), 1e-6 * result.angular_speed * result.ball.outer_radius)
+    against = np.sum(result.shear_traction * result.slip_velocity, axis=0) / fastest
+    # Of a slow slip the direction is lost in round-off, and counts as little: |t| |S| + t . S, which is 0 if opposite.
+    yield "traction > friction", float((traction - limit).max()) / peak
+    yield "slip below the limit", float((limit - traction)[slip].max(initial=0.0)) / peak
+    yield "slip not opposite", float((traction * speed / fastest + against)[slip].max(initial=0.0)) / peak
+    yield "stick that slips", float(speed[stick].max(initial=0.0)) / fastest
+    yield "stick and slip", float(np.any((stick & slip) | ((stick | slip) != result.contact)))
+
+
+def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    drive = result.drive
+    area = _areas(result)
+    force = -float((result.shear_traction[0] * area).sum())
+    bound = min(result.friction, 1.0) * result.load
+    yield "driving force", abs(force - result.driving_force) / bound
+    if drive.force is not None:
+        yield "force balance", abs(result.driving_force - drive.force) / bound
+    if drive.torque is not None:
+        yield "torque balance", abs(result.driving_torque - drive.torque) / (bound * result.ball.outer_radius)
+    if drive.creepage is not None:
+        assert result.creepage is not None
+        yield "creepage", abs(result.creepage - drive.creepage) / max(abs(drive.creepage), 1e-6)
+
+
+def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    arm = max(result.semi_axis_x, result.mesh.spacing * result.ball.outer_radius)
+    rolling = result.load * arm * result.angular_speed
+    yield "power gained in the coating", -result.bulk_power / rolling
+    yield "power gained by slip", -result.slip_power / rolling
+    if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.ball.layers):
+        yield "power lost in an elastic coating", abs(result.bulk_power) / rolling
+
+
+def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    """Without lateral creepage the ball's two sides are the same."""
+    if result.drive.lateral_creepage:
+        return
+    peak = float(result.pressure.max())
+    forward, sideways = result.shear_traction
+    yield "pressure of both sides", float(np.abs(result.pressure - result.pressure[:, ::-1]).max()) / peak
+    if case.has_friction:
+        limit = result.friction * peak
+        yield "forward traction of both sides", float(np.abs(forward - forward[:, ::-1]).max()) / limit
+        yield "sideways traction of both sides", float(np.abs(sideways + sideways[:, ::-1]).max()) / limit

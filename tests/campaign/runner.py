@@ -1,0 +1,303 @@
+"""Solving cases in processes of their own, which may hang or crash."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import multiprocessing
+import re
+import sys
+import time
+import traceback
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict, dataclass, field
+from multiprocessing.connection import Connection, wait
+from typing import Any
+
+import viscoroll as vr
+
+from .cases import Case, draw
+from .invariants import violations
+from .twins import twins
+
+try:
+    import resource
+except ImportError:  # Windows, where only the clock on the wall ends a case
+    resource = None  # type: ignore[assignment]
+
+__all__ = ["FAILURES", "KINDS", "Outcome", "run", "run_case"]
+
+#: How a case can end. Those from the third on are failures, and so is a solution with violations.
+KINDS = ("solved", "refused", "refused improperly", "no convergence", "hang", "crash", "error")
+FAILURES = KINDS[2:]
+
+#: Time of the processor [s] beyond which a case is solved without its twins.
+SLOW = 2.0
+
+#: A process that waits for something uses no time of the processor: how much longer the clock on the wall may run.
+PATIENCE = 30.0
+
+#: Words of the inside, of which no message must speak.
+_INTERNAL = re.compile(
+    r"unknown forces|eliminat|krylov|gmres|bicgstab|newton|preconditi|matrix|active set|singular|eigen|fftw"
+    r"|std::|\bnan\b",
+    re.IGNORECASE,
+)
+
+
+@dataclass(kw_only=True)
+class Outcome:
+    """How a case ended.
+
+    Attributes
+    ----------
+    case : str
+        "SEED:NUMBER".
+    kind : str
+        One of `KINDS`.
+    stage : str
+        What was solved last: the case itself, or the twin of that name.
+    message : str
+        Of the exception.
+    violations : dict
+        What the solution, or that of a twin, violates, and how far beyond what is allowed.
+    seconds : float
+        Time of the processor for the case itself.
+    has_friction : bool
+        Whether the case has friction.
+    nodes : int
+        In contact.
+    source : str
+        The call.
+    """
+
+    case: str
+    kind: str = "solved"
+    stage: str = "case"
+    message: str = ""
+    violations: dict[str, float] = field(default_factory=dict)
+    seconds: float = 0.0
+    has_friction: bool = False
+    nodes: int = 0
+    source: str = ""
+
+    @property
+    def failed(self) -> bool:
+        """Whether anything is wrong."""
+        return self.kind in FAILURES or bool(self.violations)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all of it, for JSON, which knows no infinity."""
+        values = asdict(self)
+        values["violations"] = {name: min(error, sys.float_info.max) for name, error in self.violations.items()}
+        return values
+
+
+def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: None) -> Outcome:
+    """Solve a case and its twins, if it is not a slow one, and check the solutions.
+
+    Parameters
+    ----------
+    case : Case
+        What to solve.
+    before_each : callable
+        Called before each solve with what is known so far.
+    """
+    outcome = Outcome(case=case.name, has_friction=case.has_friction, source=case.source())
+    before_each(outcome)
+    start = time.process_time()
+    result = _solve(case, outcome)
+    outcome.seconds = time.process_time() - start
+    if result is None:
+        if outcome.kind == "refused":
+            _judge_refusal(case, outcome, before_each)
+        return outcome
+    outcome.nodes = int(result.contact.sum())
+    outcome.violations |= violations(case, result)
+    if case.absurd:
+        outcome.violations[f"absurd {case.absurd} accepted"] = math.inf
+    for twin in twins(case) if outcome.seconds < SLOW else ():
+        outcome.stage = twin.kind
+        before_each(outcome)
+        other = _solve(twin.case, outcome)
+        if other is None:
+            return outcome
+        found = twin.differences(result, other)
+        outcome.violations |= {f"{twin.kind}: {name}": error for name, error in found.items()}
+    outcome.stage = "case"
+    return outcome
+
+
+def _solve(case: Case, outcome: Outcome) -> vr.Result | None:
+    """Solve, and note in the outcome what was raised and warned of."""
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = vr.solve(case.ball, **case.arguments)
+    except vr.ConvergenceError as error:
+        outcome.kind, outcome.message = "no convergence", str(error)
+    except ValueError as error:
+        outcome.message = str(error)
+        outcome.kind = "refused" if _is_proper(outcome.message, case) else "refused improperly"
+    except Exception:
+        outcome.kind, outcome.message = "error", traceback.format_exc()
+    else:
+        for warning in caught:
+            if not warning.category.__module__.startswith("viscoroll"):
+                outcome.violations[f"warning: {warning.message}"] = math.inf
+        return result
+    return None
+
+
+def _is_proper(message: str, case: Case) -> bool:
+    """Whether a message names an argument that was given, and speaks of nothing else."""
+    name = re.match(r"([a-z_]+)[\w.\[\]]* must be ", message)
+    given = case.arguments.keys() | {"layers", "core_radius"}
+    return name is not None and name[1] in given and not _INTERNAL.search(message)
+
+
+def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome], object]) -> None:
+    """Look whether a load that was refused can be borne, by what smaller loads do.
+
+    Penetration grows with the power 2/3 of the load on a thick layer, and slower on a thin one; the contact's radius
+    with the power 1/3. Shells that bend are left out.
+    """
+    if not outcome.message.startswith("load ") or case.absurd or case.ball.inner_boundary is vr.InnerBoundary.HOLLOW:
+        return
+    outcome.stage = "smaller load"
+    for factor in (10.0, 100.0, 1000.0):
+        smaller = dict(case.arguments, load=case.arguments["load"] / factor)
+        drive = smaller["drive"]
+        if drive.force:
+            smaller["drive"] = vr.Drive(force=drive.force / factor)
+        elif drive.torque:
+            smaller["drive"] = vr.Drive(torque=drive.torque / factor)
+        before_each(outcome)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                result = vr.solve(case.ball, **smaller)
+        except (ValueError, vr.ConvergenceError):
+            continue
+        depth = factor ** (2.0 / 3.0) * result.penetration / case.ball.thickness
+        radius = factor ** (1.0 / 3.0) * max(result.semi_axis_x, result.semi_axis_z) / case.ball.outer_radius
+        if depth < 0.5 and radius < 0.5:
+            outcome.violations["bearable load refused"] = 0.5 / max(depth, radius)
+        break
+    outcome.stage = "case"
+
+
+def run(
+    seed: int, numbers: Iterable[int], *, jobs: int, limit: float, draw: Callable[[int, int], Case] = draw
+) -> Iterator[Outcome]:
+    """Solve cases in several processes; yield how they ended, as they end.
+
+    Parameters
+    ----------
+    seed : int
+        Of the campaign.
+    numbers : iterable of int
+        Of the cases.
+    jobs : int
+        Number of processes.
+    limit : float
+        Time of the processor that one solve may take [s].
+    draw : callable
+        Called in each process as draw(seed, number); returns the case.
+    """
+    waiting = iter(numbers)
+    workers = [_Worker(seed, limit, draw) for _ in range(jobs)]
+    try:
+        busy = {worker for worker in workers if worker.start_next(waiting)}
+        while busy:
+            ready = wait([worker.connection for worker in busy], timeout=1.0)
+            for worker in list(busy):
+                outcome = worker.receive() if worker.connection in ready else worker.overdue()
+                if outcome is not None:
+                    yield outcome
+                    if not worker.start_next(waiting):
+                        busy.remove(worker)
+    finally:
+        for worker in workers:
+            worker.stop()
+
+
+class _Worker:
+    """A process that solves one case after the other, and is replaced when it dies."""
+
+    def __init__(self, seed: int, limit: float, draw: Callable[[int, int], Case]) -> None:
+        self._seed, self._limit, self._draw = seed, limit, draw
+        self._number = -1
+        self._so_far: Outcome | None = None
+        self._start()
+
+    def _start(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.connection, theirs = context.Pipe()
+        self._process = context.Process(target=_serve, args=(self._seed, self._limit, self._draw, theirs), daemon=True)
+        self._process.start()
+        theirs.close()
+
+    def start_next(self, waiting: Iterator[int]) -> bool:
+        """Take the next case, if there is one."""
+        for self._number in waiting:
+            self._so_far = None
+            self._deadline = time.monotonic() + PATIENCE * self._limit
+            self.connection.send(self._number)
+            return True
+        return False
+
+    def receive(self) -> Outcome | None:
+        """Return how the case ended; None where the worker says that it goes on."""
+        try:
+            is_end, outcome = self.connection.recv()
+        except (EOFError, OSError):
+            return self._died()
+        self._deadline = time.monotonic() + PATIENCE * self._limit
+        self._so_far = outcome
+        return outcome if is_end else None
+
+    def overdue(self) -> Outcome | None:
+        """End a process that has been silent for too long."""
+        if time.monotonic() < self._deadline:
+            return None
+        self._process.kill()
+        return self._died(waited=True)
+
+    def _died(self, *, waited: bool = False) -> Outcome:
+        self._process.join()
+        code = self._process.exitcode
+        self._start()
+        outcome = self._so_far or Outcome(case=f"{self._seed}:{self._number}")
+        hung = waited or (resource is not None and code is not None and -code in _OUT_OF_TIME)
+        outcome.kind, outcome.message = ("hang", "") if hung else ("crash", f"exit code {code}")
+        if hung and outcome.stage == "case":
+            outcome.seconds = self._limit
+        return outcome
+
+    def stop(self) -> None:
+        """End the process, whatever it does."""
+        self._process.kill()
+        self._process.join()
+        self.connection.close()
+
+
+_OUT_OF_TIME = (24,)  # SIGXCPU
+
+
+def _serve(seed: int, limit: float, draw: Callable[[int, int], Case], connection: Connection) -> None:
+    """Solve the cases whose numbers come, until the connection ends."""
+
+    def before_each(outcome: Outcome) -> None:
+        connection.send((False, outcome))
+        if resource is not None:
+            spent = math.ceil(time.process_time() + limit)
+            resource.setrlimit(resource.RLIMIT_CPU, (spent, resource.getrlimit(resource.RLIMIT_CPU)[1]))
+
+    if resource is not None:
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    with contextlib.suppress(EOFError, KeyboardInterrupt):
+        while True:
+            case = draw(seed, connection.recv())
+            connection.send((True, run_case(case, before_each)))

@@ -1,0 +1,157 @@
+"""Cases that must have the same solution as another, and what their solutions must share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import viscoroll as vr
+from numpy.typing import NDArray
+
+from .cases import Case
+from .materials import scaled_modulus
+
+__all__ = ["Twin", "twins"]
+
+#: Powers of two, whose products are exact: what differs is an absolute number somewhere in the solution.
+LENGTH, STRESS, TIME = 2.0**-9, 2.0**13, 2.0**7
+
+#: Relative to the largest value of its kind. Layers that are cut and tables that are mirrored have other round-off, and
+#: the solver ends at residuals of 1e-8 and less.
+SCALING_TOLERANCE = 1e-8
+TOLERANCE = 1e-6
+
+#: Results by the powers of length, stress and time that scale them.
+SCALARS = {
+    "resisting_torque": (3, 1, 0),
+    "driving_torque": (3, 1, 0),
+    "driving_force": (2, 1, 0),
+    "penetration": (1, 0, 0),
+    "contact_area": (2, 0, 0),
+    "bulk_power": (3, 1, -1),
+    "slip_power": (3, 1, -1),
+}
+FIELDS = {"pressure": (0, 1, 0), "gap": (1, 0, 0), "shear_traction": (0, 1, 0)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Twin:
+    """A case whose solution is known from that of another.
+
+    Attributes
+    ----------
+    kind : str
+        What was done to it.
+    case : Case
+        What is solved.
+    differences : callable
+        Called with the first solution and the twin's; returns differences by name, relative to what is allowed.
+    """
+
+    kind: str
+    case: Case
+    differences: Callable[[vr.Result, vr.Result], dict[str, float]]
+
+
+def twins(case: Case) -> Iterator[Twin]:
+    """Yield all twins that the case has."""
+    yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
+    yield Twin(kind="split layer", case=_split(case), differences=_differences)
+    drive = case.arguments["drive"]
+    if drive.lateral_creepage:
+        mirrored = replace(drive, lateral_creepage=-drive.lateral_creepage)
+        yield Twin(
+            kind="mirror",
+            case=replace(case, arguments=case.arguments | {"drive": mirrored}),
+            differences=lambda one, other: _differences(one, other, mirrored=True),
+        )
+
+
+def _scaled(case: Case) -> Case:
+    layers = [
+        replace(
+            layer,
+            thickness=LENGTH * layer.thickness,
+            shear_modulus=scaled_modulus(layer.shear_modulus, stress=STRESS, time=TIME),
+            bulk_modulus=None if layer.bulk_modulus is None else STRESS * layer.bulk_modulus,
+            density=STRESS * TIME**2 / LENGTH**2 * layer.density,
+        )
+        for layer in case.ball.layers
+    ]
+    ball = replace(case.ball, core_radius=LENGTH * case.ball.core_radius, layers=layers)
+    given = case.arguments
+    drive = given["drive"]
+    if drive.force is not None:
+        drive = vr.Drive(force=STRESS * LENGTH**2 * drive.force)
+    elif drive.torque is not None:
+        drive = vr.Drive(torque=STRESS * LENGTH**3 * drive.torque)
+    changed = {
+        "load": STRESS * LENGTH**2 * given["load"],
+        "angular_speed": given["angular_speed"] / TIME,
+        "drive": drive,
+    }
+    return replace(case, ball=ball, arguments=given | changed)
+
+
+def _split(case: Case) -> Case:
+    """Cut the thickest layer in two."""
+    layers = list(case.ball.layers)
+    thickest = max(range(len(layers)), key=lambda j: layers[j].thickness)
+    half = replace(layers[thickest], thickness=0.5 * layers[thickest].thickness)
+    layers[thickest : thickest + 1] = [half, half]
+    return replace(case, ball=replace(case.ball, layers=layers))
+
+
+def _scaling_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
+    return _differences(one, other, scaled=True)
+
+
+def _differences(one: vr.Result, other: vr.Result, *, scaled: bool = False, mirrored: bool = False) -> dict[str, float]:
+    allowed = SCALING_TOLERANCE if scaled else TOLERANCE
+    if one.mesh != other.mesh or one.pressure.shape != other.pressure.shape:
+        return {"mesh": float("inf")}
+    scales = _scales(one)
+    found: dict[str, float] = {}
+    for name, powers in (SCALARS | FIELDS).items():
+        unit = _unit(powers) if scaled else 1.0
+        values = np.asarray(getattr(other, name)) / unit
+        if mirrored:
+            values = _mirrored(name, values)
+        found[name] = float(np.abs(values - getattr(one, name)).max()) / (allowed * scales[name])
+    return {name: value for name, value in found.items() if not value <= 1.0}
+
+
+def _mirrored(name: str, values: NDArray[Any]) -> NDArray[Any]:
+    if values.ndim == 0:
+        return values
+    sides = np.array([1.0, -1.0])[:, None, None] if name == "shear_traction" else 1.0
+    mirrored: NDArray[Any] = sides * values[..., ::-1]
+    return mirrored
+
+
+def _unit(powers: tuple[int, int, int]) -> float:
+    length, stress, time = powers
+    return LENGTH**length * STRESS**stress * TIME**time
+
+
+def _scales(result: vr.Result) -> dict[str, float]:
+    """Return the size of each result where nothing cancels."""
+    radius, arm = result.ball.outer_radius, float(np.abs(result.x[result.contact]).max()) + result.x[0, 0] * 0.0
+    torque = result.load * max(arm, result.mesh.spacing * radius)
+    force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)
+    pressure = float(result.pressure.max())
+    depth = result.penetration + result.centrifugal_displacement
+    return {
+        "resisting_torque": torque,
+        "driving_torque": torque + force * radius,
+        "driving_force": force,
+        "penetration": depth,
+        "contact_area": result.contact_area,
+        "bulk_power": torque * result.angular_speed,
+        "slip_power": (torque + force * radius) * result.angular_speed,
+        "pressure": pressure,
+        "gap": max(depth, float(result.gap.max())),
+        "shear_traction": max(min(result.friction, 1.0), 1e-3) * pressure,
+    }

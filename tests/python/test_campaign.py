@@ -1,0 +1,174 @@
+"""A slice of the random campaign, and whether the campaign sees what is wrong."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from campaign import materials
+from campaign.cases import Case, draw
+from campaign.invariants import violations
+from campaign.runner import Outcome, run, run_case
+from campaign.summary import summary
+
+SEED = 1
+
+#: The quick ones of the first cases.
+NUMBERS = (
+    *(2, 23, 29, 37, 42, 46, 67, 88, 97, 100, 111, 123, 138, 141, 161, 163, 166, 177, 199, 202),
+    *(220, 229, 254, 265, 267, 275, 280, 290, 309, 310, 334, 342, 346, 350, 353, 357, 378, 383, 393),
+)
+
+
+@pytest.fixture(scope="module")
+def outcomes() -> dict[str, Outcome]:
+    """Return how the cases of the slice ended, by name."""
+    return {outcome.case: outcome for outcome in run(SEED, NUMBERS, jobs=1, limit=20.0)}
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_slice(outcomes, number):
+    outcome = outcomes[f"{SEED}:{number}"]
+    assert outcome.kind in ("solved", "refused"), outcome
+    assert outcome.violations == {}, outcome
+
+
+def test_cases_are_those_of_their_seed_and_number():
+    assert draw(1, 7).source() == draw(1, 7).source()
+    assert len({draw(seed, number).source() for seed in (1, 2) for number in range(50)}) == 100
+
+
+def test_source_makes_the_case_again():
+    names = vars(vr) | vars(materials)
+    for number in range(50):
+        case = draw(3, number)
+        calls: list[tuple[vr.CoatedSphere, dict]] = []
+        names["solve"] = lambda ball, calls=calls, **arguments: calls.append((ball, arguments))
+        eval(case.source(), names)
+        assert repr(calls) == repr([(case.ball, {k: v for k, v in case.arguments.items() if k != "threads"})])
+
+
+def elastic_case(**changes) -> Case:
+    layer = vr.Layer(thickness=5e-3, shear_modulus=vr.Elastic(modulus=1e6), poisson_ratio=0.4)
+    arguments = {
+        "load": 1.0,
+        "angular_speed": 1.0,
+        "friction": 0.3,
+        "drive": vr.Drive(torque=0.0),
+        "mesh": vr.Mesh(nodes_per_revolution=250),
+        "threads": 1,
+    }
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    return Case(name="0:0", ball=ball, arguments=arguments | changes)
+
+
+def test_a_sound_case_has_no_violation():
+    outcome = run_case(elastic_case())
+    assert (outcome.kind, outcome.violations, outcome.stage) == ("solved", {}, "case")
+    assert outcome.nodes > 20
+
+
+DOCTORED = {
+    "not finite": lambda r: {"driving_torque": np.nan},
+    "pressure < 0": lambda r: {"pressure": np.where(r.contact, r.pressure, -1e-3 * r.max_pressure)},
+    "gap < 0": lambda r: {"gap": r.gap - 1e-4 * r.penetration},
+    "load balance": lambda r: {"pressure": 1.001 * r.pressure},
+    "penetration >= thickness": lambda r: {"penetration": r.ball.thickness},
+    "residual": lambda r: {"residual": 1e-4},
+    "iterations ran out": lambda r: {"status": vr.Status.MAX_ITERATIONS},
+    "traction > friction": lambda r: {"shear_traction": 1.01 * r.shear_traction},
+    "slip below the limit": lambda r: {"slip": r.contact, "stick": ~r.contact & False},
+    "slip not opposite": lambda r: {"shear_traction": -r.shear_traction},
+    "stick that slips": lambda r: {"stick": r.contact, "slip": ~r.contact & False},
+    "stick and slip": lambda r: {"stick": r.contact, "slip": r.contact},
+    "driving force": lambda r: {"driving_force": r.driving_force + 0.01},
+    "torque balance": lambda r: {"driving_torque": 1e-3},
+    "power gained in the coating": lambda r: {"bulk_power": -1e-3},
+    "power gained by slip": lambda r: {"slip_power": -1e-3},
+    "power lost in an elastic coating": lambda r: {"bulk_power": 1e-3},
+    "pressure of both sides": lambda r: {"pressure": np.roll(r.pressure, 1, axis=1)},
+}
+
+
+@pytest.fixture(scope="module")
+def sound() -> vr.Result:
+    case = elastic_case()
+    return vr.solve(case.ball, **case.arguments)
+
+
+@pytest.mark.parametrize("name", DOCTORED)
+def test_doctored_solutions_are_seen(sound, name):
+    assert violations(elastic_case(), sound) == {}
+    assert name in violations(elastic_case(), replace(sound, **DOCTORED[name](sound)))
+
+
+def test_an_absolute_number_in_the_solution_is_seen(monkeypatch):
+    solve = vr.solve
+
+    def shifted(*args, **kwargs):
+        result = solve(*args, **kwargs)
+        return replace(result, penetration=result.penetration + 1e-9)
+
+    monkeypatch.setattr(vr, "solve", shifted)
+    assert set(run_case(elastic_case()).violations) == {"scaling: penetration"}
+
+
+@pytest.mark.parametrize(
+    ("message", "kind"),
+    [
+        ("load must be small enough", "refused"),
+        ("layers[0].thickness must be > 0 m", "refused"),
+        ("drive.torque must be between 1 N m and 2 N m", "refused"),
+        ("mesh.nodes_per_revolution must be coarse enough for 4000 unknown forces", "refused improperly"),
+        ("accuracy must be less, though nobody gave one", "refused improperly"),
+        ("the matrix is singular", "refused improperly"),
+    ],
+)
+def test_messages_are_judged(monkeypatch, message, kind):
+    def refuse(*args, **kwargs):
+        raise ValueError(message)
+
+    monkeypatch.setattr(vr, "solve", refuse)
+    assert run_case(elastic_case()).kind == kind
+
+
+def test_a_bearable_load_that_is_refused_is_seen(monkeypatch):
+    solve = vr.solve
+
+    def refuse(ball, *, load, **kwargs):
+        if load > 0.5:
+            raise ValueError("load must be small enough for the coating, got 1 N")
+        return solve(ball, load=load, **kwargs)
+
+    monkeypatch.setattr(vr, "solve", refuse)
+    assert "bearable load refused" in run_case(elastic_case()).violations
+
+
+def loop(omega):
+    while True:
+        pass
+
+
+def end(omega):
+    os._exit(7)
+
+
+def bad_case(seed: int, number: int) -> Case:
+    """Return a case that hangs, one that crashes, and then sound ones."""
+    case = elastic_case()
+    if number > 1:
+        return replace(case, name=f"{seed}:{number}")
+    layer = replace(case.ball.layers[0], shear_modulus=(loop, end)[number])
+    return replace(case, name=f"{seed}:{number}", ball=replace(case.ball, layers=[layer]))
+
+
+def test_cases_that_hang_or_crash_are_outlived():
+    kinds = {outcome.case: outcome for outcome in run(0, range(3), jobs=1, limit=1.0, draw=bad_case)}
+    assert [kinds[f"0:{number}"].kind for number in range(3)] == ["hang", "crash", "solved"]
+    text = summary(list(kinds.values()))
+    assert "3 cases, 3 with friction" in text
+    assert "hang [case]" in text
+    assert "crash [case] exit code #" in text
