@@ -66,8 +66,8 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
 TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
   for (const bool power : {false, true}) {
     const SphereRequest request{.tangential = true, .power = power, .patch_load = PatchLoad::spherical};
-    const auto coarse = tables(48.0, request);
-    const auto fine = tables(160.0, request);
+    const auto coarse = tables(32.0, request);
+    const auto fine = tables(96.0, request);
     for (std::size_t t = 0; t < fine.size(); ++t) {
       const double size = fine[t % 4 == 0 ? t : 0].slice(power ? 1 : 0).cwiseAbs().maxCoeff();
       EXPECT_LT(difference(coarse[t], fine[t]), (t == 0 ? 1e-4 : 2e-3) * size) << "entry " << t << ", power " << power;
