@@ -137,7 +137,7 @@ class MetricNodes {
  public:
   explicit MetricNodes(double lowest) : low_(lowest) {
     // Tables are analytic in the metric but for the pole of the distance: errors fall with the half width of the range.
-    constexpr double kTolerance = 1e-10;
+    constexpr double kTolerance = 1e-7;
     const double width = 0.25 * (1.0 - lowest);
     const int count = width < kTolerance ? 1 : 1 + static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
     for (int i = 0; i < std::clamp(count, 1, 12); ++i) {
