@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import warnings
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
-__all__ = ["ResultWarning", "warn"]
+__all__ = ["ResultWarning", "kept_in_results", "warn"]
+
+#: Python's own filters belong to all threads at once; studies solve on many.
+_SILENT: ContextVar[bool] = ContextVar("silent", default=False)
 
 
 class ResultWarning(UserWarning):
@@ -21,5 +26,17 @@ class ResultWarning(UserWarning):
 
 def warn(messages: Iterable[str], *, stacklevel: int) -> None:
     """Warn of every message, as seen from the function `stacklevel` calls above the caller of this one."""
+    if _SILENT.get():
+        return
     for message in messages:
         warnings.warn(message, ResultWarning, stacklevel=stacklevel + 2)
+
+
+@contextmanager
+def kept_in_results() -> Iterator[None]:
+    """Leave what there is to warn of to the results, for those who count it over many of them."""
+    token = _SILENT.set(True)
+    try:
+        yield
+    finally:
+        _SILENT.reset(token)

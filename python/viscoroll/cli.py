@@ -124,7 +124,7 @@ def sweep(
 ) -> None:
     """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
     from .studies.file import load_study
-    from .studies.study import run_plan
+    from .studies.study import doubts, run_plan
 
     _check_target("--output", output, (".nc",))
     path = study.with_suffix(".nc") if output is None else output
@@ -134,9 +134,8 @@ def sweep(
         _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
         _print_message(f"warning: a point failed: {message}")
-    for status, text in _STATUS_TEXT.items():
-        if count := int((dataset.status == status.name).sum()):
-            _print_message(f"warning: {count} points: {text}")
+    for message in doubts(dataset):
+        _print_message(f"warning: {message}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
     _output.print(summary, markup=False, emoji=False, highlight=False, soft_wrap=True)

@@ -302,7 +302,7 @@ class Result:
         ]
 
     def scalars(self) -> dict[str, float | int | str | None]:
-        """Return all scalar results by name, in SI units, with the status as its name."""
+        """Return all scalar results by name, in SI units, with status and warnings by their names."""
         values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
         values |= {
             "load": self.load,
@@ -319,7 +319,7 @@ class Result:
             "compliance": self.compliance.name,
             "curvature": self.curvature.name,
             "patch_load": self.patch_load.name,
-            "warnings": "; ".join(self.warnings.values()),
+            "warnings": ", ".join(kind.name for kind in self.warnings),
         }
         return values
 

@@ -262,9 +262,7 @@ def test_products_agree_with_a_dense_solution(paper_ball):
 
 
 def kelvin_voigt_ball(viscosity):
-    layer = vr.Layer(
-        thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=viscosity), poisson_ratio=0.5
-    )
+    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=viscosity), poisson_ratio=0.5)
     return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
 
 

@@ -75,7 +75,7 @@ def test_a_coarse_mesh_is_a_warning(paper_ball):
     assert caught[0].filename == __file__  # it points at the call, not into the package
     assert list(r.warnings) == [vr.WarningKind.COARSE_MESH]
     assert "warning" in repr(r)
-    assert "too coarse" in r.scalars()["warnings"]
+    assert r.scalars()["warnings"] == "COARSE_MESH"
 
 
 def test_a_large_strain_is_a_warning(paper_ball):
@@ -134,3 +134,13 @@ def test_a_material_that_relaxes_almost_wholly_is_sized_by_what_rolls():
     soft = vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(shear_modulus=fast, **layer)])
     with pytest.raises(ValueError, match="load must be small enough"):
         vr.solve(soft, load=100.0, angular_speed=2.5)
+
+
+def test_a_study_counts_warnings(paper_ball):
+    mesh = vr.Mesh(nodes_per_revolution=60)
+    message = r"of 2 points: 2 COARSE_MESH, 1 LARGE_STRAIN; see status, warnings and error"
+    with pytest.warns(vr.ResultWarning, match=message) as caught:
+        study = vr.sweep(paper_ball, load=[100.0, 300.0], angular_speed=2.5, mesh=mesh, progress=False)
+    assert len(caught) == 1
+    assert caught[0].filename == __file__
+    assert study.warnings.values.tolist() == ["COARSE_MESH", "COARSE_MESH, LARGE_STRAIN"]

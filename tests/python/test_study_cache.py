@@ -201,7 +201,7 @@ def test_an_error_of_the_machine_is_not_the_points(tmp_path, monkeypatch, paper_
 
 def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     parameters = {"thickness": [-1.0, 1e-3], "load": [100.0, 1e9], "cache": tmp_path / "study.nc"}
-    with pytest.warns(UserWarning, match="^of 4 points: 3 FAILED; see status and error$"):
+    with pytest.warns(vr.ResultWarning, match="^of 4 points: 3 FAILED; see status, warnings and error$"):
         study = sweep(paper.ball, **parameters, fields=["pressure"])
     assert np.isnan(study.resisting_torque).values.tolist() == [[True, True], [False, True]]
     assert study.status.values.tolist() == [["FAILED", "FAILED"], ["CONVERGED", "FAILED"]]
@@ -211,7 +211,7 @@ def test_failed_points_are_nan_with_their_message(tmp_path, solves):
     assert study.error.values[1, 0] == ""
     assert len(solves) == 2
     for retry_failed, solved in ((False, 2), (True, 3)):
-        with pytest.warns(UserWarning, match="3 FAILED"):
+        with pytest.warns(vr.ResultWarning, match="3 FAILED"):
             same_numbers(sweep(paper.ball, **parameters, fields=["pressure"], retry_failed=retry_failed), study)
         assert len(solves) == solved
     assert solves[2] == 1e9
@@ -221,7 +221,9 @@ def test_points_less_accurate_than_wanted_are_kept_and_counted(tmp_path, solves)
     # The smaller contact is narrower than the spacing of any mesh allowed.
     parameters = {"load": [1e-13, 100.0], "mesh": None, "accuracy": 0.2, "cache": tmp_path / "study.nc"}
     for _ in range(2):
-        with pytest.warns(UserWarning, match="^of 2 points: 1 ACCURACY_NOT_REACHED; see status and error$"):
+        with pytest.warns(
+            vr.ResultWarning, match="^of 2 points: 1 ACCURACY_NOT_REACHED; see status, warnings and error$"
+        ):
             study = sweep(paper.ball(density=0.0), **parameters)
         assert study.attrs["statuses"] == "1 ACCURACY_NOT_REACHED, 1 CONVERGED"
         assert study.resisting_torque.notnull().all()
@@ -233,7 +235,7 @@ def test_a_bug_in_the_users_ball_does_not_outlive_it(tmp_path, solves):
         return paper.ball(thickness=thickness if thickness < 1.5e-3 else thicknes)  # noqa: F821
 
     parameters = {"thickness": [1e-3, 2e-3], "load": LOADS, "cache": tmp_path / "study.nc"}
-    with pytest.warns(UserWarning, match="3 FAILED"):
+    with pytest.warns(vr.ResultWarning, match="3 FAILED"):
         study = sweep(with_a_bug, **parameters)
     assert study.error.values[1, 0] == "NameError: name 'thicknes' is not defined"
     study = sweep(paper.ball, **parameters)
@@ -254,7 +256,7 @@ def test_a_bug_in_the_users_material_does_not_outlive_it(tmp_path, rubber):
 
     case = {"load": LOADS, "cache": tmp_path / "study.nc"}
     for error in (ZeroDivisionError("oops"), ValueError("oops")):
-        with pytest.warns(UserWarning, match="3 FAILED"):
+        with pytest.warns(vr.ResultWarning, match="3 FAILED"):
             study = sweep(fails_once_solved(error), **case)
         assert set(study.error.values.tolist()) == {f"{type(error).__name__}: oops"}
     for error in (MemoryError(), ImportError("no module")):

@@ -35,7 +35,11 @@ _COUNTS = {
     "max_order": ("1", "truncation order N_t; NaN where all orders are summed"),
 }
 
-_TEXTS = {"status": "how the solve ended", "error": "why the point failed"}
+_TEXTS = {
+    "status": "how the solve ended",
+    "warnings": "what to know before relying on it",
+    "error": "why the point failed",
+}
 
 #: Names that parameters of a ball cannot have.
 RESERVED = frozenset({*SCALARS, *_COUNTS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
@@ -67,6 +71,7 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (names, np.array(column, dtype=np.float64), _attributes(unit, description))
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
+    variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
     variables = {
         name: (dims, values.reshape(plan.shape), attrs)

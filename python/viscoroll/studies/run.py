@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._core import ConvergenceError, core_count
+from ..caution import kept_in_results
 from ..geometry import CoatedSphere
 from ..result import Result
 from ..rolling import RollingModel, solve
@@ -122,7 +123,8 @@ def _is_an_answer(error: Exception) -> bool:
 
 def solve_point(solver: Callable[..., Result], **case: Any) -> Result:
     """Solve one point: `solver` knows what it shares with others, `case` is the rest."""
-    return solver(**case)
+    with kept_in_results():
+        return solver(**case)
 
 
 def _solver(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import threading
-import warnings
 from collections import Counter
 from collections.abc import Callable, Iterable
 from concurrent.futures import Executor
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._extras import extra
+from ..caution import warn
 from ..geometry import CoatedSphere
 from ..result import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
@@ -24,7 +24,7 @@ from .run import Outcome, run
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["run_plan", "sweep"]
+__all__ = ["doubts", "run_plan", "sweep"]
 
 
 def sweep(
@@ -75,7 +75,7 @@ def sweep(
 
     Warns
     -----
-    UserWarning
+    ResultWarning
         Where points failed or were not solved as accurately as wanted: how many.
 
     Raises
@@ -118,16 +118,17 @@ def sweep(
     _check_names(parameters)
     plan = plan_sweep(ball, parameters, fields=kept)
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
-    _warn_of_points(study)
+    warn(doubts(study), stacklevel=1)
     return study
 
 
-def _warn_of_points(study: xarray.Dataset) -> None:
-    counts = Counter(study.status.values.ravel().tolist())
-    del counts["CONVERGED"]
-    if counts:
-        found = ", ".join(f"{count} {status}" for status, count in counts.items())
-        warnings.warn(f"of {study.status.size} points: {found}; see status and error", UserWarning, stacklevel=3)
+def doubts(study: xarray.Dataset) -> list[str]:
+    """Say in one line how many points failed or carry a warning, and of which kind; nothing where none does."""
+    found = Counter(kind for text in study.warnings.values.ravel() for kind in str(text).split(", ") if kind)
+    if failed := int((study.status == "FAILED").sum()):
+        found["FAILED"] = failed
+    counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
+    return [f"of {study.status.size} points: {counted}; see status, warnings and error"] if found else []
 
 
 def run_plan(
