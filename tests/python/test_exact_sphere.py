@@ -258,3 +258,16 @@ def test_orders_are_refused(paper_ball):
         vr.degree_compliance(paper_ball, 2.5, 2, 3)
     with pytest.raises(ValueError, match=r"degree must be in \[0, 1e6\], got -1"):
         vr.degree_compliance(paper_ball, 2.5, -1, 0)
+
+
+@pytest.mark.parametrize("compliance", vr.Compliance)
+@pytest.mark.parametrize("angular_speed", [1.0, 4.0])
+def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
+    """Displacements downstream of the nodes, as on the torus, from which a thin coating differs little."""
+    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=3e4), poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    case = {"load": 50.0, "angular_speed": angular_speed, "mesh": vr.Mesh(nodes_per_revolution=800)}
+    exact, torus = (vr.solve(ball, compliance=compliance, curvature=c, **case) for c in (EXACT, vr.Curvature.SPHERE))
+    assert exact.driving_torque == pytest.approx(torus.driving_torque, rel=1e-3)
+    assert exact.penetration == pytest.approx(torus.penetration, rel=1e-3)
+    assert exact.power_balance_error < torus.power_balance_error + 1e-3

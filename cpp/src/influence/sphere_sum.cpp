@@ -202,7 +202,10 @@ void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTabl
     }
     const OrderTables order(seen, loaded, compliances, weights);
     const double patch = sinc(0.5 * m * phi_spacing(mesh_));
-    const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * (request.power ? cplx(0.0, m) * patch : cplx(1.0));
+    // Derivatives are averages over patches, displacements are taken somewhat downstream of the nodes.
+    const cplx seen_from =
+        request.power ? cplx(0.0, m) * patch : std::polar(1.0, m * request.collocation * phi_spacing(mesh_));
+    const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * seen_from;
     for (std::size_t t = 0; t < tables.size(); ++t) {
       sums[t][i] = factor * order(static_cast<int>(t / 3), static_cast<int>(t % 3));
       worker.checkpoint();
@@ -238,7 +241,9 @@ void SphereSum::add_local(const SphereRequest& request, std::vector<SphereTable>
   constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
   std::vector<TableRequest> requests;
   for (const Entry entry : kAll) {
-    if (request.tangential || entry == Entry::rr) requests.push_back({.entry = entry, .power = request.power});
+    if (!request.tangential && entry != Entry::rr) continue;
+    requests.push_back(
+        {.entry = entry, .power = request.power, .phi_shift = request.power ? 0.0 : request.collocation});
   }
   for (std::size_t i = 0; i < metrics.nodes().size(); ++i) {
     const OrderSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},

@@ -45,6 +45,7 @@ struct SphereRequest {
   /// on both sides, the power lost per radian.
   bool power = false;
   PatchLoad patch_load = PatchLoad::flat;
+  double collocation = 0.0;  ///< where displacements are taken, see `SurfaceOperator::collocation` [spacings]
 
   [[nodiscard]] int count() const { return tangential ? 9 : 1; }
   friend bool operator==(const SphereRequest&, const SphereRequest&) = default;

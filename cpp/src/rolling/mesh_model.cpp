@@ -60,9 +60,7 @@ MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mes
     : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
               threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature),
       centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
-      collocation_(curvature == Curvature::exact
-                       ? 0.0
-                       : stable_collocation(sphere, angular_speed, mesh, coating().curvature())) {
+      collocation_(stable_collocation(coating().sphere(), angular_speed, mesh, coating().curvature())) {
   if (curvature == Curvature::exact) {
     sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
   }

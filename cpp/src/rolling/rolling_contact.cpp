@@ -104,8 +104,10 @@ class LoadCaseSolver {
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
       std::shared_ptr<const SurfaceOperator> nearby) const {
-    SphereRequest request{
-        .tangential = nearby->local().directions.size() == 3, .power = false, .patch_load = options_.patch_load};
+    SphereRequest request{.tangential = nearby->local().directions.size() == 3,
+                          .power = false,
+                          .patch_load = options_.patch_load,
+                          .collocation = nearby->collocation()};
     const auto& [phi, theta] = nearby->window();
     const double values = request.count() * (2.0 * phi.count() - 1.0) * std::pow(theta.count(), 2);
     if (values > kMostTableValues) {

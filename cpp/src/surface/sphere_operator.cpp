@@ -22,15 +22,19 @@ SphereProduct make_product(const std::vector<SphereTable>& tables, const Surface
 
 constexpr std::array<double, 3> kShare{0.25, 0.5, 0.25};
 
-/// Every other node, loaded over patches of two spacings.
-SphereTable with_wide_loads(const SphereTable& fine, int stride) {
+/// Every other node, loaded over patches of two spacings. A share of displacements is taken an offset further
+/// downstream.
+SphereTable with_wide_loads(const SphereTable& fine, int stride, double downstream = 0.0) {
+  const std::array<double, 4> phi_share{0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream,
+                                        0.25 * downstream};
+  const int last = downstream > 0.0 ? 2 : 1;
   const int half = ((fine.theta_nodes() - 1) / 2 - 1) / stride;
   const int middle = (fine.theta_nodes() - 1) / 2;
-  SphereTable coarse((fine.phi_reach() - 1) / stride, 2 * half + 1);
+  SphereTable coarse((fine.phi_reach() - last) / stride, 2 * half + 1);
   for (int j = -coarse.phi_reach(); j <= coarse.phi_reach(); ++j) {
-    for (int dj = -1; dj <= 1; ++dj) {
+    for (int dj = -1; dj <= last; ++dj) {
       const Eigen::MatrixXd& slice = fine.slice(stride * j + dj);
-      const double share = kShare[static_cast<std::size_t>(dj + 1)];
+      const double share = phi_share[static_cast<std::size_t>(dj + 1)];
       for (int to = -half; to <= half; ++to) {
         for (int from = -half; from <= half; ++from) {
           for (int dk = -1; dk <= 1; ++dk) {
@@ -79,7 +83,7 @@ Eigen::ArrayXXd SphereOperator::loads(const VectorField& force) const {
 }
 
 VectorField SphereOperator::displacement(const VectorField& force) const {
-  const auto& directions = local().directions;
+  const auto& directions = local().displaced_directions;
   const Eigen::ArrayXXd components = product_.apply(loads(force), execution().threads, execution().watch);
   VectorField result = VectorField::Zero(force.rows(), 3);
   for (std::size_t p = 0; p < directions.size(); ++p) {
@@ -103,7 +107,8 @@ std::shared_ptr<const SurfaceOperator> SphereOperator::coarsened() const {
     return with_wide_loads(transposed(with_wide_loads(transposed(table), 1)), 2);
   };
   return std::make_shared<SphereOperator>(
-      nearby_->coarsened(), widened(*tables_, [](const SphereTable& table) { return with_wide_loads(table, 2); }),
+      nearby_->coarsened(),
+      widened(*tables_, [this](const SphereTable& table) { return with_wide_loads(table, 2, collocation()); }),
       [source = dissipation_source_, wide_power](int phi_reach, int half_theta) {
         return widened(*source(2 * phi_reach + 2, 2 * half_theta + 2), wide_power);
       });

@@ -35,6 +35,8 @@ struct LocalCompliance {
   std::array<std::shared_ptr<const Table>, kEntries> tables;
   /// [component][axis] of r, phi and theta, or of r alone, at every node
   std::vector<std::array<Eigen::ArrayXd, 3>> directions;
+  /// the same where displacements are taken, see `SurfaceOperator::collocation`
+  std::vector<std::array<Eigen::ArrayXd, 3>> displaced_directions;
 
   [[nodiscard]] const Table& table(Entry entry) const { return *tables[static_cast<std::size_t>(entry)]; }
 };

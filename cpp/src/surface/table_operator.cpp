@@ -182,10 +182,10 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceWindow
       window_(nodes.window()),
       tables_(std::move(tables)),
       dissipation_source_(std::move(dissipation_source)),
-      local_{.tables = {}, .directions = load_directions(formulation, nodes)},
-      displaced_directions_(formulation.collocation > 0.0
-                                ? load_directions(formulation, SurfaceWindow(grid_, window_, formulation.collocation))
-                                : decltype(displaced_directions_){}),
+      local_{
+          .tables = {},
+          .directions = load_directions(formulation, nodes),
+          .displaced_directions = load_directions(formulation, SurfaceWindow(grid_, window_, formulation.collocation))},
       weights_(patch_weights(formulation, nodes)),
       displacements_(window_.shape(), *tables_, Terms(formulation).displacement(), execution.threads, execution.watch),
       execution_(execution) {
@@ -210,7 +210,7 @@ Eigen::ArrayXXd TableOperator::loads(const VectorField& force) const {
 VectorField TableOperator::displacement(const VectorField& force) const {
   const Eigen::ArrayXXd components = displacements_.apply(loads(force), execution_.threads, execution_.watch);
   VectorField result = VectorField::Zero(force.rows(), 3);
-  const auto& directions = displaced_directions();
+  const auto& directions = local_.displaced_directions;
   for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
       result.col(axis) += directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
@@ -232,7 +232,7 @@ Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const 
         });
       },
       [&](int row, std::size_t component, const double* line) {
-        const Eigen::ArrayXd& direction = displaced_directions()[component][kDown];
+        const Eigen::ArrayXd& direction = local_.displaced_directions[component][kDown];
         nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
           const double share = direction[nodes.node(i)] * line[k];
           result[i] = component == 0 ? share : result[i] + share;

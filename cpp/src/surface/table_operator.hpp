@@ -65,9 +65,6 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] double dissipation(const VectorField& force) const override;
 
  private:
-  [[nodiscard]] const std::vector<std::array<Eigen::ArrayXd, 3>>& displaced_directions() const {
-    return displaced_directions_.empty() ? local_.directions : displaced_directions_;
-  }
   /// Forces along x, y and z as loads along the components, a column for each component * shapes + shape.
   [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
 
@@ -77,8 +74,6 @@ class TableOperator : public SurfaceOperator {
   Tables tables_;
   DissipationSource dissipation_source_;
   LocalCompliance local_;
-  /// As the directions of `local_`, where displacements are taken; empty where that is at the nodes.
-  std::vector<std::array<Eigen::ArrayXd, 3>> displaced_directions_;
   std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
   Convolution displacements_;
   Execution execution_;
