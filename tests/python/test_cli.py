@@ -170,7 +170,7 @@ def test_bad_materials_are_one_line(tmp_path, text, message):
         ({"type": '"jelly"'}, "shear_modulus.type must be one of elastic, "),
         ({"relaxed_modulus": "3e6\nstiffness = 1"}, "standard_linear_solid has no parameter stiffness"),
         ({"relaxation_time": "1.0\n#"}, ""),
-        ({"compliance": '"diagonal"'}, "numerics.compliance: input should be 'vertical' or 'radial'"),
+        ({"compliance": '"diagonal"'}, "numerics.compliance: input should be 'radial' or 'vertical'"),
         ({"core_radius": "0.02\ncolor = 1"}, "ball.color: extra inputs are not permitted"),
         ({"accuracy": "0.01\nmax_order = 100"}, "numerics.nodes_per_revolution must be given with the rest of a mesh"),
         ({"load": ""}, "not a TOML file"),
@@ -263,8 +263,8 @@ def test_coarse_meshes_are_a_warning(case_file):
     case = load_case(path)
     estimate = case.solve().error_estimate
     assert run("solve", path).stderr == (
-        "warning: the mesh is too coarse: 1 nodes in contact (good from 10), "
-        f"error estimate {estimate:.2g} (good up to 0.3); refine it, or leave it out\n"
+        "warning: the mesh is too coarse: 1 nodes across the contact (good from 10), "
+        f"error estimate {estimate:.3g} (good up to 0.1); refine it, or leave it out\n"
     )
     assert run("solve", case_file(accuracy="0.1")).stderr == ""
 

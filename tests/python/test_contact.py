@@ -196,6 +196,7 @@ def test_unlike_spacings_agree(paper_ball):
             load=100.0,
             angular_speed=2.5,
             mesh=vr.Mesh(nodes_per_revolution=phi, theta_nodes_per_revolution=theta),
+            compliance=vr.Compliance.VERTICAL,
             curvature=vr.Curvature.PAPER,
         )
         for phi, theta in ((2000, 2000), (2000, 1300), (1300, 2000))
@@ -210,13 +211,11 @@ def test_unlike_spacings_agree(paper_ball):
 
 
 def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
-    """By products, from the contact of a coarse level, and by elimination, from all candidates: the same set."""
+    """From the contact of a coarse level, and by a dense solution from all candidates: the same set."""
     mesh = vr.Mesh(nodes_per_revolution=600)
     model = vr.RollingModel(paper_ball, angular_speed=2.5, mesh=mesh)
-    by_products = set()
     for load in (0.3, 3.0, 30.0, 100.0):
         r = model.solve(load=load, compliance=vr.Compliance.RADIAL)
-        by_products.add(r.products > 0)
         rows, columns = r.x.shape
         table = vr.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
         i, k = (index.ravel() for index in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
@@ -224,7 +223,6 @@ def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
         depth = np.sqrt(paper_ball.outer_radius**2 - r.x**2 - r.z**2).ravel()
         force, _ = contact.solve_normal_contact(matrix, depth, load)
         np.testing.assert_array_equal(r.contact.ravel(), force < 0.0)
-    assert by_products == {True, False}
 
 
 @pytest.mark.parametrize("nodes", [60_000, 200_000])
