@@ -30,7 +30,7 @@ def nearly_solid(**material):
 
 def press(ball, *, load, nodes):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
-    # Of the torus' two geometries the paper's is the nearer to a half-space where a ball is one piece (theory.md section 3).
+    # The torus of the paper is nearer to a half-space than that of SPHERE where a ball is of one piece (theory.md 3).
     return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=vr.Curvature.PAPER)
 
 
