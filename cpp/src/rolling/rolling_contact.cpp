@@ -44,6 +44,7 @@ class LoadCaseSolver {
     if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
     const double estimate =
         estimate_contact_radius(model_.coating().sphere(), load_case_.angular_speed, load_case_.load);
+    require_lasting_stiffness(estimate);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
     const int theta_limit = theta_nodes_per_revolution(model_.mesh()) / 6;
@@ -217,20 +218,45 @@ class LoadCaseSolver {
            text(load_case_.load) + " N (the sphere " + reason + relaxation_note() + ")");
   }
 
-  /// What makes a load too large that a layer would bear if it did not relax.
-  [[nodiscard]] std::string relaxation_note() const {
-    constexpr double kNextToNothing = 1e-3;  // of the modulus with which the layer passes the contact
+  /// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
+  struct Relaxation {
+    std::size_t layer;
+    double modulus;  ///< relaxed [Pa]
+    double share;
+  };
+
+  [[nodiscard]] Relaxation strongest_relaxation(double contact_radius) const {
     const std::vector<Layer>& layers = model_.coating().sphere().layers;
+    const std::array frequencies{0.0, load_case_.angular_speed * std::max(1.0, grid_.radius / contact_radius)};
+    Relaxation strongest{.layer = 0, .modulus = 0.0, .share = 2.0};
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      const std::array frequencies{0.0, load_case_.angular_speed * model_.mesh().nodes_per_revolution / 2.0};
       const auto moduli = complex_modulus(layers[i].shear_modulus, frequencies);
       const double share = moduli.front().real() / std::abs(moduli.back());
-      if (share < kNextToNothing) {
-        return "; layers[" + std::to_string(i) + "].shear_modulus relaxes to " + rounded(moduli.front().real()) +
-               " Pa, " + rounded(share) + " of what it is in rolling, and steady rolling has relaxed for ever";
-      }
+      if (share < strongest.share) strongest = {.layer = i, .modulus = moduli.front().real(), .share = share};
     }
-    return "";
+    return strongest;
+  }
+
+  /// Steady rolling has gone on for ever: order m = 0 has relaxed, and leaves a groove all around that a modulus of
+  /// next to nothing cannot bound.
+  void require_lasting_stiffness(double contact_radius) const {
+    constexpr double kLeastShare = 1e-5;
+    const Relaxation relaxation = strongest_relaxation(contact_radius);
+    if (relaxation.share >= kLeastShare) return;
+    reject("layers[" + std::to_string(relaxation.layer) + "].shear_modulus",
+           "one that relaxes to " + text(kLeastShare) + " of what it is in passing the contact at the least",
+           "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) + " of it");
+  }
+
+  /// What makes a load too large that a layer would bear if it did not relax.
+  [[nodiscard]] std::string relaxation_note() const {
+    constexpr double kLittle = 1e-2;
+    const Relaxation relaxation = strongest_relaxation(
+        estimate_contact_radius(model_.coating().sphere(), load_case_.angular_speed, load_case_.load));
+    if (relaxation.share > kLittle) return "";
+    return "; layers[" + std::to_string(relaxation.layer) + "].shear_modulus relaxes to " +
+           rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) +
+           " of what it is in passing the contact, and steady rolling has relaxed for ever";
   }
 
   void require_clear_of_core(double penetration) const {
