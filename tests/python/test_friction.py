@@ -105,10 +105,9 @@ def test_curved_patches(paper_ball):
     ],
 )
 def test_theory_section_6(paper_ball, mu, ratio):
-    without = roll(paper_ball, mu=0.0, curvature=vr.Curvature.PAPER).resisting_torque
-    assert roll(paper_ball, mu=mu, curvature=vr.Curvature.PAPER).resisting_torque / without == pytest.approx(
-        ratio, rel=5e-3
-    )
+    model = {"compliance": vr.Compliance.VERTICAL, "curvature": vr.Curvature.PAPER}
+    without = roll(paper_ball, mu=0.0, **model).resisting_torque
+    assert roll(paper_ball, mu=mu, **model).resisting_torque / without == pytest.approx(ratio, rel=5e-3)
 
 
 @pytest.mark.parametrize("lateral", [0.0, 0.02])
@@ -123,8 +122,14 @@ def test_drives_agree_with_the_dense_reference(unlike_ball, drive):
     assert_agreement(unlike_ball, vr.Mesh(nodes_per_revolution=100, max_order=60), 0.4, drive)
 
 
-def assert_agreement(ball, mesh, mu, drive):
-    r = roll(ball, mesh=mesh, load=60.0, angular_speed=2.5, mu=mu, drive=drive)
+@pytest.mark.parametrize("drive", [DRIVES["pulled"], DRIVES["oblique"]], ids=str)
+def test_the_radial_compliance_agrees_with_the_dense_reference(unlike_ball, drive):
+    mesh = vr.Mesh(nodes_per_revolution=90, max_order=60)
+    assert_agreement(unlike_ball, mesh, 0.4, drive, compliance=vr.Compliance.RADIAL)
+
+
+def assert_agreement(ball, mesh, mu, drive, compliance=vr.Compliance.VERTICAL):
+    r = roll(ball, mesh=mesh, load=60.0, angular_speed=2.5, mu=mu, drive=drive, compliance=compliance)
     phi, theta = boundary.nodes(mesh.spacing, *(count // 2 for count in r.x.shape))
 
     def compliance_of_orders(m, n):
@@ -134,8 +139,9 @@ def assert_agreement(ball, mesh, mu, drive):
         compliance_of_orders, mesh.max_order, ball.outer_radius, mesh.spacing, phi, theta
     )
     swollen = ball.outer_radius + vr.centrifugal_displacement(ball, 2.5)
+    along_axes = boundary.to_rectangular if compliance is vr.Compliance.VERTICAL else boundary.to_turned
     forces, height, speed_ratio = friction.solve_frictional_contact(
-        boundary.to_rectangular(matrix, phi, theta),
+        along_axes(matrix, phi, theta),
         swollen * np.sin(theta) * np.sin(phi),
         swollen * np.sin(theta) * np.cos(phi),
         ball.outer_radius * mesh.spacing,

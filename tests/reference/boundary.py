@@ -66,3 +66,11 @@ def to_rectangular(matrix, phi, theta):
     """C_r = Q^T C_s Q, equation (44), shape (3, 3, nodes, nodes) in the components (W, U, V)."""
     q = rotation(phi, theta)
     return np.einsum("apw,pqab,bqv->wvab", q, matrix, q, optimize=True)
+
+
+def to_turned(matrix, phi, theta):
+    """C_RR and what belongs to it, theory.md section 6, likewise: W is r, and u_r moves a node along U and V, too."""
+    q = np.broadcast_to(np.eye(3), (phi.size, 3, 3)).copy()
+    q[:, 0, 1] = -np.sin(theta) * np.cos(phi)
+    q[:, 0, 2] = -np.cos(theta)
+    return np.einsum("apw,pqab,bqv->wvab", q, matrix, q, optimize=True)
