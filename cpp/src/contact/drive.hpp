@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "surface/surface_operator.hpp"
 
@@ -48,8 +49,8 @@ class Drive {
   [[nodiscard]] virtual DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
                                      double speed_force) const = 0;
 
-  /// @return speed ratio to start from
-  [[nodiscard]] virtual double likely_speed_ratio() const { return 1.0; }
+  /// @return the speed ratio, where it is what the drive gives
+  [[nodiscard]] virtual std::optional<double> given_speed_ratio() const { return std::nullopt; }
 };
 
 /// @brief A given force on the center, forward; the contact forces balance it.
@@ -83,7 +84,7 @@ class GivenSpeed : public Drive {
   explicit GivenSpeed(double ratio) : ratio_(ratio) {}
   [[nodiscard]] DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
                              double speed_force) const override;
-  [[nodiscard]] double likely_speed_ratio() const override { return ratio_; }
+  [[nodiscard]] std::optional<double> given_speed_ratio() const override { return ratio_; }
 
  private:
   double ratio_;

@@ -26,8 +26,14 @@ constexpr int kFreeSteps = 8;            // of them before their lengths are con
 constexpr double kShortestStep = 0.05;   // per Newton step
 constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
 constexpr double kEasyFriction = 0.3;    // second start
+constexpr double kSmallCreepage = 1e-5;  // below which the scale of a search for the speed is linear
+constexpr double kFirstStride = 0.1;     // on that scale, from -1 to 1
+constexpr double kSmallestStride = 1e-6;
+constexpr double kSmallShare = 1e-3;     // of creepages, from which they are raised
+constexpr double kSmallestRatio = 1.05;  // of one share to the next
 constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
+constexpr Index kSmallContact = 300;  // nodes up to which every step is exact, which takes fewer of them
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
 /// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
@@ -73,33 +79,110 @@ class FrictionalContactSolver {
         has_friction_(start.speed_ratio.has_value()),
         tolerance_(std::max(kTolerance, options.tolerance)) {
     if (has_friction_) return;
-    state_.speed_ratio = friction_.drive->likely_speed_ratio();
+    state_.speed_ratio = friction_.drive->given_speed_ratio().value_or(1.0);
     state_.converged = false;
   }
 
-  /// A state of the same friction leads there. From full stick most frictions are reached at once, and the others from
-  /// an easy friction or step by step.
   [[nodiscard]] ContactSolution solve() {
-    const ContactSolution start = state_;
-    if (has_friction_ && (iterate(friction_.coefficient) || (restart_from(start) && iterate_exactly())))
-      return finished();
-    restart_from(start);
-    iterate(std::numeric_limits<double>::infinity());
-    const ContactSolution stick = state_;
-    const double large = 10.0 * std::max(1.0, friction_.coefficient);  // hardly different from full stick
-    const bool found =
-        iterate(friction_.coefficient) ||
-        (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, friction_.coefficient)) ||
-        (restart_from(stick) && approach(large, std::sqrt(large * friction_.coefficient)));
-    if (!found) {
-      throw ConvergenceError("no state of stick and slip was found in " + std::to_string(state_.iterations) +
-                                 " iterations: the residual is " + text(last_residual_) + " of the load",
-                             state_.iterations, last_residual_);
-    }
-    return finished();
+    if (find()) return finished();
+    throw ConvergenceError("no state of stick and slip was found in " + std::to_string(state_.iterations) +
+                               " iterations: the residual is " + text(last_residual_) + " of the load",
+                           state_.iterations, last_residual_);
   }
 
  private:
+  /// A state of the same friction leads there. From full stick most frictions are reached at once, and spheres that
+  /// slide as a whole from the frictionless contact; the others step by step.
+  bool find() {
+    const ContactSolution start = state_;
+    const double friction = friction_.coefficient;
+    if (has_friction_ && (iterate(friction) || (restart_from(start) && iterate_exactly()))) return true;
+    if (restart_from(start) && find_directly()) return true;
+    const bool given = friction_.drive->given_speed_ratio().has_value();
+    if (restart_from(start) && (given ? find_by_less_creepage() : find_by_speed())) return true;
+    restart_from(start);
+    iterate(std::numeric_limits<double>::infinity());
+    const ContactSolution stick = state_;
+    const double large = 10.0 * std::max(1.0, friction);  // hardly different from full stick
+    return (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, friction)) ||
+           (restart_from(stick) && approach(large, std::sqrt(large * friction)));
+  }
+
+  /// From full stick or from the contact without friction, at once.
+  bool find_directly() {
+    const ContactSolution start = state_;
+    iterate(std::numeric_limits<double>::infinity());
+    return iterate(friction_.coefficient) || (restart_from(start) && iterate(friction_.coefficient));
+  }
+
+  /// The same contact at a given speed, with a share of the lateral creepage. @return whether it was found
+  bool find_at_speed(double speed_ratio, double lateral_share, const ContactSolution& from) {
+    ContactProblem other = problem_;
+    other.friction->drive = std::make_shared<GivenSpeed>(speed_ratio);
+    other.friction->rigid_slip.col(1) *= lateral_share;
+    FrictionalContactSolver solver(other, from, options_);
+    solver.state_.speed_ratio = speed_ratio;
+    const bool found = solver.has_friction_ ? solver.iterate(friction_.coefficient) : solver.find_directly();
+    const int iterations = state_.iterations + solver.state_.iterations - from.iterations;
+    const int applications =
+        state_.operator_applications + solver.state_.operator_applications - from.operator_applications;
+    if (found) state_ = solver.state_;
+    state_.iterations = iterations;
+    state_.operator_applications = applications;
+    return found;
+  }
+
+  /// Forces and moments fall as the speed rises, from those of a sphere that spins on the spot to those of one that
+  /// skids: from the speed of the undeformed surface to where the drive is passed, and back by halves, on a scale that
+  /// resolves small creepages.
+  bool find_by_speed() {
+    const double span = std::asinh(1.0 / kSmallCreepage);
+    const auto find_at = [&](double place, const ContactSolution& from) {
+      return find_at_speed(1.0 + kSmallCreepage * std::sinh(place * span), 1.0, from);
+    };
+    if (!find_at(0.0, state_)) return false;
+    const double side = drive_excess() > 0.0 ? 1.0 : -1.0;
+    double place = 0.0;
+    double stride = side * kFirstStride;
+    for (bool passed = false; std::abs(stride) > kSmallestStride;) {
+      const ContactSolution before = state_;
+      if (!passed && std::abs(place + stride) > 1.0) return false;  // no steady state
+      const bool found = find_at(place + stride, before);
+      if (found && (drive_excess() > 0.0) == (side > 0.0)) {
+        place += stride;
+        const ContactSolution here = state_;
+        if (passed && iterate(friction_.coefficient)) return true;
+        restart_from(here);
+      } else {
+        passed = passed || found;
+        if (found && iterate(friction_.coefficient)) return true;
+        restart_from(before);
+        stride *= 0.5;
+      }
+      if (state_.iterations >= options_.max_iterations) return false;
+    }
+    return false;
+  }
+
+  /// Step by step from small creepages, longitudinal and lateral, to the given ones.
+  bool find_by_less_creepage() {
+    const double creepage = *friction_.drive->given_speed_ratio() - 1.0;
+    double reached = kSmallShare;
+    if (!find_at_speed(1.0 + reached * creepage, reached, state_)) return false;
+    for (double ratio = 3.0; reached < 1.0;) {
+      const ContactSolution before = state_;
+      const double next = std::min(ratio * reached, 1.0);
+      if (find_at_speed(1.0 + next * creepage, next, before)) {
+        reached = next;
+      } else {
+        ratio = std::sqrt(ratio);
+        if (ratio < kSmallestRatio || state_.iterations >= options_.max_iterations) return false;
+        restart_from(before);
+      }
+    }
+    return iterate(friction_.coefficient);
+  }
+
   [[nodiscard]] ContactSolution finished() {
     state_.converged = true;
     return state_;
@@ -164,7 +247,8 @@ class FrictionalContactSolver {
   }
 
   void take_step(double friction, const ContactSets& sets, int step) {
-    const double tolerance = step < kFreeSteps ? step_tolerance_ : 0.1 * step_tolerance_;
+    const bool small = static_cast<Index>(sets.contact.size()) <= kSmallContact;
+    const double tolerance = small ? kExactStep : (step < kFreeSteps ? step_tolerance_ : 0.1 * step_tolerance_);
     take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state_);
   }
 
@@ -223,10 +307,14 @@ class FrictionalContactSolver {
 
   /// How far load and drive are from balance [N].
   [[nodiscard]] double imbalance() const {
-    const double load = -state_.force.col(kDown).sum() - problem_.normal_force;
+    return std::hypot(-state_.force.col(kDown).sum() - problem_.normal_force, drive_excess());
+  }
+
+  /// How far the forces are from the drive's condition [N].
+  [[nodiscard]] double drive_excess() const {
     const DriveRow drive =
         friction_.drive->row(friction_.arms, state_.force, state_.displacement, scales_.tangential * friction_.step);
-    return std::hypot(load, drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value);
+    return drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value;
   }
 
   void note_sets(const ContactSets& sets) {

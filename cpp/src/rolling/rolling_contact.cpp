@@ -167,7 +167,8 @@ class LoadCaseSolver {
 
   [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation) const {
     if (!(contact.penetration > 0.0)) {
-      throw ConvergenceError("the load was found to lift the sphere", contact.iterations, contact.residual);
+      reject("friction", "so small that the forces along the plane do not lift the sphere out of its own contact",
+             text(load_case_.friction));
     }
     require_clear_of_core(contact.penetration - model_.centrifugal());
     return make_result(nodes, contact,
