@@ -36,7 +36,7 @@ def _areas(result: vr.Result) -> NDArray[np.float64]:
     """Return the areas on which tractions act [m²]."""
     radius = result.ball.outer_radius
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
-    if result.patch_load is vr.PatchLoad.FLAT:
+    if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
         return np.full(result.z.shape, flat)
     return flat * np.sqrt(1.0 - (result.z / radius) ** 2)
 

@@ -129,16 +129,10 @@ def slow_ball(relaxed_modulus, relaxation_time):
 
 def test_a_material_that_relaxes_to_next_to_nothing_is_refused_by_its_name():
     message = (
-        r"layers\[0\]\.shear_modulus must be one that relaxes to 1e-05 of what it is .* got .* 0\.6 Pa, 1e-07 of it"
+        r"layers\[0\]\.shear_modulus must be one that relaxes to 0\.003 of what it is .* got .* 0\.6 Pa, 1e-07 of it"
     )
     with pytest.raises(ValueError, match=message):
         vr.solve(slow_ball(0.6, 1e4), load=100.0, angular_speed=2.5)
-
-
-def test_a_load_that_a_relaxed_coating_cannot_bear_says_so():
-    message = r"load must be small enough .*; layers\[0\]\.shear_modulus relaxes to 600 Pa, 0\.0001 of what it is"
-    with pytest.raises(ValueError, match=message):
-        vr.solve(slow_ball(600.0, 1e4), load=100.0, angular_speed=2.5)
 
 
 def test_contacts_of_slow_materials_are_sized_by_what_rolls():

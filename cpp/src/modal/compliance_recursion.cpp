@@ -52,7 +52,7 @@ class Batch {
       const double k = std::hypot(m, n);
       deepest_[l] = deepest_radius(at(l), k);
       step_.k.set(l, k);
-      step_.membrane.set(l, membrane_stiffness(at(l).media.back().curvature, k * k));
+      step_.membrane.set(l, membrane_stiffness(at(l).media.back().curvature, m * m + n * n));
       const double cosine = k > 0.0 ? m / k : 1.0;
       const double sine = k > 0.0 ? n / k : 0.0;
       step_.inertia.rr.set(l, -1.0 - m * m);
