@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import pytest
 import viscoroll as vr
@@ -357,3 +359,62 @@ def test_large_contacts_without_a_matrix(paper_ball, mu, name):
     assert np.hypot(s_x, s_z)[r.stick].max(initial=0.0) < 1e-6 * speed
     np.testing.assert_allclose(size[r.slip], mu * pressure[r.slip], rtol=0.0, atol=1e-6 * top)
     assert (t_x * s_x + t_z * s_z)[r.slip].max(initial=0.0) < 1e-6 * mu * top * speed  # against the slip
+
+
+def one_layer(core_radius, thickness, modulus, **options):
+    return vr.CoatedSphere(
+        core_radius=core_radius, layers=[vr.Layer(thickness=thickness, shear_modulus=modulus, **options)]
+    )
+
+
+HARD = {
+    # Contacts of 1 to 34 nodes to which full stick does not lead.
+    "slippery, driven hard": (
+        one_layer(
+            0.23718672545634156,
+            0.013437919475546853,
+            vr.StandardLinearSolid(
+                instantaneous_modulus=239257309.13, relaxed_modulus=24578580.237, relaxation_time=0.0010246653446
+            ),
+            poisson_ratio=0.0,
+        ),
+        102,
+        {"load": 1081.69546, "angular_speed": 0.238184636, "mu": 0.0074393765, "drive": vr.Drive(torque=1.79651391)},
+    ),
+    "slippery, braked": (
+        one_layer(
+            0.027883503794322577,
+            0.002708314341636647,
+            vr.StandardLinearSolid(instantaneous_modulus=68172942.95, relaxed_modulus=34086471.47, relaxation_time=0.1),
+            poisson_ratio=0.0,
+        ),
+        400,
+        {
+            "load": 2.04979306,
+            "angular_speed": 4.44567347,
+            "mu": 0.003726635,
+            "drive": vr.Drive(torque=-0.00011845147),
+            "compliance": vr.Compliance.VERTICAL,
+        },
+    ),
+    "pulled by five times its load": (
+        one_layer(
+            0.12975530299534294,
+            0.003849170633526812,
+            vr.StandardLinearSolid(
+                instantaneous_modulus=9203865.86, relaxed_modulus=2670843.39, relaxation_time=0.00021774374
+            ),
+            poisson_ratio=0.49,
+        ),
+        153,
+        {"load": 1598.4378, "angular_speed": 0.92378587, "mu": 8.47832768, "drive": vr.Drive(force=7833.1192)},
+    ),
+}
+
+
+@pytest.mark.parametrize(("ball", "nodes", "options"), HARD.values(), ids=HARD)
+def test_states_that_full_stick_does_not_lead_to(ball, nodes, options):
+    mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=nodes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)  # few nodes, by intention
+        assert_conditions_hold(roll(ball, mesh=mesh, **options))
