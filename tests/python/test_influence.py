@@ -52,7 +52,8 @@ def test_tables_agree_with_the_reference_from_the_moduli_on(unlike_ball, nodes):
 
     expected = boundary.compliance_matrix(compliance, MESH.max_order, unlike_ball.outer_radius, MESH.spacing, *nodes)
     # What the extrapolation of 20 radial sub-intervals leaves at order 40.
-    np.testing.assert_allclose(table_matrix(unlike_ball), expected, rtol=0.0, atol=1e-8 * expected[0, 0].max())
+    tables = table_matrix(unlike_ball, curvature=vr.Curvature.PAPER)
+    np.testing.assert_allclose(tables, expected, rtol=0.0, atol=1e-8 * expected[0, 0].max())
 
 
 @pytest.mark.parametrize(("nodes_per_revolution", "max_order"), [(48, 24), (48, 96), (48, 130), (49, 25), (49, 120)])

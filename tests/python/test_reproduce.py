@@ -74,12 +74,12 @@ def test_torque_against_speed(compute):
     assert 0.2 < figure.speeds[figure.torques.argmax()] < 0.6
 
 
-def test_friction_peaks_in_the_boundary_layer_and_falls_by_more_than_the_paper_says(compute):
+def test_friction_peaks_in_the_boundary_layer_and_falls_as_the_paper_says(compute):
     figure = compute("figure9")
-    assert agreements(figure)[:3] == [True, False, False]
     ratio = figure.torques / figure.torques[0]
-    assert ratio.max() == pytest.approx(1.10, abs=0.02)
-    assert ratio[-1] == pytest.approx(0.86, abs=0.02)
+    # Theory.md section 6 at pi/250: 1.070 and 0.912.
+    assert ratio.max() == pytest.approx(1.07, abs=0.02)
+    assert ratio[-1] == pytest.approx(0.91, abs=0.02)
     # Neither without slip nor where all sticks is power lost by it.
     assert figure.slip_shares[0] == 0.0
     assert figure.slip_shares[-1] < 0.25 * figure.slip_shares.max()

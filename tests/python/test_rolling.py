@@ -17,6 +17,7 @@ def roll(ball, *, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, nodes=500,
         angular_speed=angular_speed,
         mesh=vr.Mesh(nodes_per_revolution=nodes, max_order=order),
         compliance=vr.Compliance.RADIAL if radial else vr.Compliance.VERTICAL,
+        curvature=vr.Curvature.PAPER,
     )
 
 
