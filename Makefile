@@ -13,7 +13,7 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint tidy format bench deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
