@@ -189,7 +189,8 @@ def _drive(rng: np.random.Generator, friction: float, load: float, radius: float
         case 0:
             return vr.Drive(force=0.0)
         case 1:
-            return vr.Drive(force=share * friction * load)
+            most = friction if rng.random() < 0.3 else min(friction, 1.0)  # few pull more than the load
+            return vr.Drive(force=share * most * load)
         case 2:
             return vr.Drive(torque=0.0)
         case 3:

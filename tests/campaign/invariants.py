@@ -71,7 +71,7 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     slip, stick = result.slip, result.stick
     peak = float(limit.max())
     speed = np.hypot(*result.slip_velocity)
-    fastest = max(float(speed.max()), 1e-6 * result.angular_speed * result.ball.outer_radius)
+    fastest = max(float(speed.max()), _slip_of_the_shape(result))
     against = np.sum(result.shear_traction * result.slip_velocity, axis=0) / fastest
     # Of a slow slip the direction is lost in round-off, and counts as little: |t| |S| + t . S, which is 0 if opposite.
     yield "traction > friction", float((traction - limit).max()) / peak
@@ -79,6 +79,17 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     yield "slip not opposite", float((traction * speed / fastest + against)[slip].max(initial=0.0)) / peak
     yield "stick that slips", float(speed[stick].max(initial=0.0)) / fastest
     yield "stick and slip", float(np.any((stick & slip) | ((stick | slip) != result.contact)))
+
+
+def _slip_of_the_shape(result: vr.Result) -> float:
+    """Return the slip [m/s] that the ball's curvature alone asks for: the unit of what is hardly any."""
+    arm = _arm(result) / result.ball.outer_radius
+    return result.angular_speed * result.ball.outer_radius * arm**2
+
+
+def _arm(result: vr.Result) -> float:
+    """Return the contact's half length [m], of a single node the spacing."""
+    return max(result.semi_axis_x, result.mesh.spacing * result.ball.outer_radius)
 
 
 def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
@@ -97,8 +108,7 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 
 
 def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    arm = max(result.semi_axis_x, result.mesh.spacing * result.ball.outer_radius)
-    rolling = result.load * arm * result.angular_speed
+    rolling = result.load * _arm(result) * result.angular_speed
     yield "power gained in the coating", -result.bulk_power / rolling
     yield "power gained by slip", -result.slip_power / rolling
     if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.ball.layers):

@@ -138,8 +138,8 @@ def _unit(powers: tuple[int, int, int]) -> float:
 
 def _scales(result: vr.Result) -> dict[str, float]:
     """Return the size of each result where nothing cancels."""
-    radius, arm = result.ball.outer_radius, float(np.abs(result.x[result.contact]).max()) + result.x[0, 0] * 0.0
-    torque = result.load * max(arm, result.mesh.spacing * radius)
+    radius = result.ball.outer_radius
+    torque = result.load * max(result.semi_axis_x, result.mesh.spacing * radius)
     force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)
     pressure = float(result.pressure.max())
     depth = result.penetration + result.centrifugal_displacement
