@@ -20,7 +20,8 @@ help:
 	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
 	@echo "make lint      check formatting, C++ by clang-tidy, types and stubs"
 	@echo "make format    format all sources"
-	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers"
+	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
+	@echo "               under the thread sanitizer"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 
@@ -55,6 +56,9 @@ sanitize: $(DEPS)
 	cmake --preset asan-ubsan
 	cmake --build --preset asan-ubsan --parallel $(JOBS)
 	ctest --preset asan-ubsan --parallel $(JOBS)
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS)
+	ctest --preset tsan --parallel $(JOBS)
 
 # CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
 CASES ?= 2000
@@ -71,8 +75,8 @@ lint: $(VENV)/lint.stamp
 	$(BIN)/ruff check python tests bench
 	$(BIN)/clang-format --dry-run --Werror $(CXX_FILES)
 	$(BIN)/gersemi --check $(CMAKE_FILES)
-	cmake --preset release
-	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/release -j $(JOBS) -quiet -hide-progress
+	cmake --preset tidy -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -Dpybind11_DIR=$$($(BIN)/python -m pybind11 --cmakedir)
+	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/tidy -j $(JOBS) -quiet -hide-progress
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
 
