@@ -13,15 +13,15 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint tidy format bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format bench deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
 	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
-	@echo "make lint      check formatting, types and stubs"
-	@echo "make tidy      check the C++ sources by clang-tidy"
+	@echo "make lint      check formatting, C++ by clang-tidy, types and stubs"
 	@echo "make format    format all sources"
-	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers"
+	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
+	@echo "               under the thread sanitizer"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 
@@ -56,6 +56,9 @@ sanitize: $(DEPS)
 	cmake --preset asan-ubsan
 	cmake --build --preset asan-ubsan --parallel $(JOBS)
 	ctest --preset asan-ubsan --parallel $(JOBS)
+	cmake --preset tsan
+	cmake --build --preset tsan --parallel $(JOBS)
+	ctest --preset tsan --parallel $(JOBS)
 
 # CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
 CASES ?= 2000
@@ -72,13 +75,10 @@ lint: $(VENV)/lint.stamp
 	$(BIN)/ruff check python tests bench
 	$(BIN)/clang-format --dry-run --Werror $(CXX_FILES)
 	$(BIN)/gersemi --check $(CMAKE_FILES)
+	cmake --preset tidy -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -Dpybind11_DIR=$$($(BIN)/python -m pybind11 --cmakedir)
+	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/tidy -j $(JOBS) -quiet -hide-progress
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
-
-# Not yet clean in cpp/src/influence, modal, surface and contact.
-tidy: $(VENV)/lint.stamp
-	cmake --preset release
-	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/release -j $(JOBS) -quiet -hide-progress
 
 format: $(VENV)/lint.stamp
 	$(BIN)/ruff check --fix python tests bench

@@ -22,6 +22,13 @@ void Watch::poll(std::string_view stage, double fraction) {
   if (observer_.cancelled && observer_.cancelled()) throw Cancelled();
 }
 
+std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch, std::string_view stage) {
+  using Clock = std::chrono::system_clock;  // GCC 12's thread sanitizer does not see a lock by the steady clock
+  std::unique_lock lock(mutex, std::defer_lock);
+  while (!lock.try_lock_until(Clock::now() + std::chrono::milliseconds(20))) watch.poll(stage, 0.0);
+  return lock;
+}
+
 void require_thread_count(int threads) {
   if (threads >= 0 && threads <= kMaxThreads) return;
   reject("threads", "in [0, " + std::to_string(kMaxThreads) + "]", std::to_string(threads));

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <string_view>
 
 #include "viscoroll/observer.hpp"
@@ -25,6 +26,11 @@ class Watch {
   const Observer& observer_;
   Clock::time_point last_ = Clock::now();
 };
+
+/// @brief Lock a mutex that another thread may hold for long.
+/// @throws Cancelled where the observer asks for it meanwhile
+[[nodiscard]] std::unique_lock<std::timed_mutex> lock_watched(std::timed_mutex& mutex, Watch& watch,
+                                                              std::string_view stage);
 
 /// @brief Most threads that a caller may ask for.
 constexpr int kMaxThreads = 1024;

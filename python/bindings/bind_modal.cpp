@@ -16,7 +16,7 @@ using cplx = std::complex<double>;
 py::array_t<cplx> as_array(const std::vector<ComplexMatrix3>& compliances) {
   py::array_t<cplx> result({static_cast<py::ssize_t>(compliances.size()), py::ssize_t{3}, py::ssize_t{3}});
   cplx* out = result.mutable_data();
-  for (const ComplexMatrix3& compliance : compliances) out = std::copy(compliance.begin(), compliance.end(), out);
+  for (const ComplexMatrix3& compliance : compliances) out = std::ranges::copy(compliance, out).out;
   return result;
 }
 
@@ -56,7 +56,7 @@ py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mes
     tables = influence_tables(sphere, angular_speed, mesh, phi_reach, theta_reach, threads, curvature, observer);
   }
   py::array_t<double> result({3, 3, 2 * phi_reach + 1, 2 * theta_reach + 1});
-  std::copy(tables.values.begin(), tables.values.end(), result.mutable_data());
+  std::ranges::copy(tables.values, result.mutable_data());
   return result;
 }
 

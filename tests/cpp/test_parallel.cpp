@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <latch>
+#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -135,6 +136,21 @@ TEST(ParallelFor, IsCancelledWhileItWaitsForAHelper) {
     }
   };
   EXPECT_THROW(parallel_for(2, 2, watch, "", body), Cancelled);
+}
+
+TEST(LockWatched, IsCancelledWhileAnotherThreadHoldsTheMutex) {
+  std::timed_mutex mutex;
+  std::unique_lock held(mutex);
+  std::atomic<int> polls = 0;
+  const Observer observer{.cancelled = [&] { return ++polls == 2; }};
+  std::thread([&] {
+    Watch watch(observer);
+    EXPECT_THROW((void)lock_watched(mutex, watch, ""), Cancelled);
+    EXPECT_EQ(polls, 2);
+  }).join();
+  held.unlock();
+  Watch watch(observer);
+  EXPECT_TRUE(lock_watched(mutex, watch, "").owns_lock());
 }
 
 TEST(WorkerCount, IsThatOfTheCoresUnlessGivenAndAtMostThatOfTheWork) {

@@ -269,12 +269,13 @@ def test_an_exception_in_progress_ends_the_solve():
 
 def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
     """Tables of a shared model are made by one thread; the others tell what they wait for, and stop when asked."""
-    model = vr.RollingModel(unlike_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
+    model = vr.RollingModel(unlike_ball, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500, max_order=6000))
     summing, waiting = threading.Event(), threading.Event()
 
     def first(stage, _fraction):
-        summing.set()
-        waiting.wait(timeout=20.0)
+        if stage.startswith("summing"):
+            summing.set()
+            waiting.wait(timeout=20.0)
 
     def second(stage, _fraction):
         if stage.startswith("waiting"):

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <iterator>
@@ -69,10 +68,7 @@ MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mes
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
                                                             int phi_reach, int theta_reach,
                                                             const Execution& execution) const {
-  std::unique_lock lock(mutex_, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
-    execution.watch.get().poll("waiting for another thread's tables", 0.0);
-  }
+  const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
     // Rising loads are to ask for few sets.

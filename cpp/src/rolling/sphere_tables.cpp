@@ -1,18 +1,14 @@
 #include "rolling/sphere_tables.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 namespace viscoroll::detail {
 
 std::shared_ptr<const std::vector<SphereTable>> SphereTables::tables(const SphereRequest& request, int phi_reach,
                                                                      int half_theta, const Execution& execution) const {
-  std::unique_lock lock(mutex_, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
-    execution.watch.get().poll("waiting for another thread's tables", 0.0);
-  }
+  const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   const auto same = [&](const Set& set) { return set.request == request; };
-  const auto found = std::find_if(sets_.begin(), sets_.end(), same);
+  const auto found = std::ranges::find_if(sets_, same);
   if (found != sets_.end()) {
     const SphereTable& table = found->tables->front();
     const int half = (table.theta_nodes() - 1) / 2;
