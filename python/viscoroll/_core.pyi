@@ -250,6 +250,72 @@ def influence_tables(
     progress: Callable[[str, float], object] | None,
 ) -> NDArray[np.float64]: ...
 
+class Tractions:
+    def __init__(
+        self,
+        *,
+        mesh: Mesh,
+        pressure: NDArray[np.float64],
+        shear_traction: NDArray[np.float64],
+        friction: bool,
+        compliance: Compliance,
+        curvature: Curvature,
+        patch_load: PatchLoad,
+    ) -> None: ...
+
+class LossDensity:
+    @property
+    def places(self) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
+    @property
+    def radial_weights(self) -> NDArray[np.float64]: ...
+    @property
+    def theta(self) -> NDArray[np.float64]: ...
+    @property
+    def density(self) -> NDArray[np.float64]: ...
+    @property
+    def order_power(self) -> NDArray[np.float64]: ...
+    @property
+    def volume_power(self) -> float: ...
+    @property
+    def surface_power(self) -> float: ...
+
+def places_at(
+    sphere: CoatedSphere, radius: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
+def order_fields(
+    sphere: CoatedSphere,
+    m: NDArray[np.int32],
+    n: NDArray[np.int32],
+    *,
+    radius: NDArray[np.float64],
+    layer: NDArray[np.int32],
+    angular_speed: float,
+    curvature: Curvature,
+) -> NDArray[np.complex128]: ...
+def interior_fields(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: NDArray[np.float64],
+    layer: NDArray[np.int32],
+    phi: NDArray[np.float64],
+    theta: NDArray[np.float64],
+    angular_speed: float,
+    threads: int,
+    progress: Callable[[str, float], object] | None,
+) -> NDArray[np.float64]: ...
+def loss_density(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: NDArray[np.float64],
+    layer: NDArray[np.int32],
+    angular_speed: float,
+    max_order: int,
+    threads: int,
+    progress: Callable[[str, float], object] | None,
+) -> LossDensity: ...
+
 class RollingModel:
     def __init__(
         self,

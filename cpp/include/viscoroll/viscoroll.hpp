@@ -5,6 +5,7 @@
 #include "viscoroll/cores.hpp"      // IWYU pragma: export
 #include "viscoroll/errors.hpp"     // IWYU pragma: export
 #include "viscoroll/influence.hpp"  // IWYU pragma: export
+#include "viscoroll/interior.hpp"   // IWYU pragma: export
 #include "viscoroll/materials.hpp"  // IWYU pragma: export
 #include "viscoroll/modal.hpp"      // IWYU pragma: export
 #include "viscoroll/observer.hpp"   // IWYU pragma: export

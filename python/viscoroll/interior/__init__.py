@@ -1,0 +1,1 @@
+"""Inside the coating: stress, loss, temperature, and what the heat changes."""
