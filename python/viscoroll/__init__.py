@@ -27,6 +27,7 @@ from ._core import (
 from .caution import ResultWarning
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
+from .interior import Core, Temperature, plane_cooling, self_heating, temperature
 from .materials import (
     Elastic,
     FractionalZener,
@@ -47,12 +48,15 @@ from .orders import (
 )
 from .result import Refinement, Result
 from .rolling import RollingModel, solve
+from .shift import Arrhenius, WilliamsLandelFerry
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
+    "Arrhenius",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
+    "Core",
     "Curvature",
     "Drive",
     "Elastic",
@@ -75,7 +79,9 @@ __all__ = [
     "SlipKinematics",
     "StandardLinearSolid",
     "Status",
+    "Temperature",
     "WarningKind",
+    "WilliamsLandelFerry",
     "__version__",
     "analytic",
     "centrifugal_displacement",
@@ -85,8 +91,11 @@ __all__ = [
     "fit_power_law",
     "fit_thickness_law",
     "influence_tables",
+    "plane_cooling",
+    "self_heating",
     "solve",
     "state_matrix",
     "surface_compliance",
     "sweep",
+    "temperature",
 ]

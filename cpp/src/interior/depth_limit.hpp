@@ -23,7 +23,4 @@ class DepthLimit {
   double decay_;  // per k of what there is without inertia
 };
 
-/// @brief Below exp(-24) of what is at the surface nothing is summed.
-constexpr double kDeepest = 24.0;
-
 }  // namespace viscoroll::detail

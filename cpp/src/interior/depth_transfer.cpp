@@ -14,8 +14,8 @@ using cplx = std::complex<double>;
 
 constexpr std::size_t kStates = 6;
 
-/// Last terms of a resolved series, relative to the size of its entry.
-constexpr double kTolerance = 1e-11;
+/// Of k^2 at the ends of a panel: wider ones hold exp(-k depth) only rarely, and would be sampled in vain.
+constexpr double kPanelRatio = 8.0;
 
 /// Whether an entry changes sign with n: one of its two directions is theta.
 bool is_odd(std::size_t component, std::size_t column) { return (component % 3 == 2) != (column == 2); }
@@ -24,8 +24,8 @@ bool is_odd(std::size_t component, std::size_t column) { return (component % 3 =
 
 DepthTransfer::DepthTransfer(std::span<const Medium<cplx>> layers, const LayerCuts& cuts,
                              std::vector<std::size_t> boundaries, double m, double highest_n,
-                             const LoadedComponents& loaded)
-    : boundaries_(std::move(boundaries)), m_(m) {
+                             const LoadedComponents& loaded, double tolerance)
+    : boundaries_(std::move(boundaries)), m_(m), tolerance_(tolerance) {
   for (std::size_t column = 0; column < loaded.size(); ++column) {
     if (loaded[column]) columns_.push_back(column);
   }
@@ -45,6 +45,12 @@ DepthTransfer::DepthTransfer(std::span<const Medium<cplx>> layers, const LayerCu
 }
 
 void DepthTransfer::append(const std::vector<Medium<cplx>>& pieces, double low, double high) {
+  if (high / low > kPanelRatio) {
+    const double middle = std::max(high / kPanelRatio, std::sqrt(low * high));
+    append(pieces, low, middle);
+    append(pieces, middle, high);
+    return;
+  }
   append_panels(
       low, high, [&](const std::array<double, kPanelNodes>& nodes) { return solve(pieces, nodes); },
       [this](const Panel<cplx>& panel) { return is_resolved(panel); }, panels_);
@@ -96,7 +102,7 @@ bool DepthTransfer::is_resolved(const Panel<cplx>& panel) const {
   bool resolved = true;
   for_rows([&](Eigen::Index row, bool displaced, double scale) {
     const double last = scale * panel.series.row(row).template tail<2>().cwiseAbs().maxCoeff();
-    resolved = resolved && last <= kTolerance * (displaced ? displacement : 1.0);
+    resolved = resolved && last <= tolerance_ * (displaced ? displacement : 1.0);
   });
   return resolved;
 }

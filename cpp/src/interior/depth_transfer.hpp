@@ -32,8 +32,10 @@ class DepthTransfer {
   /// @param[in] m order
   /// @param[in] highest_n largest n that is asked for
   /// @param[in] loaded components of the surface stress that are not zero
+  /// @param[in] tolerance of the series, relative to the load for stresses and to the largest displacement
   DepthTransfer(std::span<const Medium<std::complex<double>>> layers, const LayerCuts& cuts,
-                std::vector<std::size_t> boundaries, double m, double highest_n, const LoadedComponents& loaded);
+                std::vector<std::size_t> boundaries, double m, double highest_n, const LoadedComponents& loaded,
+                double tolerance);
 
   /// @brief Series at a list of orders.
   /// @param[in] n orders, ascending from 0
@@ -56,6 +58,7 @@ class DepthTransfer {
 
   std::vector<std::size_t> boundaries_;
   double m_;
+  double tolerance_;
   std::vector<std::size_t> columns_;  // loaded components
   std::vector<Panel<std::complex<double>>> panels_;
   Entries values_;  // [boundary][component][column] by n

@@ -26,7 +26,9 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using std::numbers::pi;
 
-constexpr std::size_t kBlock = 8;  // orders that are added up in a row, whatever the threads
+constexpr double kDeepest = 14.0;     // exponent beyond which nothing of an order is left, squared
+constexpr double kTolerance = 1e-10;  // of fields, whose squares are added up
+constexpr std::size_t kBlock = 8;     // orders that are added up in a row, whatever the threads
 
 /// Nodes of the volume integral through one layer: Gauss's in the root of the depth, where the loss falls like that of
 /// a Gaussian whatever the orders.
@@ -115,7 +117,7 @@ class LossSum {
     }
     boundaries.push_back(cuts_.boundaries() - 1);  // for the power put in
     const auto media = coating_.media(static_cast<std::size_t>(order));
-    DepthTransfer transfer(media, cuts_, boundaries, m, orders_[orders_.size() - 1], loads_.loaded());
+    DepthTransfer transfer(media, cuts_, boundaries, m, orders_[orders_.size() - 1], loads_.loaded(), kTolerance);
     transfer.evaluate(orders_);
     const LoadRows same = loads_.loads(Mirror::same, order);
     const LoadRows opposite = loads_.loads(Mirror::opposite, order);

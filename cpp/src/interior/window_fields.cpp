@@ -25,8 +25,10 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Sums end where exp(-20) is left of an order: 1e-8 of the field.
-constexpr double kEnd = 20.0;
+/// Sums end smoothly where exp(-12) is left of an order that is not much of the tractions: 1e-6 of the field.
+constexpr double kEnd = 12.0;
+constexpr double kDeepest = 16.0;
+constexpr double kTolerance = 1e-8;
 
 constexpr auto kComponents = static_cast<Index>(kFieldComponents);
 
@@ -200,7 +202,7 @@ class WindowSum {
     const Index most = *std::max_element(counts.begin(), counts.end());
     const ArrayXd n = n_.orders.head(most);
     const auto media = coating_.media(static_cast<std::size_t>(i));
-    DepthTransfer transfer(media, cuts_, boundaries, m, n[most - 1], loads_.loaded());
+    DepthTransfer transfer(media, cuts_, boundaries, m, n[most - 1], loads_.loaded(), kTolerance);
     worker.checkpoint();
     transfer.evaluate(n);
     ComponentRows state;
