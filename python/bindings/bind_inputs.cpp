@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
-#include "viscoroll/influence.hpp"
 #include "viscoroll/materials.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace {
