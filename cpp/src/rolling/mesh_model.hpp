@@ -12,7 +12,7 @@
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
 
 namespace viscoroll::detail {
 
