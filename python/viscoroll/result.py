@@ -189,7 +189,7 @@ class Result(ScalarFields):
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
     def _effort(self) -> str:
-        return f"{self.iterations} iterations" + (f" with {self.products} products" if self.products else "")
+        return f"{self.iterations} iterations with {self.operator_applications} operator applications"
 
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:

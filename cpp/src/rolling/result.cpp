@@ -57,7 +57,7 @@ class Summary {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
     r.iterations = contact_.iterations;
     r.residual = contact_.residual;
-    r.products = contact_.operator_applications;
+    r.operator_applications = contact_.operator_applications;
   }
 
   void add_shape(Result& r) const {
