@@ -151,8 +151,12 @@ class LoadCaseSolver {
     return {.coefficient = load_case_.friction,
             .rigid_slip = rigid_slip(nodes),
             .step = grid_.radius * grid_.phi_spacing,
-            .arms = {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()},
+            .arms = lever_arms(nodes),
             .drive = make_drive()};
+  }
+
+  [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& nodes) const {
+    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()};
   }
 
   /// Where displacements are taken.
@@ -198,7 +202,7 @@ class LoadCaseSolver {
     return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
-                        .compliance = options_.compliance,
+                        .arms = displaced(lever_arms(nodes), contact.displacement, pressure_share()),
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.coating().sphere()),
@@ -224,8 +228,9 @@ class LoadCaseSolver {
     for (const std::size_t side : {0, 1}) {
       problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
-      limits[side] = moment(sliding.problem.friction->arms, sliding.contact.force) +
-                     displaced_moment(sliding.contact.displacement, sliding.contact.force, pressure_share());
+      const ContactSolution& state = sliding.contact;
+      limits[side] =
+          moment(displaced(sliding.problem.friction->arms, state.displacement, pressure_share()), state.force);
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject("drive.torque",
