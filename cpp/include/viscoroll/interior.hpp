@@ -11,8 +11,12 @@
 #include <span>
 #include <vector>
 
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/observer.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll {

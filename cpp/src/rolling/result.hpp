@@ -3,8 +3,12 @@
 #pragma once
 
 #include "contact/contact_solution.hpp"
+#include "contact/lever_arms.hpp"
 #include "surface/surface_window.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 
@@ -12,7 +16,7 @@ namespace viscoroll::detail {
 struct ContactConditions {
   LoadCase load_case;
   Mesh mesh;
-  Compliance compliance;
+  LeverArms arms;  ///< of the displaced nodes
   Curvature curvature;
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]
