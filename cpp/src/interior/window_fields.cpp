@@ -25,9 +25,9 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Sums end smoothly where exp(-12) is left of an order that is not much of the tractions: 1e-6 of the field.
-constexpr double kEnd = 12.0;
-constexpr double kDeepest = 16.0;
+/// Sums end smoothly where exp(-9) is left of orders that hold little of the tractions: 1e-6 of the field.
+constexpr double kEnd = 9.0;
+constexpr double kDeepest = 12.0;
 constexpr double kTolerance = 1e-8;
 
 constexpr auto kComponents = static_cast<Index>(kFieldComponents);

@@ -109,7 +109,7 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
 
 
 def _arguments(case: Case) -> dict[str, Any]:
-    return {field.name: getattr(case, field.name) for field in fields(case) if field.name != "ball"}
+    return {name: value for name, value in case.arguments().items() if name != "ball"}
 
 
 def _place(key: str) -> _Place:
