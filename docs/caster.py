@@ -1,10 +1,10 @@
-"""What a designer of casters asks: how hot, how sheared, how pulled is the tread, by its thickness and speed?
+"""What a designer of casters asks: how hot, how sheared and how pulled a tread is, by its thickness and speed.
 
     python docs/caster.py docs/caster.png
 
-Ball-shaped tread of polyurethane on a rigid core of 40 mm radius, 300 N, insulated core, 15 W/(m² K) at the surface. For
-three thicknesses and five speeds: the hottest point of every steady state, the largest shear at the bond, and the largest
-tension inside. The moduli are those at the temperature that they make; open circles are unstable states.
+Ball-shaped treads of polyurethane, 100 mm across, on rigid cores that take no heat; 300 N, 15 W/(m² K) at the surface.
+For three thicknesses and five speeds: the hottest point of every steady state, the largest shear at the bond, and the
+largest tension inside. Moduli are those at the temperature that they make; open circles are unstable states.
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <algorithm>
 
@@ -35,7 +36,10 @@ std::vector<Place> places_from(const InputArray<double>& radius, const InputArra
   return places;
 }
 
-py::tuple to_arrays(const std::vector<Place>& places) {
+/// Radii and numbers of layers.
+using PlaceArrays = py::typing::Tuple<py::array_t<double>, py::array_t<int>>;
+
+PlaceArrays to_arrays(const std::vector<Place>& places) {
   const auto count = static_cast<py::ssize_t>(places.size());
   py::array_t<double> radius(count);
   py::array_t<int> layer(count);
@@ -43,7 +47,7 @@ py::tuple to_arrays(const std::vector<Place>& places) {
     radius.mutable_at(i) = places[static_cast<std::size_t>(i)].radius;
     layer.mutable_at(i) = places[static_cast<std::size_t>(i)].layer;
   }
-  return py::make_tuple(radius, layer);
+  return PlaceArrays(py::make_tuple(radius, layer));
 }
 
 py::array_t<double> to_array(const std::vector<double>& values, const std::vector<py::ssize_t>& shape) {

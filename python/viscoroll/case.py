@@ -162,12 +162,11 @@ class Case:
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
-        if self.thermal is None or self.thermal.shift is None:
-            raise ValueError("thermal.shift must be given for self-heating")
         thermal = self.thermal
-        return self_heating(
-            **self.arguments(), **thermal._cooling(), shift=thermal.shift, limit=thermal.limit, **options
-        )
+        shift = None if thermal is None else thermal.shift
+        if thermal is None or shift is None:
+            raise ValueError("thermal.shift must be given for self-heating")
+        return self_heating(**self.arguments(), **thermal._cooling(), shift=shift, limit=thermal.limit, **options)
 
 
 def load_case(path: str | Path) -> Case:

@@ -41,8 +41,8 @@ class Layer:
     --------
     >>> from viscoroll import Elastic
     >>> Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
-    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, density=0.0, \
-conductivity=None)
+    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, \
+density=0.0, conductivity=None)
     """
 
     thickness: float

@@ -273,8 +273,8 @@ class Result(ScalarFields):
         radius : array_like
             r [m], in place of `depth`.
         phi, theta : array_like, optional
-            Angles [rad] within half a revolution of the lowest point, π/2; by default those of the nodes. ``theta=[π/2]``
-            with many depths is the section through the contact.
+            Angles [rad] within half a revolution of the lowest point, π/2; by default those of the nodes.
+            ``theta=[π/2]`` with many depths is the section through the contact.
         threads : int, default 0
             Number of threads; 0 for all cores.
         progress : callable, optional
@@ -325,7 +325,8 @@ class Result(ScalarFields):
         Returns
         -------
         xarray.Dataset
-            As of `interior`, at the core of a ball with a rigid one, and on both sides of every boundary between layers.
+            As of `interior`, at the core of a ball with a rigid one, and on both sides of every boundary between
+            layers.
 
         Raises
         ------

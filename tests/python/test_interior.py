@@ -18,7 +18,7 @@ THICKNESS = 1e-3
 
 @pytest.fixture(scope="module")
 def base_case():
-    """The paper's example at π/800 with the radial compliance."""
+    """Solve the paper's example at π/800 with the radial compliance."""
     return vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=1600))
 
 
@@ -78,9 +78,7 @@ def test_principal_stresses_and_pressure(inside):
 def test_at_the_surface_the_tractions_come_back(friction, compliance):
     """By the sum over all orders, at the centers of the patches."""
     mesh = vr.Mesh(nodes_per_revolution=200)
-    r = vr.solve(
-        paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh, friction=friction, compliance=compliance
-    )
+    r = vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh, friction=friction, compliance=compliance)
     with pytest.warns(vr.ResultWarning, match="less than a quarter of a spacing"):
         surface = r.interior(depth=[0.0]).isel(depth=0)
     sin, cos = np.sin(surface.phi.to_numpy())[:, None], np.cos(surface.phi.to_numpy())[:, None]
@@ -148,9 +146,7 @@ def test_both_sides_of_a_boundary(unlike_ball):
 def test_other_inner_boundaries(within, rubber):
     solid = within == "SOLID"
     layer = vr.Layer(thickness=21e-3 if solid else 6e-3, shear_modulus=rubber, poisson_ratio=0.45)
-    ball = vr.CoatedSphere(
-        core_radius=0.0 if solid else 15e-3, layers=[layer], inner_boundary=vr.InnerBoundary[within]
-    )
+    ball = vr.CoatedSphere(core_radius=0.0 if solid else 15e-3, layers=[layer], inner_boundary=vr.InnerBoundary[within])
     r = vr.solve(ball, load=5.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=400))
     inside = r.interior(depth=[2e-3, 5.999999e-3])
     assert np.isfinite(inside.stress).all()

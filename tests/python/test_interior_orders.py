@@ -137,7 +137,7 @@ def test_every_order_loses_what_is_put_in(within, curvature, density):
             lost += 0.5 * (outer - inner) * (density_lost * radius**2) @ weights
             inner = outer
         displacement = order_fields(ball, speed, m, n, radius=[ball.outer_radius], curvature=curvature)[0][:, 0] @ load
-        put_in = -ball.outer_radius**2 * (displacement @ load.conj()).imag
+        put_in = -(ball.outer_radius**2) * (displacement @ load.conj()).imag
         np.testing.assert_allclose(lost, put_in, rtol=1e-10)
 
 

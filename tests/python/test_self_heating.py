@@ -13,6 +13,7 @@ from viscoroll.shift import shift_factor, shifted
 
 AMBIENT = 293.15
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": AMBIENT}
+UNIFORM = COOLING | {"conductivity": 1e3}  # of temperature, as in the independent computation
 MESH = vr.Mesh(nodes_per_revolution=240)
 
 
@@ -31,16 +32,19 @@ def heated(angular_speed, **options):
 
 @pytest.mark.parametrize(("angular_speed", "rise"), [(2.5, 1.19), (25.0, 1.53)])
 def test_one_state(angular_speed, rise):
-    """Independent computation, torque to 1 %: 1.19 and 1.53 K."""
-    (state,) = heated(angular_speed, limit=AMBIENT + 40.0, points=8).states
+    """Independent computation, torque to 1 %, of a coating of uniform temperature: 1.19 and 1.53 K."""
+    (state,) = heated(angular_speed, limit=AMBIENT + 30.0, points=8, **UNIFORM).states
     assert state.stable
     assert state.mean_temperature - AMBIENT == pytest.approx(rise, rel=0.02)
+    # ΔT = P / (4π r_o² h_c)
+    balance = state.result.bulk_power / (4.0 * math.pi * 25e-3**2 * 10.0)
+    assert state.mean_temperature - AMBIENT == pytest.approx(balance, rel=1e-3)
 
 
 @pytest.mark.slow
 def test_three_states():
     """Independent computation: three at 100 rad/s, of which the coldest is 1.54 K; the middle one is unstable."""
-    hot = heated(100.0)
+    hot = heated(100.0, **UNIFORM)
     assert [state.stable for state in hot.states] == [True, False, True]
     assert hot.states[0].mean_temperature - AMBIENT == pytest.approx(1.54, rel=0.02)
     for state in hot.states:
@@ -50,7 +54,7 @@ def test_three_states():
         layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.5)
         ball = vr.CoatedSphere(core_radius=ball.core_radius, layers=[layer])
         again = vr.solve(ball, load=100.0, angular_speed=100.0, mesh=MESH)
-        found = vr.temperature(again, **COOLING)
+        found = vr.temperature(again, **UNIFORM)
         assert found.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
 
 
@@ -65,7 +69,7 @@ def test_no_state_is_refused_with_the_largest_speed():
 
 
 def test_speeds_of_temperatures_lead_back():
-    hot = heated(25.0, limit=AMBIENT + 40.0, points=8)
+    hot = heated(25.0, limit=AMBIENT + 30.0, points=8, **UNIFORM)
     (state,) = hot.states
     assert hot.speeds([state.mean_temperature])[0] == pytest.approx(25.0, rel=0.02)
 

@@ -24,7 +24,10 @@ class Shell:
     def shear_modulus(self, omega):
         """Complex shear modulus at a frequency >= 0."""
         g0, weights, times = self.prony
-        terms = [mpmath.mpf(g) * 1j * omega * t / (1 + 1j * omega * mpmath.mpf(t)) for g, t in zip(weights, times)]
+        terms = [
+            mpmath.mpf(g) * 1j * omega * t / (1 + 1j * omega * mpmath.mpf(t))
+            for g, t in zip(weights, times, strict=True)
+        ]
         return mpmath.mpf(g0) * (1 - sum(mpmath.mpf(g) for g in weights) + sum(terms))
 
     def poisson(self, mu):
@@ -62,13 +65,14 @@ def _transition(elastic, inertia, q, x):
         return mpmath.expm(elastic * mpmath.log1p(x), method="taylor")
     total = term = mpmath.eye(6)
     before = before2 = mpmath.zeros(6)
-    for j in itertools.count():
+    j = 0
+    while j <= 5 or mpmath.mnorm(term, 1) >= mpmath.eps * mpmath.mnorm(total, 1):
         rate = elastic * term - j * term
         rate += q * (inertia * (term + 2 * x * before + x**2 * before2))
         before2, before, term = before, term, x / (j + 1) * rate
         total += term
-        if j > 5 and mpmath.mnorm(term, 1) < mpmath.eps * mpmath.mnorm(total, 1):
-            return total
+        j += 1
+    return total
 
 
 def order_fields(shells, angular_speed, m, n, places, *, within="rigid", paper=True, digits=50):

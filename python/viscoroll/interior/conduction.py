@@ -7,6 +7,7 @@ each layer or part of one, with Gauss, Lobatto and Legendre's points; the weak f
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +26,8 @@ _LONGEST = 16.0  # e-folds of the highest degree through an element
 
 def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return P_l(cosine) for l = 0 … degrees - 1, a row for each."""
-    return legendre.legvander(cosine, degrees - 1).T
+    values: NDArray[np.float64] = legendre.legvander(cosine, degrees - 1).T
+    return values
 
 
 def _lobatto(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -124,7 +126,8 @@ class Conduction:
             first = np.zeros((self.degrees, 1))
             first[0] = core_rise
             rises = np.concatenate([first, rises], axis=1)
-        return rises[:, self._scatter()]
+        at_points: NDArray[np.float64] = rises[:, self._scatter()]
+        return at_points
 
     def volume_weights(self) -> NDArray[np.float64]:
         """Return r² dr at every point [m³]."""
@@ -198,5 +201,5 @@ def _elements(radii: list[float], conductivities: list[float], degrees: int) -> 
         folds = degrees * np.log(outer / max(inner, 1e-2 * outer))
         count = max(1, int(np.ceil(folds / _LONGEST)))
         cuts = np.linspace(inner, outer, count + 1)
-        elements += [_Element(float(a), float(b), conductivity, layer) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+        elements += [_Element(float(a), float(b), conductivity, layer) for a, b in pairwise(cuts)]
     return elements

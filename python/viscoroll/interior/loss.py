@@ -130,4 +130,5 @@ def _term_shares(modulus: ShearModulusLike, angular_speed: float, max_order: int
     products = angular_speed * np.arange(max_order + 1) * times[:, None]
     loss = weights[:, None] * products / (1.0 + products**2)
     total = loss.sum(axis=0)
-    return np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)
+    shares: NDArray[np.float64] = np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)
+    return shares

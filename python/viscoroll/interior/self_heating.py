@@ -1,8 +1,8 @@
 """Rolling that heats what it deforms: temperature and torque found together, all steady states of them.
 
-The moduli of layer j are those at T_j, μ*(a_T(T_j) ω). What decides is the mean temperature T̄, weighted by the loss: at a
-given T̄ the moduli are known, and with them torque, loss and the rise ΔT that they make. A steady state is a root of
-excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state.
+The moduli of layer j are those at T_j, μ*(a_T(T_j) ω). What decides is the mean temperature T̄, weighted by the loss:
+at a given T̄ the moduli are known, and with them torque, loss and the rise ΔT that they make. A steady state is a root
+of excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state.
 """
 
 from __future__ import annotations
@@ -260,9 +260,7 @@ class _Search:
         for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
             temperatures = mean + profile
             result = solve(self._heated(temperatures), load=self.load, angular_speed=speed, **self.options)
-            found = temperature(
-                result, **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
-            )
+            found = temperature(result, **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT))
             after = np.array(found.layer_means) - found.mean
             settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
             profile = after

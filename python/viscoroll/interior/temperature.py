@@ -114,8 +114,8 @@ def temperature(
     core_temperature : float, optional
         Of an isothermal core [K]; by default that of the surroundings.
     heat_capacity : float, default 2e6
-        Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts only in the warning that a mean over a revolution
-        does not hold.
+        Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts only in the warning that a mean over a
+        revolution does not hold.
     max_order : int, optional
         As of `Result.loss`.
 
@@ -138,8 +138,8 @@ def temperature(
 
     Notes
     -----
-    The source is what the model loses in r² dr dθ dφ, put into the sphere's volume. The heat of slip on the plane is not
-    in it.
+    The source is what the model loses in r² dr dθ dφ, put into the sphere's volume. The heat of slip on the plane is
+    not in it.
 
     Examples
     --------
@@ -165,9 +165,7 @@ def temperature(
     loss = loss_of(result, max_order=max_order)
     contact = min(result.semi_axis_x, result.semi_axis_z) or ball.outer_radius * result.mesh.spacing
     degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact) + 2, _MOST_DEGREES)
-    layers = Conduction(
-        _boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity
-    )
+    layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)
     heat = layers.heat_of(source)
     if heat > 0.0:
@@ -216,8 +214,8 @@ def plane_cooling(
 ) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
     """Convection with the heat that the plane takes at every passage: an estimate, for `temperature`.
 
-    A strip of the surface touches the plane for t_c = (its length in contact)/(Ω r_o) and gives it 2 e ΔT √(t_c/π) e_p/(e
-    + e_p) per area, as two half-spaces do; averaged over a revolution that is a coefficient.
+    A strip of the surface touches the plane for t_c = (its length in contact)/(Ω r_o) and gives it 2 e ΔT √(t_c/π)
+    e_p/(e + e_p) per area, as two half-spaces do; averaged over a revolution that is a coefficient.
 
     Parameters
     ----------
@@ -256,7 +254,8 @@ def plane_cooling(
     taken = 2.0 * effusivity * share * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
 
     def coefficient(theta: NDArray[np.float64]) -> NDArray[np.float64]:
-        return base + np.interp(theta, nodes, taken, left=0.0, right=0.0)
+        values: NDArray[np.float64] = base + np.interp(theta, nodes, taken, left=0.0, right=0.0)
+        return values
 
     return coefficient
 
@@ -319,7 +318,7 @@ def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> N
     offsets = points[:, None] - nodes[None, :]
     hits = offsets == 0.0
     terms = weights / np.where(hits, 1.0, offsets)
-    matrix = terms / terms.sum(axis=1, keepdims=True)
+    matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
     matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
     return matrix
 

@@ -6,7 +6,6 @@ import copy
 import itertools
 import re
 from collections.abc import Mapping
-from dataclasses import fields
 from pathlib import Path
 from typing import Any, Literal
 
