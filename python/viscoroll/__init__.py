@@ -46,6 +46,20 @@ from .orders import (
     surface_compliance,
 )
 from .result import Refinement, Result
+from .rheology import (
+    LossFactor,
+    ShiftFactors,
+    check_modulus,
+    check_range,
+    example_data,
+    fit_prony,
+    hardness_to_modulus,
+    load_material,
+    read_rheology,
+    rolling_range,
+    save_material,
+    superpose,
+)
 from .rolling import RollingModel, solve
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
@@ -62,6 +76,7 @@ __all__ = [
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
+    "LossFactor",
     "MasterCurve",
     "Mesh",
     "Parameter",
@@ -72,6 +87,7 @@ __all__ = [
     "ResultWarning",
     "RollingModel",
     "ShearModulus",
+    "ShiftFactors",
     "SlipKinematics",
     "StandardLinearSolid",
     "Status",
@@ -79,14 +95,24 @@ __all__ = [
     "__version__",
     "analytic",
     "centrifugal_displacement",
+    "check_modulus",
+    "check_range",
     "critical_speed",
     "degree_compliance",
+    "example_data",
     "fit_friction_law",
     "fit_power_law",
+    "fit_prony",
     "fit_thickness_law",
+    "hardness_to_modulus",
     "influence_tables",
+    "load_material",
+    "read_rheology",
+    "rolling_range",
+    "save_material",
     "solve",
     "state_matrix",
+    "superpose",
     "surface_compliance",
     "sweep",
 ]

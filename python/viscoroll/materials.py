@@ -9,7 +9,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from numbers import Complex
+from numbers import Complex, Real
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -71,8 +71,9 @@ class ShearModulus(ABC):
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
-#: A modulus of this module, or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa].
-ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any]
+#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular frequencies
+#: ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
+ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,7 +106,7 @@ class Prony(ShearModulus):
     instantaneous_modulus : float
         Shear modulus G₀ at infinite frequency [Pa], > 0.
     weights : array_like
-        g_k [-], each in (0, 1), with a sum below 1.
+        g_k [-], each in [0, 1], with a sum up to 1 but for round-off; terms of weight 0 are dropped.
     relaxation_times : array_like
         τ_k [s], > 0, as many as `weights`.
 
@@ -129,6 +130,9 @@ class Prony(ShearModulus):
         object.__setattr__(self, "weights", as_floats("weights", self.weights))
         object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
         ShearModulus.__post_init__(self)
+        terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
+        for name, column in zip(("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True):
+            object.__setattr__(self, name, column)
 
     def _to_core(self) -> _core.Prony:
         return _core.Prony(
@@ -300,7 +304,11 @@ def to_core(modulus: ShearModulusLike) -> _core._ShearModulus:
         return modulus._to_core()
     if callable(modulus):
         return _core.CustomModulus(_numbers_of(modulus))
-    raise TypeError(f"shear_modulus must be a modulus of viscoroll or a function of frequency, got {shown(modulus)}")
+    if isinstance(modulus, Real) and not isinstance(modulus, bool):
+        return Elastic(modulus=modulus)._to_core()
+    raise TypeError(
+        f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
+    )
 
 
 def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
@@ -310,7 +318,7 @@ def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]
         values = _as_numbers(function(omega))
         if values.dtype.kind not in "fciu":
             raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
-        return values
+        return np.full(omega.shape, values) if values.ndim == 0 else values
 
     return modulus
 
