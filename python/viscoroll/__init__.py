@@ -26,6 +26,7 @@ from ._core import (
 )
 from .caution import ResultWarning
 from .drive import Drive
+from .export import dem
 from .geometry import CoatedSphere, Layer
 from .materials import (
     Elastic,
@@ -61,6 +62,7 @@ from .rheology import (
     superpose,
 )
 from .rolling import RollingModel, solve
+from .rolling_resistance import RollingResistance
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
@@ -86,6 +88,7 @@ __all__ = [
     "Result",
     "ResultWarning",
     "RollingModel",
+    "RollingResistance",
     "ShearModulus",
     "ShiftFactors",
     "SlipKinematics",
@@ -99,6 +102,7 @@ __all__ = [
     "check_range",
     "critical_speed",
     "degree_compliance",
+    "dem",
     "example_data",
     "fit_friction_law",
     "fit_power_law",

@@ -16,6 +16,7 @@ from ._core import Compliance, Curvature
 from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
+from .commands import add_commands
 from .result import SUFFIXES
 from .rolling import solve as solve_rolling
 from .scalars import SCALARS
@@ -273,6 +274,10 @@ def demo(
     _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
+def _write_line(line: str) -> None:
+    _output.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
@@ -288,6 +293,9 @@ def _check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> 
         raise ValueError(f"{option} must end in {allowed}, got {shown(str(path))}")
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
+
+
+add_commands(app, _write_line, _check_target)
 
 
 def _json(scalars: dict[str, float | int | str | None]) -> str:

@@ -80,8 +80,8 @@ class ShearModulus(ABC):
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
-#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular frequencies
-#: ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
+#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular
+#: frequencies ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
 ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
@@ -140,7 +140,9 @@ class Prony(ShearModulus):
         object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
         ShearModulus.__post_init__(self)
         terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
-        for name, column in zip(("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True):
+        for name, column in zip(
+            ("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True
+        ):
             object.__setattr__(self, name, column)
 
     def _to_core(self) -> _core.Prony:

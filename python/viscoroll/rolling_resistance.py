@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["RollingResistance"]
+__all__ = ["RollingResistance", "radius_of"]
 
 #: Highest degree that is tried along either axis.
 _HIGHEST_DEGREE = 10
@@ -72,7 +72,7 @@ class RollingResistance:
             For other dimensions, too few values, several balls, and points that failed.
         """
         torque, load, speed = _points(study)
-        radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else _radius_of(study)
+        radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else radius_of(study)
         best = None
         for rows in range(1, min(load.size - 1, _HIGHEST_DEGREE + 1)):
             for columns in range(1, min(speed.size - 1, _HIGHEST_DEGREE + 1)):
@@ -208,11 +208,13 @@ def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
     load, speed = power["load"].values.astype(float), power["angular_speed"].values.astype(float)
     torque = power.values / speed
     if not (torque > 0.0).all():
-        raise ValueError(f"study must have a power lost > 0 W at every point, got {int((~(torque > 0.0)).sum())} others")
+        raise ValueError(
+            f"study must have a power lost > 0 W at every point, got {int((~(torque > 0.0)).sum())} others"
+        )
     return torque, load, speed
 
 
-def _radius_of(study: xarray.Dataset) -> float:
+def radius_of(study: xarray.Dataset) -> float:
     """Return r_o = H + penetration."""
     radius = (study["center_height"] + study["penetration"] - study["centrifugal_displacement"]).values
     if not np.ptp(radius) <= 1e-9 * radius.max():
@@ -240,5 +242,7 @@ def _mapped(name: str, values: Floats, limits: tuple[float, float], unit: str) -
     slack = 1e-12
     outside = values[~((values >= low * (1.0 - slack)) & (values <= high * (1.0 + slack)))]
     if outside.size:
-        raise ValueError(f"{name} must be in [{low:g}, {high:g}] {unit}, where it was fitted, got {shown(float(outside[0]))}")
+        raise ValueError(
+            f"{name} must be in [{low:g}, {high:g}] {unit}, where it was fitted, got {shown(float(outside[0]))}"
+        )
     return np.asarray(2.0 * np.log(values / low) / np.log(high / low) - 1.0)

@@ -106,7 +106,10 @@ def test_a_callable_serves_as_modulus(paper_ball, rubber):
 def test_a_number_is_an_elastic_modulus(modulus):
     expected, found = (
         vr.surface_compliance(
-            vr.CoatedSphere(core_radius=1.0, layers=[vr.Layer(thickness=0.1, shear_modulus=m, poisson_ratio=0.4)]), 1.0, 2, 3
+            vr.CoatedSphere(core_radius=1.0, layers=[vr.Layer(thickness=0.1, shear_modulus=m, poisson_ratio=0.4)]),
+            1.0,
+            2,
+            3,
         )
         for m in (vr.Elastic(modulus=3e6), modulus)
     )

@@ -1,9 +1,9 @@
 """Files as rheometers and DMA instruments write them, and what is refused.
 
 `pressure_sensitive_adhesive.txt` was written by TRIOS 5.1, `pyvisco_freq_user_raw.csv` comes with pyvisco. The others
-are made by hand after the layouts of files that programs for them read, for want of a free one: TRIOS "Plain Text" (a step
-below its name, names, units, numbers, in Windows' code page), RheoCompass (UTF-16, tabs, "Interval data:", units in
-brackets, a status column), Proteus (##, units behind a slash, semicolons, decimal commas).
+are made by hand after the layouts of files that programs for them read, for want of a free one: TRIOS "Plain Text" (a
+step below its name, names, units, numbers, in Windows' code page), RheoCompass (UTF-16, tabs, "Interval data:", units
+in brackets, a status column), Proteus (##, units behind a slash, semicolons, decimal commas).
 """
 
 from __future__ import annotations

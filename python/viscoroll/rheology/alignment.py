@@ -145,6 +145,7 @@ class _Separable:
         self.initial = np.concatenate([start[self._others], np.zeros(self._others.size if vertical else 0)])
         reduced = self._frequency * 10.0 ** start[self._owner]
         self._times = time_grid(reduced, _TERMS_PER_DECADE, margin=1.0)  # room for the shifts to move
+        self._last: tuple[Floats, SeriesFit] | None = None
 
     def unpacked(self, x: Floats) -> tuple[Floats, Floats]:
         horizontal, vertical = np.zeros(self._count), np.zeros(self._count)
@@ -159,8 +160,10 @@ class _Separable:
         return self._frequency * 10.0 ** horizontal[self._owner], self._storage * lift, self._loss * lift
 
     def fit(self, x: Floats) -> SeriesFit:
-        frequency, storage, loss = self._reduced(x)
-        return fit_series(frequency, storage, loss, self._times, floor=0.0)
+        if self._last is None or not np.array_equal(self._last[0], x):  # asked for residual and Jacobian in turn
+            frequency, storage, loss = self._reduced(x)
+            self._last = (x.copy(), fit_series(frequency, storage, loss, self._times, floor=0.0))
+        return self._last[1]
 
     def residual(self, x: Floats) -> Floats:
         return self.fit(x).residual

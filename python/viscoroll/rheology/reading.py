@@ -184,7 +184,12 @@ def _named(columns: Columns | None) -> dict[str, tuple[str, str | None]]:
         if role not in _ROLES:
             raise ValueError(f"columns must be of {', '.join(_ROLES)}, got {role!r}")
         pair = (value, None) if isinstance(value, str) else value
-        if not isinstance(pair, tuple | list) or len(pair) != 2 or not isinstance(pair[0], str) or not isinstance(pair[1], str | None):
+        if (
+            not isinstance(pair, tuple | list)
+            or len(pair) != 2
+            or not isinstance(pair[0], str)
+            or not isinstance(pair[1], str | None)
+        ):
             raise TypeError(f"columns[{role!r}] must be a name, or a name and a unit, got {shown(value)}")
         names[role] = (pair[0], pair[1])
     return names

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Superposition", "superpose", "tabulated"]
 
+#: A law is as good as can be seen that leaves so much of the shift factors [decades].
+_ENOUGH = 0.01
+
 #: Entries of a table to a decade: neighboring points of several isotherms are averaged.
 _ENTRIES_PER_DECADE = 10
 
@@ -101,8 +104,9 @@ class Superposition:
 
     @property
     def law(self) -> ShiftLaw:
-        """The law of the two that leaves less."""
-        return min(self.wlf, self.arrhenius, key=lambda law: law.residual)
+        """Arrhenius' law where it leaves hardly more than the other, which has one constant more; else WLF."""
+        enough = max(_ENOUGH, 1.5 * self.wlf.residual)
+        return self.arrhenius if self.arrhenius.residual <= enough else self.wlf
 
     def at(self, *, temperature: float) -> MasterCurve:
         """Return the modulus at a temperature, as a table with its end values held.
