@@ -28,6 +28,7 @@ from .caution import ResultWarning
 from .drive import Drive
 from .export import dem
 from .geometry import CoatedSphere, Layer
+from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
     Elastic,
     FractionalZener,
@@ -79,6 +80,7 @@ __all__ = [
     "KelvinVoigt",
     "Layer",
     "LossFactor",
+    "LossSpectrum",
     "MasterCurve",
     "Mesh",
     "Parameter",
@@ -111,6 +113,7 @@ __all__ = [
     "hardness_to_modulus",
     "influence_tables",
     "load_material",
+    "loss_spectrum",
     "read_rheology",
     "rolling_range",
     "save_material",

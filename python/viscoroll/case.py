@@ -244,7 +244,10 @@ def _shear_modulus(given: dict[str, Any] | str | float, folder: Path) -> materia
     kind = table.pop("type", None)
     if kind == "measured":
         return _measured(table, folder)
-    material = _chosen("shear_modulus.type", kind, dict.fromkeys([*_MATERIALS, "measured"]) | _MATERIALS)
+    if not isinstance(kind, str) or kind not in _MATERIALS:
+        names = ", ".join([*_MATERIALS, "measured"])
+        raise ValueError(f"shear_modulus.type must be one of {names}, got {shown(kind)}")
+    material = _MATERIALS[kind]
     if material is materials.MasterCurve:
         table = _master_curve(table, folder)
     known = {field.name for field in fields(material)}  # type: ignore[arg-type]

@@ -325,6 +325,8 @@ def _result_table(result: Result) -> Table:
     for name, (unit, description) in SCALARS.items():
         value = getattr(result, name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
+    if (share := result.extrapolated_loss()) is not None:
+        table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")
     table.add_row("mesh", str(result.mesh))
     table.add_row("status", result.status.name, "")
     return table

@@ -168,12 +168,10 @@ def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
         raise ValueError('design must be a table, as vary = "ball.layers[0].thickness", from = ..., to = ...')
     if unknown := sorted(table.keys() - {"vary", "from", "to", "limits"}):
         raise ValueError(f"design has no parameter {', '.join(unknown)}")
-    variable, low, high, limits = (table.get(name) for name in ("vary", "from", "to", "limits"))
+    variable, limits = table.get("vary"), table.get("limits")
+    low, high = (_number(name, table.get(name)) for name in ("from", "to"))
     if not isinstance(variable, str):
         raise ValueError(f"design.vary must be a place in the file, got {shown(variable)}")
-    for name, value in (("from", low), ("to", high)):
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise ValueError(f"design.{name} must be a number, got {shown(value)}")
     if not 0.0 < low < high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {low!r} and {high!r}")
     limits = {} if limits is None else limits
@@ -182,9 +180,15 @@ def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
     for name, value in limits.items():
         if name not in SCALARS:
             raise ValueError(f"design.limits must be of {', '.join(SCALARS)}, got {name!r}")
-        if isinstance(value, bool) or not isinstance(value, int | float) or not value > 0.0:
-            raise ValueError(f"design.limits.{name} must be a number > 0, got {shown(value)}")
-    return variable, float(low), float(high), {name: float(value) for name, value in limits.items()}
+        if not _number(f"limits.{name}", value) > 0.0:
+            raise ValueError(f"design.limits.{name} must be > 0, got {shown(value)}")
+    return variable, low, high, {name: float(value) for name, value in limits.items()}
+
+
+def _number(name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"design.{name} must be a number, got {shown(value)}")
+    return float(value)
 
 
 def _best(variable: str, low: float, high: float, limits: dict[str, float], search: _Search) -> Design:

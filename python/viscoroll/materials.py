@@ -9,13 +9,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
-from numbers import Complex, Real
+from numbers import Complex
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from . import _core
-from ._arrays import as_float_array, as_floats, require_type, store_floats
+from ._arrays import as_float, as_float_array, as_floats, as_member, store_floats
 from ._text import shown
 
 if TYPE_CHECKING:
@@ -272,7 +272,7 @@ class MasterCurve(ShearModulus):
         Storage modulus [Pa], > 0, as long as `frequency`.
     loss : array_like
         Loss modulus [Pa], ≥ 0, as long as `frequency`.
-    extrapolation : Extrapolation, default Extrapolation.ERROR
+    extrapolation : Extrapolation or str, default Extrapolation.ERROR
         Refuse frequencies outside the table, or hold the end values.
 
     Examples
@@ -291,7 +291,7 @@ class MasterCurve(ShearModulus):
         """Freeze the table and check it."""
         for name in ("frequency", "storage", "loss"):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        require_type("extrapolation", self.extrapolation, _core.Extrapolation)
+        object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
         ShearModulus.__post_init__(self)
 
     def _to_core(self) -> _core.MasterCurve:
@@ -309,17 +309,29 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
     Raises
     ------
     TypeError
-        Where `modulus` is neither of this module nor callable.
+        Where `modulus` is neither of this package, nor callable, nor a number.
     """
-    if isinstance(modulus, ShearModulus):
-        return modulus._to_core()
-    if callable(modulus):
-        return _core.CustomModulus(_numbers_of(modulus))
-    if isinstance(modulus, Real) and not isinstance(modulus, bool):
-        return Elastic(modulus=modulus)._to_core()
-    raise TypeError(
-        f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
-    )
+    known = as_modulus(modulus)
+    return known._to_core() if isinstance(known, ShearModulus) else _core.CustomModulus(_numbers_of(known))
+
+
+def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
+    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means.
+
+    Raises
+    ------
+    TypeError
+        Where `modulus` is none of these.
+    """
+    if isinstance(modulus, ShearModulus) or callable(modulus):
+        return modulus
+    try:
+        number = as_float("shear_modulus", modulus)
+    except TypeError:
+        raise TypeError(
+            f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
+        ) from None
+    return Elastic(modulus=number)
 
 
 def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:

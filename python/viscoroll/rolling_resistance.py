@@ -110,7 +110,8 @@ class RollingResistance:
         """
         x = _mapped("load", as_float_array("load", load), self.load, "N")
         y = _mapped("angular_speed", as_float_array("angular_speed", angular_speed), self.angular_speed, "rad/s")
-        return np.asarray(np.exp(np.polynomial.chebyshev.chebval2d(*np.broadcast_arrays(x, y), self.coefficients)))
+        x, y = np.broadcast_arrays(x, y)
+        return np.asarray(np.exp(np.polynomial.chebyshev.chebval2d(x, y, self.coefficients)))
 
     def save(self, path: str | Path) -> None:
         """Write the surface: .json holds all that `load_file` reads, .nc and .csv a table of 41 by 41 torques.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -69,4 +69,4 @@ def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-STYLES = {"nsc": _nsc, "multicore": _multicore, "dem": _dem}
+STYLES: dict[str, Style] = {"nsc": _nsc, "multicore": _multicore, "dem": _dem}

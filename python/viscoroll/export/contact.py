@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["OperatingPoint", "Stiffness", "Written", "operating_points"]
+__all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,6 +112,10 @@ class Written:
     law: Callable[[Floats, Floats], Floats]
     torque_law: str
     source: str
+
+
+#: How a code is written for, one of its models.
+Style: TypeAlias = Callable[[OperatingPoint, Stiffness], Written]
 
 
 def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,17 +14,15 @@ from .._arrays import as_float
 from .._text import shown
 from ..result import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
-from .contact import OperatingPoint, Stiffness, Written, operating_points
+from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
 
 if TYPE_CHECKING:
     import xarray
 
 __all__ = ["CODES", "DemInput", "dem"]
 
-_Style = Callable[[OperatingPoint, Stiffness], Written]
-
 #: Codes, and the styles of each; the first is the default.
-CODES: dict[str, dict[str, _Style]] = {
+CODES: dict[str, dict[str, Style]] = {
     "lammps": lammps.STYLES,
     "liggghts": liggghts.STYLES,
     "yade": yade.STYLES,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -49,4 +49,4 @@ def _wall(stiffness: Stiffness, rolling: str) -> str:
     return f"fix floor all wall/gran granular {normal} {tangential} {rolling} zplane 0.0 NULL"
 
 
-STYLES = {"sds": _sds, "viscous": _viscous}
+STYLES: dict[str, Style] = {"sds": _sds, "viscous": _viscous}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -65,4 +65,4 @@ def _written(
     )
 
 
-STYLES = {"constant": _constant, "viscous": _viscous}
+STYLES: dict[str, Style] = {"constant": _constant, "viscous": _viscous}

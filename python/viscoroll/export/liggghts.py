@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -81,4 +81,4 @@ def _lines(style: str, rmu: float, stiffness: Stiffness) -> tuple[str, ...]:
     )
 
 
-STYLES = {"epsd2": _epsd2, "epsd": _epsd, "cdt": _cdt}
+STYLES: dict[str, Style] = {"epsd2": _epsd2, "epsd": _epsd, "cdt": _cdt}

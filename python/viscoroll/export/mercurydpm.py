@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -30,4 +30,4 @@ def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-STYLES = {"friction": _friction}
+STYLES: dict[str, Style] = {"friction": _friction}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .contact import OperatingPoint, Stiffness, Written
+from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
@@ -36,4 +36,4 @@ def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
     )
 
 
-STYLES = {"moment": _moment}
+STYLES: dict[str, Style] = {"moment": _moment}

@@ -130,8 +130,17 @@ class Superposition:
         degrees = as_float("temperature", temperature)
         scale = 10.0 ** -self.factors(degrees)
         lift = 10.0 ** float(np.interp(degrees, self.factors.temperature, self.vertical))
-        relaxed = self.fit.relaxed_modulus * lift
-        return tabulated(self.frequency * scale, self.storage * lift, self.loss * lift, relaxed=relaxed)
+        table = self._table
+        return MasterCurve(
+            np.asarray(table.frequency) * scale,
+            np.asarray(table.storage) * lift,
+            np.asarray(table.loss) * lift,
+            extrapolation=Extrapolation.HOLD,
+        )
+
+    @cached_property
+    def _table(self) -> MasterCurve:
+        return tabulated(self.frequency, self.storage, self.loss, relaxed=self.fit.relaxed_modulus)
 
     def series_at(self, *, temperature: float) -> Prony:
         """Return the Prony series of `fit` at a temperature [°C]; errors as of `at`."""
