@@ -295,9 +295,6 @@ def _check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> 
         raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
 
 
-add_commands(app, _write_line, _check_target)
-
-
 def _json(scalars: dict[str, float | int | str | None]) -> str:
     """Return valid JSON, which has no numbers for infinite and undefined values: they are null."""
     finite = {
@@ -358,3 +355,6 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
             head = f"π/{nodes // 2}" if source is torques else ""
             table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
     return table
+
+
+add_commands(app, _write_line, _check_target, _progress_bar)

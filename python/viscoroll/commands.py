@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
@@ -12,6 +13,7 @@ from ._text import shown
 
 with extra("cli"):
     import typer
+    from rich.progress import Progress
 
 if TYPE_CHECKING:
     import xarray
@@ -35,7 +37,10 @@ class Code(StrEnum):
 
 
 def add_commands(
-    app: typer.Typer, write: Callable[[str], object], check_target: Callable[[str, Path | None, tuple[str, ...]], None]
+    app: typer.Typer,
+    write: Callable[[str], object],
+    check_target: Callable[[str, Path | None, tuple[str, ...]], None],
+    progress_bar: Callable[[], Progress],
 ) -> None:
     """Add the commands to an application that writes lines by `write`, and checks files by `check_target`."""
 
@@ -114,14 +119,16 @@ def add_commands(
 
     @app.command()
     def design(
-        case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; see docs/design.md.")],
+        case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/from-dma-to-dem.md.")],
         plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
     ) -> None:
         """Find the thickness, or any number of a case, that loses the least power under limits."""
         from .design import design_case
 
         check_target("--plot", plot, _PICTURES)
-        found = design_case(case)
+        with progress_bar() as bar:
+            task = bar.add_task("starting", total=None)
+            found = design_case(case, report=lambda done: bar.update(task, description=f"{done} cases solved"))
         write(f"{found.variable} = {found.best:.6g}: power lost {found.result.dissipated_power:.6g} W")
         for name, limit in found.limits.items():
             reached = ", reached" if name in found.active else ""
@@ -186,7 +193,7 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     from .studies.study import run_plan, sweep
 
     if "sweep" in read_toml(path):
-        return run_plan(load_study(path), progress=False), None, None
+        return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
     case = load_case(path)
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
@@ -195,7 +202,7 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
         case.ball,
         load=case.load * factors,
         angular_speed=case.angular_speed * factors,
-        progress=False,
+        progress=sys.stderr.isatty(),
         **{name: getattr(case, name) for name in names},
     )
     return study, case.load * factors[2], case.angular_speed * factors[2]

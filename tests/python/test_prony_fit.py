@@ -50,7 +50,7 @@ def test_known_series_from_noise_of_3_percent():
 
 
 def test_intervals_hold_the_truth():
-    """Coverage over 40 data sets with noise and 10 frequencies; 500 of them cover 93 % (`tests/coverage.py`).
+    """Coverage over 40 data sets with noise and 10 frequencies; 500 of them cover 93 % (`tests/interval_coverage.py`).
 
     Neighboring frequencies and both moduli are correlated: some 200 independent cases, of standard deviation 2 %.
     """
@@ -79,6 +79,19 @@ def test_sharp_terms_need_more_times():
     coarse, fine = (vr.fit_prony(sampled(series, omega), terms_per_decade=n) for n in (2, 8))
     assert fine.loss_rms < 0.01
     assert coarse.loss_rms > 3.0 * fine.loss_rms
+
+
+def test_sparse_series_on_request():
+    """Three sharp terms are found as three; seven terms for nine leave more than the full series, and a few percent."""
+    sharp = vr.Prony(instantaneous_modulus=1e7, weights=[0.3, 0.2, 0.3], relaxation_times=[1.3e-3, 0.9, 57.0])
+    found = vr.fit_prony(sampled(sharp, np.geomspace(1e-3, 1e4, 71))).sparse(3).series
+    np.testing.assert_allclose(sorted(found.relaxation_times), [1.3e-3, 0.9, 57.0], rtol=1e-3)
+    full = vr.fit_prony(sampled(KNOWN, OMEGA))
+    few = full.sparse(7)
+    assert len(few.series.weights) <= 7
+    assert full.loss_rms < few.loss_rms < 0.05
+    with pytest.raises(ValueError, match="terms must be >= 1, got 0"):
+        full.sparse(0)
 
 
 def test_relaxed_modulus_has_a_floor():

@@ -11,7 +11,7 @@ from .._arrays import as_float, as_float_array, as_int
 from .._extras import extra
 from .._text import shown
 from ..materials import Prony
-from .series import MARGIN, SeriesFit, basis, fit_series, nonnegative, time_grid
+from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, nonnegative, time_grid
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -139,6 +139,31 @@ class PronyFit:
         found[0] += self._floor
         return np.asarray(found)
 
+    def sparse(self, terms: int) -> PronyFit:
+        """Return a fit with few terms, for programs that cannot take many: their times are fitted, too.
+
+        Its errors are larger, and `confidence_band` knows nothing of that: use the full series here.
+
+        Parameters
+        ----------
+        terms : int
+            The most terms, ≥ 1.
+
+        Returns
+        -------
+        PronyFit
+            With so many terms, or fewer.
+
+        Raises
+        ------
+        ValueError
+            For less than one term.
+        """
+        if as_int("terms", terms) < 1:
+            raise ValueError(f"terms must be >= 1, got {terms}")
+        fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
+        return _result(fit, self.frequency, self.storage, self.loss, self._floor)
+
     def plot(self) -> Figure:
         """Draw data, fit and residual (the extra `viscoroll[plot]`).
 
@@ -208,6 +233,10 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     times = time_grid(frequency, per_decade, margin=MARGIN)
     moved = (times * 10.0 ** (place / (_PLACES * per_decade)) for place in range(_PLACES))
     fit = min((fit_series(frequency, storage, loss, t, floor=floor) for t in moved), key=lambda fit: fit.scatter)
+    return _result(fit, frequency, storage, loss, floor)
+
+
+def _result(fit: SeriesFit, frequency: Floats, storage: Floats, loss: Floats, floor: float) -> PronyFit:
     used = fit.terms > 0.0
     instantaneous = fit.relaxed + float(fit.terms.sum())
     return PronyFit(

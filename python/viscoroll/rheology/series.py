@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["SeriesFit", "basis", "fit_series", "nonnegative", "time_grid"]
+__all__ = ["SeriesFit", "basis", "fit_series", "fit_sparse", "nonnegative", "time_grid"]
 
 #: How far the times reach beyond the data, at either end [decades].
 MARGIN = 0.5
@@ -87,3 +87,27 @@ def fit_series(frequency: Floats, storage: Floats, loss: Floats, times: Floats, 
     found = nonnegative(matrix / size, right) / size
     residual = matrix @ found - right
     return SeriesFit(times, found[1:], float(found[0] + floor), residual)
+
+
+def fit_sparse(
+    dense: SeriesFit, frequency: Floats, storage: Floats, loss: Floats, *, terms: int, floor: float
+) -> SeriesFit:
+    """Fit at most `terms` terms with times of their own, from a dense fit whose closest terms are joined first."""
+    with extra("studies"):
+        from scipy.optimize import least_squares
+
+    used = dense.terms > 0.0
+    x, weights = np.log(dense.times[used]), dense.terms[used]
+    while x.size > terms:
+        gap = np.diff(x) * np.sqrt(weights[:-1] * weights[1:] / (weights[:-1] + weights[1:]) ** 2)
+        i = int(np.argmin(gap))
+        total = weights[i] + weights[i + 1]
+        joined = (weights[i] * x[i] + weights[i + 1] * x[i + 1]) / total
+        x = np.concatenate([x[:i], [joined], x[i + 2 :]])
+        weights = np.concatenate([weights[:i], [total], weights[i + 2 :]])
+
+    def at(logarithms: Floats) -> SeriesFit:
+        return fit_series(frequency, storage, loss, np.exp(logarithms), floor=floor)
+
+    found = least_squares(lambda logarithms: at(logarithms).residual, x, xtol=1e-6, max_nfev=30)
+    return at(found.x)

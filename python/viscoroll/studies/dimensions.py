@@ -57,6 +57,10 @@ UNITS = {
     "order": "1",
     "storage": "Pa",
     "loss": "Pa",
+    "loss_factor": "1",
+    "reference_frequency": "rad/s",
+    "decades": "1",
+    "temperature": "°C",
 }
 
 #: Longest text that serves as a label.

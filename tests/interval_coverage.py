@@ -1,4 +1,4 @@
-"""Coverage of the bootstrap intervals of fitted Prony series: python tests/coverage.py [data sets] [resamples]."""
+"""How often bootstrap intervals of Prony series hold the truth: python tests/interval_coverage.py [sets [resamples]]"""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def main(trials: int = 500, resamples: int = 300) -> None:
     for k, name in enumerate(("storage", "loss")):
         by_frequency = share[:, k].mean(axis=0)
         print(
-            f"{name}: covered {share[:, k].mean():.1%}, {by_frequency.min():.1%} to {by_frequency.max():.1%} by frequency; "
-            f"error {np.sqrt((error[:, k] ** 2).mean()):.2%} rms, {np.abs(error[:, k]).max():.1%} at most"
+            f"{name}: covered {share[:, k].mean():.1%}, {by_frequency.min():.1%} to {by_frequency.max():.1%} by "
+            f"frequency; error {np.sqrt((error[:, k] ** 2).mean()):.2%} rms, {np.abs(error[:, k]).max():.1%} at most"
         )
 
 
