@@ -227,6 +227,11 @@ class ResultScalars:
         what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
     @property
+    def operator_applications(self) -> int:
+        """
+        displacements of trial forces that solved them [1]. Applications of the surface operator: products with the influence tables.
+        """
+    @property
     def penetration(self) -> float:
         """
         penetration r_o - H [m].
@@ -235,11 +240,6 @@ class ResultScalars:
     def power_balance_error(self) -> float:
         """
         relative power-balance error [1]. |T Ω + Q V_s - dissipated_power| relative to the larger, with the lateral force's work where there is some.
-        """
-    @property
-    def products(self) -> int:
-        """
-        products with influence tables that solved them [1].
         """
     @property
     def residual(self) -> float:

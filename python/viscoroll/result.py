@@ -182,16 +182,14 @@ class Result(ScalarFields):
             ("error of the mesh, of linear theory", f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"),
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
-            ("status", f"{self.status.name}, {self._effort()}, residual {self.residual:.1e}"),
+            ("effort", f"{self.iterations} iterations with {self.operator_applications} operator applications"),
+            ("status", f"{self.status.name}, residual {self.residual:.1e}"),
             *(("warning", message) for message in self.warnings.values()),
         ]
         width = max(len(label) for label, _ in rows)
         model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
         head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({model})"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
-
-    def _effort(self) -> str:
-        return f"{self.iterations} iterations" + (f" with {self.products} products" if self.products else "")
 
     def extrapolated_loss(self) -> float | None:
         """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
