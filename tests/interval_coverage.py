@@ -1,4 +1,4 @@
-"""How often bootstrap intervals of Prony series hold the truth: python tests/interval_coverage.py [sets [resamples]]."""
+"""How often bootstrap intervals hold the truth: python tests/interval_coverage.py [data sets [resamples]]."""
 
 from __future__ import annotations
 

@@ -64,31 +64,27 @@ class Design:
         figure = Figure(figsize=(7.0, 5.0), layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
         solved = [(v, r) for v, r in zip(self.values, self.results, strict=True) if r is not None]
-        x = np.array([value for value, _ in solved])
-        allowed = np.array([violation(result, self.limits) <= 0.0 for _, result in solved])
-        above.plot(x, [result.dissipated_power for _, result in solved], "k-", linewidth=1)
-        above.plot(
-            x[allowed],
-            [r.dissipated_power for (_, r), ok in zip(solved, allowed, strict=True) if ok],
-            "go",
-            label="allowed",
-        )
-        above.plot(
-            x[~allowed],
-            [r.dissipated_power for (_, r), ok in zip(solved, allowed, strict=True) if not ok],
-            "rx",
-            label="not allowed",
-        )
+        above.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
+        kept = [pair for pair in solved if violation(pair[1], self.limits) <= 0.0]
+        above.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
+        left_out = [pair for pair in solved if violation(pair[1], self.limits) > 0.0]
+        above.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
         above.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
         above.set_ylabel("power lost [W]")
         above.legend()
         for name, limit in self.limits.items():
-            below.plot(x, [getattr(result, name) / limit for _, result in solved], label=SCALARS[name][1])
+            x, values = _column(solved, name)
+            below.plot(x, np.array(values) / limit, label=SCALARS[name][1])
         below.axhline(1.0, color="gray", linewidth=0.8)
         below.set_ylabel("result / limit")
         below.set_xlabel(self.variable)
         below.legend()
         return figure
+
+
+def _column(solved: list[tuple[float, Result]], name: str) -> tuple[list[float], list[float]]:
+    """Return values and what came of them."""
+    return [value for value, _ in solved], [float(getattr(result, name)) for _, result in solved]
 
 
 @dataclass(slots=True)

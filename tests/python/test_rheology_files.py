@@ -149,12 +149,13 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
     [
         (
             "f,G',G''\n1,2,1\n",
-            r"column 'f' \(frequency\) must have a unit of 'mhz', 'hz', .*, got no unit; pass columns=",
+            r"column 'f' \(frequency\) must have a unit of 'Hz', 'rad/s', .*, got no unit; pass columns=",
         ),
         ("f,G',G''\nrpm,Pa,Pa\n1,2,1\n", r"column 'f' \(frequency\) must have a unit of .*, got unit 'rpm'"),
-        ("f,G',G''\nHz,psi,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of 'pa', .*, got unit 'psi'"),
+        ("f,G',G''\nHz,psi,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of 'Pa', .*, got unit 'psi'"),
         ("f,G',G''\n1/s,Pa,Pa\n1,2,1\n", r"column 'f' \(frequency\) must have a unit of .*, got unit '1/s'"),
         ("f,G',G'',T\nHz,Pa,Pa,\n1,2,1,20\n", r"column 'T' \(temperature\) must have a unit of .*, got no unit"),
+        ("f,G',G''\nHz,mpa,Pa\n1,2,1\n", r"column \"G'\" \(storage\) must have a unit of .*, got unit 'mpa'"),
         ("omega,G',G''\nHz,Pa,Pa\n1,2,1\n", "column 'omega' must be in 'rad/s' by its name, got 'Hz'"),
         (
             "f,Storage modulus,Loss modulus\nHz,Pa,Pa\n1,2,1\n",
@@ -170,6 +171,19 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
 def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, message):
     with pytest.raises(ValueError, match=message):
         vr.read_rheology(written(tmp_path, text))
+
+
+def test_case_counts_where_it_makes_a_difference(tmp_path):
+    (sweep,) = vr.read_rheology(written(tmp_path, "f,G',G''\nhz,mPa,KPA\n1,2,1\n")).isotherms
+    assert sweep.storage[0] == pytest.approx(2e-3)
+    assert sweep.loss[0] == 1e3
+
+
+def test_a_file_that_is_no_text(tmp_path):
+    path = tmp_path / "sweep.tri"
+    path.write_bytes(bytes(range(256)) * 2000)
+    with pytest.raises(ValueError, match="needs a row of names"):
+        vr.read_rheology(path)
 
 
 @pytest.mark.parametrize(

@@ -7,31 +7,39 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["UNITS_OF", "Column", "normalized", "parse_header", "role_of"]
+__all__ = ["Column", "is_unit", "normalized", "parse_header", "role_of"]
 
 _ZERO_CELSIUS = 273.15
 
 #: For each kind of quantity, what a unit multiplies by and adds: to rad/s, Pa, °C and a plain number.
 UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
     "frequency": {
-        "mhz": (2e-3 * np.pi, 0.0),
-        "hz": (2.0 * np.pi, 0.0),
-        "khz": (2e3 * np.pi, 0.0),
+        "Hz": (2.0 * np.pi, 0.0),
         "rad/s": (1.0, 0.0),
+        "mHz": (2e-3 * np.pi, 0.0),
+        "kHz": (2e3 * np.pi, 0.0),
+        "MHz": (2e6 * np.pi, 0.0),
         "rad s-1": (1.0, 0.0),
         "rad.s-1": (1.0, 0.0),
     },
-    "modulus": {"pa": (1.0, 0.0), "kpa": (1e3, 0.0), "mpa": (1e6, 0.0), "gpa": (1e9, 0.0), "n/mm2": (1e6, 0.0)},
+    "modulus": {
+        "Pa": (1.0, 0.0),
+        "kPa": (1e3, 0.0),
+        "MPa": (1e6, 0.0),
+        "GPa": (1e9, 0.0),
+        "mPa": (1e-3, 0.0),
+        "N/mm2": (1e6, 0.0),
+    },
     "temperature": {
-        "c": (1.0, 0.0),
-        "°c": (1.0, 0.0),
-        "degc": (1.0, 0.0),
-        "celsius": (1.0, 0.0),
-        "k": (1.0, -_ZERO_CELSIUS),
-        "kelvin": (1.0, -_ZERO_CELSIUS),
-        "f": (5.0 / 9.0, -160.0 / 9.0),
-        "°f": (5.0 / 9.0, -160.0 / 9.0),
-        "degf": (5.0 / 9.0, -160.0 / 9.0),
+        "°C": (1.0, 0.0),
+        "C": (1.0, 0.0),
+        "degC": (1.0, 0.0),
+        "Celsius": (1.0, 0.0),
+        "K": (1.0, -_ZERO_CELSIUS),
+        "Kelvin": (1.0, -_ZERO_CELSIUS),
+        "°F": (5.0 / 9.0, -160.0 / 9.0),
+        "F": (5.0 / 9.0, -160.0 / 9.0),
+        "degF": (5.0 / 9.0, -160.0 / 9.0),
     },
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
@@ -116,15 +124,15 @@ class Column:
             Where the file gives no unit, one that is not known, or one at odds with the name.
         """
         known = UNITS_OF[_KIND[self.role]]
-        unit = _plain(self.unit)
-        if unit not in known:
+        unit = _known_unit(_KIND[self.role], self.unit)
+        if unit is None:
             found = f"unit {self.unit!r}" if self.unit else "no unit"
             allowed = ", ".join(f"{name!r}" for name in known)
             raise ValueError(
                 f"{path}: column {self.name!r} ({self.role}) must have a unit of {allowed}, got {found}; "
                 f'pass columns={{"{self.role}": ("{self.name}", unit)}}'
             )
-        if normalized(self.name) in _ANGULAR and unit.endswith("hz"):
+        if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
             raise ValueError(f"{path}: column {self.name!r} must be in 'rad/s' by its name, got {self.unit!r}")
         factor, offset = known[unit]
         return np.asarray(values) * factor + offset
@@ -158,14 +166,24 @@ def role_of(name: str) -> str | None:
 
 def parse_header(cell: str) -> tuple[str, str]:
     """Split the unit off a header such as "E' (MPa)", "f [Hz]", "Temp./°C" or "E' in MPa"; it is empty without one."""
-    cell = cell.strip().strip('"').strip("#").strip() if not re.fullmatch(r'[EGeg]"', cell.strip()) else cell.strip()
+    cell = cell.strip().lstrip("#").strip()
     for pattern in (r"(.+?)\s*\[([^\]]*)\]", r"(.+?)\s*\(([^()]*)\)", r"(.+?)\s*/\s*(.+)", r"(.+?) in (\S+)"):
         found = re.fullmatch(pattern, cell)
-        if found and any(_plain(found[2]) in units for kind, units in UNITS_OF.items() if kind != "ratio"):
+        if found and is_unit(found[2]):
             # Netzsch writes the frequency of a sweep behind the modulus: E'(1.000 Hz)/MPa
             return re.sub(r"\s*\([\d.,]+ *Hz\)$", "", found[1]).strip(), found[2].strip()
     return cell, ""
 
 
-def _plain(unit: str) -> str:
-    return unit.strip().strip("[]()").strip().lower().replace("º", "°").replace("²", "2").replace("⁻¹", "-1")
+def is_unit(text: str) -> bool:
+    """Return whether a text is a unit of frequency, modulus or temperature."""
+    return any(_known_unit(kind, text) is not None for kind in ("frequency", "modulus", "temperature"))
+
+
+def _known_unit(kind: str, text: str) -> str | None:
+    """Return the name of a unit in the table, in which the case counts only where it makes a difference: mPa, MPa."""
+    plain = text.strip().strip("[]()").strip().replace("º", "°").replace("²", "2").replace("⁻¹", "-1")
+    if plain in UNITS_OF[kind]:
+        return plain
+    alike = [unit for unit in UNITS_OF[kind] if unit.lower() == plain.lower()]
+    return alike[0] if len(alike) == 1 else None

@@ -15,12 +15,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .names import UNITS_OF, Column, normalized, parse_header, role_of
+from .names import Column, is_unit, normalized, parse_header, role_of
 
 __all__ = ["Table", "find_tables", "read_text"]
 
 _SEPARATORS = ("\t", ";", ",")
-_UNITS = frozenset().union(*UNITS_OF.values()) - {""}
 
 
 @dataclass(slots=True)
@@ -110,13 +109,15 @@ def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]]) -> d
 def _cells(line: str, separator: str) -> list[str]:
     if separator == "\t":  # E'' and G" stand unquoted in exports with tabs
         return [cell.strip() for cell in line.split(separator)]
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    except csv.Error:  # no text at all
+        return []
 
 
 def _is_unit_row(cells: list[str]) -> bool:
-    plain = [cell.strip("[]() ").lower().replace("º", "°") for cell in cells]
-    return any(cell in _UNITS for cell in plain if cell not in ("1", "-")) and all(
-        math.isnan(_number(cell, "\t")) or cell == "1" for cell in plain
+    return any(is_unit(cell) for cell in cells) and all(
+        math.isnan(_number(cell, "\t")) or cell == "1" for cell in cells
     )
 
 
