@@ -8,6 +8,8 @@ from __future__ import annotations
 import csv
 import json
 import re
+import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -53,10 +55,6 @@ def liggghts_overlap(text, load, radius):
 
 def liggghts_friction(text):
     return number(r"coefficientRollingFriction peratomtypepair 1 (\S+)", text)
-
-
-def liggghts_cdt(text, load, speed, radius):
-    return liggghts_friction(text) * load * (radius - 0.5 * liggghts_overlap(text, load, radius))
 
 
 def liggghts_limit(text, load, speed, radius):
@@ -106,7 +104,7 @@ LAWS = {
     ("lammps", "viscous"): lammps_sds,
     ("liggghts", "epsd2"): liggghts_limit,
     ("liggghts", "epsd"): liggghts_limit,
-    ("liggghts", "cdt"): liggghts_cdt,
+    ("liggghts", "cdt"): liggghts_limit,
     ("yade", "moment"): yade,
     ("mercurydpm", "friction"): mercurydpm,
     ("chrono", "nsc"): chrono_nsc,
@@ -254,3 +252,39 @@ def test_lammps_itself(result, tmp_path):
     after = code.numpy.extract_atom("omega")[0, 1]
     code.close()
     assert inertia * (before - after) / 1e-3 == pytest.approx(result.dissipated_power / speed, rel=1e-6)
+
+
+@pytest.mark.parametrize("style", ["epsd2", "cdt"])
+def test_liggghts_itself(result, tmp_path, style):
+    """The same in LIGGGHTS (Debian's package of that name), with its own overlap."""
+    program = shutil.which("liggghts")
+    if program is None:
+        pytest.skip("liggghts is not installed")
+    radius, mass, speed = result.ball.outer_radius, 0.3, 2.5
+    written = vr.dem(result, code="liggghts", style=style)
+    *properties, floor = written.written.lines
+    depth = liggghts_overlap(written.text, 100.0, radius)
+    density = mass / (4.0 / 3.0 * np.pi * radius**3)
+    (tmp_path / "ball.data").write_text(
+        "one ball\n\n1 atoms\n1 atom types\n\n-1 1 xlo xhi\n-1 1 ylo yhi\n-1 1 zlo zhi\n\nAtoms\n\n"
+        f"1 1 {2.0 * radius!r} {density!r} 0 0 {radius - depth!r}\n\nVelocities\n\n1 0 0 0 0 {speed!r} 0\n"
+    )
+    rest = "fix cor all property/global coefficientRestitution peratomtypepair 1 0.9"
+    friction = "fix cof all property/global coefficientFriction peratomtypepair 1 0.0"
+    lines = [
+        "units si\natom_style sphere\natom_modify map array\nboundary f f f\nnewton off\ncommunicate single vel yes",
+        "read_data ball.data\nneighbor 0.01 bin",
+        *properties,
+        f"{rest}\n{friction}",
+        f"pair_style gran model hertz tangential history rolling_friction {style}\npair_coeff * *\ntimestep 1e-6",
+        f"{floor}\nfix weight all setforce 0.0 0.0 0.0\nfix move all nve/sphere",
+        "compute w all property/atom omegay\ncompute turn all reduce sum c_w",
+        "thermo_style custom step c_turn\nthermo 1000\nthermo_modify lost ignore norm no format float %.15g",
+        "run 2000",
+    ]
+    (tmp_path / "in.ball").write_text("\n".join(lines) + "\n")
+    done = subprocess.run([program, "-in", "in.ball"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+    speeds = {int(step): float(w) for step, w in re.findall(r"^ *(\d+) +([-\d.e]+) *$", done.stdout, re.MULTILINE)}
+    torque = 0.4 * mass * radius**2 * (speeds[1000] - speeds[2000]) / 1e-3
+    assert torque == pytest.approx(result.dissipated_power / speed, rel=1e-6)

@@ -50,7 +50,7 @@ def test_known_series_from_noise_of_3_percent():
 
 
 def test_intervals_hold_the_truth():
-    """Coverage over 40 data sets with noise and 10 frequencies; 500 of them cover 93 % (`tests/interval_coverage.py`).
+    """Coverage over 40 data sets with noise and 10 frequencies; 500 of them cover 92 % (`tests/interval_coverage.py`).
 
     Neighboring frequencies and both moduli are correlated: some 200 independent cases, of standard deviation 2 %.
     """

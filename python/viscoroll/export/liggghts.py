@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
@@ -11,28 +9,14 @@ __all__ = ["STYLES"]
 #: Poisson's ratio that is written beside the modulus; LIGGGHTS wants less than 0.5.
 _POISSON = 0.45
 
-_FOLDER = "LIGGGHTS-PUBLIC src"
-
 
 def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Constant directional torque: T = rmu k_n δ c, with c = R - δ/2 on a wall, at once and at any speed.
+    """Constant directional torque: T = rmu |F_n| R, at once and at any speed.
 
-    δ is the overlap that the code finds: with the modulus written here that of its law at the load. Source:
-    rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri), surface_model_default.h (cri = radi - 0.5 deltan).
+    Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). cri, on paper R - δ/2, is R on a wall: a ball run in
+    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/test_dem.py`).
     """
-
-    def lever(load: np.ndarray) -> np.ndarray:
-        overlap = (load / (stiffness.hertz * np.sqrt(point.radius))) ** (2.0 / 3.0)
-        return np.asarray(point.radius - 0.5 * overlap)
-
-    rmu = point.torque / (point.load * float(lever(np.asarray(point.load))))
-    return Written(
-        lines=_lines("cdt", rmu, stiffness),
-        parameters={"coefficientRollingFriction": rmu, "youngsModulus": _young(stiffness)},
-        law=lambda load, speed: rmu * load * lever(load) + 0.0 * speed,
-        torque_law="T = rmu P (R - delta/2), delta the overlap of its Hertz law at P (two balls: rmu P R_eff)",
-        source=f"{_FOLDER}/rolling_model_cdt.h, surface_model_default.h",
-    )
+    return _written(point, stiffness, "cdt", "at once")
 
 
 def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
@@ -54,31 +38,36 @@ def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: float) -> Written:
-    rmu = point.coefficient
-    lines = _lines(style, rmu, stiffness)
+    return _written(point, stiffness, style, f"once the ball has turned by about {turn:.2g} rad")
+
+
+def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
+    rmu, young = point.coefficient, _young(stiffness)
+    properties = [
+        f"fix ym all property/global youngsModulus peratomtype {young!r}",
+        f"fix pr all property/global poissonsRatio peratomtype {_POISSON!r}",
+        f"fix rf all property/global coefficientRollingFriction peratomtypepair 1 {rmu!r}",
+    ]
     if style == "epsd":
-        lines += ("fix rv all property/global coefficientRollingViscousDamping peratomtypepair 1 0.3",)
+        properties.append("fix rv all property/global coefficientRollingViscousDamping peratomtypepair 1 0.3")
+    wall = f"model hertz tangential history rolling_friction {style} primitive type 1 zplane 0.0"
     return Written(
-        lines=lines,
-        parameters={"coefficientRollingFriction": rmu, "youngsModulus": _young(stiffness)},
+        lines=(*properties, f"fix floor all wall/gran {wall}"),
+        parameters={"coefficientRollingFriction": rmu, "youngsModulus": young},
         law=lambda load, speed: rmu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = rmu P R once the ball has turned by about {turn:.2g} rad; R the radius (two balls: R_eff)",
-        source=f"{_FOLDER}/rolling_model_{style}.h",
+        torque_law=f"T = rmu P R {when}; R the radius (two balls: R_eff)",
+        source=f"LIGGGHTS-PUBLIC src/rolling_model_{style}.h",
     )
 
 
 def _young(stiffness: Stiffness) -> float:
-    """Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
+    """Return Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
     return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
 
 
-def _lines(style: str, rmu: float, stiffness: Stiffness) -> tuple[str, ...]:
-    return (
-        f"fix ym all property/global youngsModulus peratomtype {_young(stiffness)!r}",
-        f"fix pr all property/global poissonsRatio peratomtype {_POISSON!r}",
-        f"fix rf all property/global coefficientRollingFriction peratomtypepair 1 {rmu!r}",
-        f"fix floor all wall/gran model hertz tangential history rolling_friction {style} primitive type 1 zplane 0.0",
-    )
+def _young(stiffness: Stiffness) -> float:
+    """Return Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
+    return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
 
 
 STYLES: dict[str, Style] = {"epsd2": _epsd2, "epsd": _epsd, "cdt": _cdt}
