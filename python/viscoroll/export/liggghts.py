@@ -65,9 +65,4 @@ def _young(stiffness: Stiffness) -> float:
     return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
 
 
-def _young(stiffness: Stiffness) -> float:
-    """Return Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
-    return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
-
-
 STYLES: dict[str, Style] = {"epsd2": _epsd2, "epsd": _epsd, "cdt": _cdt}
