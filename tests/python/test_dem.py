@@ -288,3 +288,43 @@ def test_liggghts_itself(result, tmp_path, style):
     speeds = {int(step): float(w) for step, w in re.findall(r"^ *(\d+) +([-\d.e]+) *$", done.stdout, re.MULTILINE)}
     torque = 0.4 * mass * radius**2 * (speeds[1000] - speeds[2000]) / 1e-3
     assert torque == pytest.approx(result.dissipated_power / speed, rel=1e-6)
+
+
+YADE = """
+import json
+floor = O.bodies.append(box((0, 0, -0.01), (1, 1, 0.01), fixed=True, material="floor"))
+ball = O.bodies.append(sphere((0, 0, 0.999 * RADIUS), RADIUS, material="ball"))
+O.engines = [
+    ForceResetter(),
+    InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Box_Aabb()]),
+    InteractionLoop([geometry], [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()], [law]),
+    NewtonIntegrator(damping=0.0, gravity=(0, 0, 0)),
+]
+O.dt = 1e-6
+state = O.bodies[ball].state
+state.blockedDOFs = "xyzXZ"
+O.step()
+stiffness = O.interactions[floor, ball].phys.kn
+state.pos = (0, 0, RADIUS - LOAD / stiffness)
+state.angVel = (0, SPEED, 0)
+O.run(2000, True)
+before = state.angVel[1]
+O.run(1000, True)
+torque = state.inertia[1] * (before - state.angVel[1]) / (1000 * O.dt)
+open("found.json", "w").write(json.dumps({"torque": torque, "stiffness": stiffness}))
+"""
+
+
+def test_yade_itself(result, tmp_path):
+    """The same in YADE (Debian's package of that name); its stiffness is the fitted one, too."""
+    program = shutil.which("yade")
+    if program is None:
+        pytest.skip("yade is not installed")
+    written = vr.dem(result, code="yade")
+    given = f"RADIUS, LOAD, SPEED = {result.ball.outer_radius!r}, 100.0, 2.5\nfriction_angle, density = 0.0, 2500.0\n"
+    (tmp_path / "ball.py").write_text(given + "\n".join(written.written.lines) + YADE)
+    done = subprocess.run([program, "-n", "-x", "ball.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert (tmp_path / "found.json").exists(), done.stdout + done.stderr
+    found = json.loads((tmp_path / "found.json").read_text())
+    assert found["torque"] == pytest.approx(result.dissipated_power / 2.5, rel=1e-9)
+    assert found["stiffness"] == pytest.approx(written.stiffness.hooke, rel=1e-12)

@@ -10,11 +10,12 @@ __all__ = ["STYLES"]
 def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Law of moments with a plastic limit: T = etaRoll P R once its spring has turned far enough.
 
-    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value; on a Wall or Box, whose radius
-    counts as that of the ball or more, it is etaRoll P R. It acts with momentRotationLaw on both materials,
-    always_use_moment_law where there is no cohesion, and useIncrementalForm: the total form forgets what was plastic.
-    The spring is k_r = alphaKr k_n R₁ R₂. Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax = maxRollPl |F_n|),
-    Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2 E₁R₁E₂R₂/(E₁R₁+E₂R₂)).
+    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value; a Box counts as a ball of the same
+    radius (a Wall has no moments: there is no Ig2_Wall_Sphere_ScGeom6D). It acts with momentRotationLaw on both
+    materials, always_use_moment_law where there is no cohesion, and useIncrementalForm: the total form forgets what was
+    plastic. The spring is k_r = alphaKr k_n R₁ R₂. Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax =
+    maxRollPl |F_n|), Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2
+    E₁R₁E₂R₂/(E₁R₁+E₂R₂)).
     """
     eta = point.coefficient
     young = stiffness.hooke / point.radius
@@ -27,6 +28,7 @@ def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
         lines=(
             f"O.materials.append({material}'ball'))",
             f"O.materials.append({material}'floor'))  # the same value: the smaller of etaRoll R counts",
+            "geometry = Ig2_Box_Sphere_ScGeom6D()  # the floor is a Box",
             "law = Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True, useIncrementalForm=True)",
         ),
         parameters={"etaRoll": eta, "young": young},
