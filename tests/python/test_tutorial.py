@@ -40,7 +40,7 @@ def shell(command, folder):
 
 def test_python(folder):
     printed = (folder / "printed.txt").read_text(encoding="utf-8")
-    assert "340 points in 20 sweeps" in printed or "339 points in 20 sweeps" in printed
+    assert "339 points in 20 sweeps" in printed
     assert "undetermined              -40 to -29.99 °C" in printed
     assert "rolling sds" in printed
     assert (folder / "floor.lammps").read_text(encoding="utf-8").count("\n") == 7
@@ -48,6 +48,7 @@ def test_python(folder):
     assert vr.RollingResistance.load_file(folder / "torque.json").radius == pytest.approx(0.022)
 
 
+@pytest.mark.slow
 def test_commands(folder):
     shutil.copy(vr.example_data("pressure_sensitive_adhesive.txt"), folder / "dma.txt")
     (case,) = blocks("toml")

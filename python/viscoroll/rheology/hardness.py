@@ -51,7 +51,7 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     --------
     >>> shear = hardness_to_modulus(60.0)
     >>> print(f"{shear.value / 1e6:.2f} MPa in [{shear.lower / 1e6:.2f}, {shear.upper / 1e6:.2f}]")
-    1.53 MPa in [1.11, 2.18]
+    1.54 MPa in [1.11, 2.19]
     """
     ranges = {"A": (20.0, 90.0), "D": (30.0, 85.0)}
     if scale not in ranges:

@@ -145,8 +145,8 @@ def read_rheology(
     --------
     >>> import viscoroll as vr
     >>> vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
-    RheologyData of pressure_sensitive_adhesive.txt: 340 points in 20 sweeps at -40 to 150 °C, 0.6283 to 125.7 rad/s,
-    moduli of shear; 0 points dropped
+    RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at -40 to 150 °C, 0.6283 to 125.7 rad/s,
+    moduli of shear; 1 points dropped
     """
     path = Path(path)
     names = _named(columns)
