@@ -9,6 +9,7 @@ from typer.testing import CliRunner
 from viscoroll.case import load_case
 from viscoroll.cli import app
 from viscoroll.design import design_case
+from viscoroll.studies.file import load_study
 
 CASE = """
 [ball]
@@ -115,6 +116,16 @@ def test_case_files_name_measured_materials(curve, saved, tmp_path):
         np.testing.assert_allclose(
             found.complex_modulus([1.0, 10.0]), expected.complex_modulus([1.0, 10.0]), rtol=1e-12
         )
+
+
+def test_studies_vary_the_temperature(curve, saved, tmp_path):
+    sweep = '\n[sweep]\n"ball.layers[0].shear_modulus.temperature" = [20.0, 40.0, 60.0]\n'
+    path = case_file(tmp_path, '{ type = "measured", file = "a.toml" }', sweep)
+    plan = load_study(path)
+    assert plan.dimensions[0].name == "temperature"
+    found = [case.ball.layers[0].shear_modulus.complex_modulus(1.0) for case in plan.cases]
+    expected = [curve.at(temperature=t).complex_modulus(1.0) for t in (20.0, 40.0, 60.0)]
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

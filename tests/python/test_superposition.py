@@ -159,7 +159,7 @@ def test_shift_factors_of_the_user(tmp_path):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"reference": 200.0}, r"temperature must be in \[0, 80\]"),
+        ({"reference": 200.0}, r"reference must be in \[0, 80\] °C, where sweeps were measured, got 200"),
         ({"data": measured_isotherms(0.0).between(0.0, 0.0)}, "at least 2 sweeps to be shifted, got 1"),
     ],
 )

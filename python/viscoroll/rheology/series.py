@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._core import ConvergenceError
 from .._extras import extra
 
 if TYPE_CHECKING:
@@ -50,10 +51,12 @@ def nonnegative(matrix: Floats, right: Floats) -> Floats:
         from scipy.optimize import nnls
 
     q, r = np.linalg.qr(matrix)
-    reduced = q.T @ right
-    if right.ndim == 1:
-        return np.asarray(nnls(r, reduced, maxiter=50 * r.shape[1])[0])
-    return np.stack([nnls(r, column, maxiter=50 * r.shape[1])[0] for column in reduced.T], axis=1)
+    columns = np.atleast_2d((q.T @ right).T)
+    try:
+        found = [nnls(r, column, maxiter=50 * r.shape[1])[0] for column in columns]
+    except RuntimeError as error:
+        raise ConvergenceError(f"the fit of a series did not converge: {error}") from None
+    return np.asarray(found[0]) if right.ndim == 1 else np.stack(found, axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -227,6 +227,9 @@ def superpose(
     if not (np.diff(temperature) > 0.0).all():
         sweeps = _one_for_each_temperature(sweeps)
         return superpose(replace(data, isotherms=sweeps), reference=degrees, factors=factors, vertical=vertical)
+    low, high = float(temperature[0]), float(temperature[-1])
+    if not low - 0.5 <= degrees <= high + 0.5:
+        raise ValueError(f"reference must be in [{low:g}, {high:g}] °C, where sweeps were measured, got {degrees:g}")
     if factors is not None:
         return _by_hand(data, degrees, temperature, factors)
     anchor = int(np.argmin(np.abs(temperature - degrees)))

@@ -35,7 +35,7 @@ def read_text(path: Path) -> str:
     """Return the text of a file in UTF-8, UTF-16 or the code page of Western Windows, whichever it is in."""
     content = path.read_bytes()
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return content.decode("utf-16")
+        return content.decode("utf-16", errors="replace")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
