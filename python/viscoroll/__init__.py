@@ -28,6 +28,7 @@ from .caution import ResultWarning
 from .drive import Drive
 from .export import dem
 from .geometry import CoatedSphere, Layer
+from .interior import Core, Temperature, plane_cooling, self_heating, temperature
 from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
     Elastic,
@@ -64,12 +65,15 @@ from .rheology import (
 )
 from .rolling import RollingModel, solve
 from .rolling_resistance import RollingResistance
+from .shift import Arrhenius, WilliamsLandelFerry
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
+    "Arrhenius",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
+    "Core",
     "Curvature",
     "Drive",
     "Elastic",
@@ -96,7 +100,9 @@ __all__ = [
     "SlipKinematics",
     "StandardLinearSolid",
     "Status",
+    "Temperature",
     "WarningKind",
+    "WilliamsLandelFerry",
     "__version__",
     "analytic",
     "centrifugal_displacement",
@@ -114,12 +120,15 @@ __all__ = [
     "influence_tables",
     "load_material",
     "loss_spectrum",
+    "plane_cooling",
     "read_rheology",
     "rolling_range",
     "save_material",
+    "self_heating",
     "solve",
     "state_matrix",
     "superpose",
     "surface_compliance",
     "sweep",
+    "temperature",
 ]

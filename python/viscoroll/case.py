@@ -18,15 +18,17 @@ from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
 from .geometry import CoatedSphere, Layer
+from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
 from .result import Result
 from .rheology import LossFactor, load_material
 from .rolling import solve
+from .shift import Arrhenius, WilliamsLandelFerry
 
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, ValidationError
 
-__all__ = ["Case", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
+__all__ = ["Case", "Thermal", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -36,6 +38,11 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "fractional_zener": materials.FractionalZener,
     "master_curve": materials.MasterCurve,
     "loss_factor": LossFactor,
+}
+
+_SHIFTS: dict[str, type[WilliamsLandelFerry] | type[Arrhenius]] = {
+    "williams_landel_ferry": WilliamsLandelFerry,
+    "arrhenius": Arrhenius,
 }
 
 _COLUMNS = ("frequency", "storage", "loss")
@@ -59,6 +66,7 @@ class _Layer(_Table):
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
+    conductivity: float | None = None
 
 
 class _Ball(_Table):
@@ -92,10 +100,42 @@ class _Numerics(_Table):
     slip_kinematics: Literal["exact", "flat"] = "exact"
 
 
+class _Thermal(_Table):
+    convection: float
+    ambient: float
+    conductivity: float | list[float] | None = None
+    core: Literal["insulated", "isothermal"] | float = "insulated"
+    core_temperature: float | None = None
+    shift: dict[str, Any] | None = None
+    limit: float | None = None
+
+
 class _File(_Table):
     ball: _Ball
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
+    thermal: _Thermal | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Thermal:
+    """How a case is cooled. Parameters as of `viscoroll.temperature`, and `shift` and `limit` of `self_heating`."""
+
+    convection: float
+    ambient: float
+    conductivity: float | list[float] | None
+    core: Core | float
+    core_temperature: float | None
+    shift: WilliamsLandelFerry | Arrhenius | None
+    limit: float | None
+
+    def temperature(self, result: Result) -> Temperature:
+        """Temperature with the moduli as they are."""
+        return temperature(result, **self._cooling())
+
+    def _cooling(self) -> dict[str, Any]:
+        names = ("convection", "ambient", "conductivity", "core", "core_temperature")
+        return {name: getattr(self, name) for name in names}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,10 +153,23 @@ class Case:
     curvature: Curvature
     patch_load: PatchLoad
     slip_kinematics: SlipKinematics
+    thermal: Thermal | None = None
+
+    def arguments(self) -> dict[str, Any]:
+        """Return the arguments of `viscoroll.solve`."""
+        return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
 
     def solve(self, **options: Any) -> Result:
         """Solve the case; `options` go to `viscoroll.solve`."""
-        return solve(**{field.name: getattr(self, field.name) for field in fields(self)}, **options)
+        return solve(**self.arguments(), **options)
+
+    def self_heating(self, **options: Any) -> SelfHeating:
+        """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
+        thermal = self.thermal
+        shift = None if thermal is None else thermal.shift
+        if thermal is None or shift is None:
+            raise ValueError("thermal.shift must be given for self-heating")
+        return self_heating(**self.arguments(), **thermal._cooling(), shift=shift, limit=thermal.limit, **options)
 
 
 def load_case(path: str | Path) -> Case:
@@ -227,7 +280,22 @@ def _build(file: _File, folder: Path) -> Case:
         curvature=Curvature[numerics.curvature.upper()],
         patch_load=PatchLoad[numerics.patch_load.upper()],
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
+        thermal=None if file.thermal is None else _thermal(file.thermal),
     )
+
+
+def _thermal(table: _Thermal) -> Thermal:
+    core = Core[table.core.upper()] if isinstance(table.core, str) else table.core
+    return Thermal(**dict(table) | {"core": core, "shift": None if table.shift is None else _shift(dict(table.shift))})
+
+
+def _shift(table: dict[str, Any]) -> WilliamsLandelFerry | Arrhenius:
+    kind = table.pop("type", None)
+    shift = _chosen("thermal.shift.type", kind, _SHIFTS)
+    wanted = {field.name for field in fields(shift)}
+    if table.keys() != wanted:
+        raise ValueError(f"thermal.shift of type {kind} must have {', '.join(sorted(wanted))}, got {sorted(table)}")
+    return shift(**table)
 
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:

@@ -7,6 +7,7 @@
 #include "viscoroll/errors.hpp"       // IWYU pragma: export
 #include "viscoroll/formulation.hpp"  // IWYU pragma: export
 #include "viscoroll/influence.hpp"    // IWYU pragma: export
+#include "viscoroll/interior.hpp"     // IWYU pragma: export
 #include "viscoroll/load_case.hpp"    // IWYU pragma: export
 #include "viscoroll/materials.hpp"    // IWYU pragma: export
 #include "viscoroll/mesh.hpp"         // IWYU pragma: export
