@@ -13,4 +13,5 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   bind_inputs(m);
   bind_modal(m);
   bind_solve(m);
+  bind_roll(m);
 }

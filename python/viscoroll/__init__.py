@@ -20,6 +20,7 @@ from ._core import (
     InnerBoundary,
     PatchLoad,
     SlipKinematics,
+    Start,
     Status,
     WarningKind,
     __version__,
@@ -48,6 +49,7 @@ from .orders import (
 from .result import Refinement, Result
 from .rolling import RollingModel, solve
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
     "CoatedSphere",
@@ -59,6 +61,7 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "History",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
@@ -70,10 +73,13 @@ __all__ = [
     "Refinement",
     "Result",
     "ResultWarning",
+    "RollingHistory",
     "RollingModel",
+    "RollingState",
     "ShearModulus",
     "SlipKinematics",
     "StandardLinearSolid",
+    "Start",
     "Status",
     "WarningKind",
     "__version__",
@@ -85,6 +91,7 @@ __all__ = [
     "fit_power_law",
     "fit_thickness_law",
     "influence_tables",
+    "roll",
     "solve",
     "state_matrix",
     "surface_compliance",

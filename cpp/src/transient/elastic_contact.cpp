@@ -1,0 +1,176 @@
+#include "transient/elastic_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Residuals of the first and of the last pass, as displacements per penetration.
+constexpr double kFirstTolerance = 1e-5;
+constexpr double kTolerance = 1e-12;
+constexpr int kMostPasses = 200;
+/// Passes in which nodes join while others leave; later, nodes join only when none leaves.
+constexpr int kExchanges = 8;
+constexpr int kMostProducts = 400;  // of a pass
+
+class ElasticContactSolver {
+ public:
+  ElasticContactSolver(const ElasticContactProblem& problem, HalfField guess, const MirroredTables& tables,
+                       ContactInverse& inverse)
+      : problem_(problem), tables_(tables), inverse_(inverse), pressing_(std::move(guess)) {}
+
+  [[nodiscard]] ElasticContact solve() {
+    double tolerance = kFirstTolerance;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      find_nodes();
+      if (nodes_.empty()) throw ConvergenceError("no node carries load", pass, 1.0);
+      press(tolerance);
+      const bool left = drop_tensile();
+      const bool joined = (pass < kExchanges || !left) && add_overclosed(tolerance);
+      if (!left && !joined) {
+        if (tolerance == kTolerance) return result();
+        tolerance = kTolerance;
+      }
+    }
+    throw ConvergenceError("the nodes in contact did not settle", kMostPasses, 1.0);
+  }
+
+ private:
+  /// Nodes with a force, or with the smallest of forces, which marks those that join.
+  void find_nodes() {
+    nodes_.clear();
+    for (Index node = 0; node < pressing_.size(); ++node) {
+      if (pressing_.data()[node] > 0.0) nodes_.push_back(node);
+    }
+    inverse_.follow(tables_, nodes_);
+    weight_ = problem_.weights.reshaped()(nodes_);
+    by_weight_ = inverse_.times(weight_);
+  }
+
+  [[nodiscard]] HalfField displacement(const VectorXd& forces) {
+    HalfField field = HalfField::Zero(pressing_.rows(), pressing_.cols());
+    field.reshaped()(nodes_) = forces;
+    return problem_.displacement(field, nodes_.front() / field.rows(), nodes_.back() / field.rows());
+  }
+
+  /// Conjugate gradients for the nodes in contact; the preconditioner keeps the sum of forces as it is.
+  void press(double tolerance) {
+    VectorXd forces = pressing_.reshaped()(nodes_);
+    forces += by_weight_ * ((problem_.load - weight_.dot(forces)) / weight_.dot(by_weight_));
+    displacement_ = displacement(forces);
+    VectorXd residual = -(displacement_ + problem_.gap).reshaped()(nodes_);
+    VectorXd direction;
+    double product = 0.0;
+    for (int i = 0; i < kMostProducts; ++i) {
+      VectorXd step = inverse_.times(residual);
+      penetration_ = -weight_.dot(step) / weight_.dot(by_weight_);
+      const VectorXd violation = residual + penetration_ * weight_;
+      if (violation.norm() <= tolerance * std::abs(penetration_) * weight_.norm()) break;
+      step += penetration_ * by_weight_;
+      const double next = violation.dot(step);
+      direction = i == 0 ? step : VectorXd(step + next / product * direction);
+      product = next;
+      const HalfField change = displacement(direction);
+      const double length = product / direction.dot(change.reshaped()(nodes_));
+      forces += length * direction;
+      displacement_ += length * change;
+      residual -= length * change.reshaped()(nodes_);
+    }
+    pressing_.setZero();
+    pressing_.reshaped()(nodes_) = forces;
+  }
+
+  bool drop_tensile() {
+    const bool left = (pressing_.reshaped()(nodes_).array() <= 0.0).any();
+    pressing_ = pressing_.cwiseMax(0.0);
+    return left;
+  }
+
+  bool add_overclosed(double tolerance) {
+    const double least = 1e-12 * problem_.load;
+    const double slack = 10.0 * tolerance * std::abs(penetration_);
+    const HalfField gap = displacement_ + problem_.gap - penetration_ * problem_.weights;
+    std::vector<Index> added;
+    for (Index node = 0; node < gap.size(); ++node) {
+      if (gap.data()[node] < -slack && !std::ranges::binary_search(nodes_, node)) added.push_back(node);
+    }
+    for (const Index node : added) pressing_.data()[node] = least;
+    return !added.empty();
+  }
+
+  [[nodiscard]] ElasticContact result() {
+    return {.pressing = std::move(pressing_),
+            .displacement = std::move(displacement_),
+            .penetration = penetration_,
+            .nodes = std::move(nodes_)};
+  }
+
+  const ElasticContactProblem& problem_;
+  const MirroredTables& tables_;
+  ContactInverse& inverse_;
+  HalfField pressing_;
+  HalfField displacement_;
+  double penetration_ = 0.0;
+  std::vector<Index> nodes_;
+  VectorXd weight_;
+  VectorXd by_weight_;  // forces that displace all nodes alike
+};
+
+}  // namespace
+
+void ContactInverse::follow(const MirroredTables& tables, const std::vector<Index>& nodes) {
+  constexpr std::size_t kChanged = 6;  // one node in so many
+  if (factor_) {
+    std::vector<Index> common;
+    std::ranges::set_intersection(nodes, factor_->nodes, std::back_inserter(common));
+    const std::size_t changed = nodes.size() + factor_->nodes.size() - 2 * common.size();
+    if (kChanged * changed > nodes.size()) factor_.reset();
+  }
+  const Index height = tables.half_nodes();
+  if (!factor_) {
+    const auto count = static_cast<Index>(nodes.size());
+    Eigen::MatrixXd matrix(count, count);
+    for (Index b = 0; b < count; ++b) {
+      const Index from = nodes[static_cast<std::size_t>(b)];
+      for (Index a = b; a < count; ++a) {
+        const Index to = nodes[static_cast<std::size_t>(a)];
+        const Index offset = to / height - from / height;
+        matrix(a, b) = offset > tables.reach() ? 0.0 : tables.block(offset)(to % height, from % height);
+      }
+    }
+    factor_ = std::make_shared<const Factor>(nodes, matrix.selfadjointView<Eigen::Lower>().llt(), matrix(0, 0));
+  }
+  places_.clear();
+  for (const Index node : nodes) {
+    const auto place = std::ranges::lower_bound(factor_->nodes, node);
+    const bool found = place != factor_->nodes.end() && *place == node;
+    places_.push_back(found ? place - factor_->nodes.begin() : -1);
+  }
+}
+
+VectorXd ContactInverse::times(const VectorXd& displacement) const {
+  VectorXd known = VectorXd::Zero(static_cast<Index>(factor_->nodes.size()));
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (places_[i] >= 0) known[places_[i]] = displacement[static_cast<Index>(i)];
+  }
+  factor_->cholesky.solveInPlace(known);
+  VectorXd forces(displacement.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto node = static_cast<Index>(i);
+    forces[node] = places_[i] >= 0 ? known[places_[i]] : displacement[node] / factor_->own_compliance;
+  }
+  return forces;
+}
+
+ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+                                     const MirroredTables& tables, ContactInverse& inverse) {
+  return ElasticContactSolver(problem, guess, tables, inverse).solve();
+}
+
+}  // namespace viscoroll::detail
