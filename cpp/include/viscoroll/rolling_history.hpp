@@ -29,7 +29,7 @@ struct HistoryOptions {
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
   int lattices = 4;                            ///< shifted lattices that are averaged, 1 to 16
   /// Steps while the coating turns by a spacing, 1 to 64; none: one step from each knot to the next.
-  std::optional<int> steps_per_spacing = 2;
+  std::optional<int> steps_per_spacing = 4;
   double shortest_time = 1e-4;       ///< of what a modulus with a continuous spectrum is resolved for [s], > 0
   double longest_time = 1e4;         ///< likewise [s]
   double spectrum_tolerance = 0.01;  ///< largest relative error of the compliance by discrete times [-], in (0, 1)

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 /// Residuals of the first and of the last pass, as displacements per penetration.
 constexpr double kFirstTolerance = 1e-5;
-constexpr double kTolerance = 1e-12;
+constexpr double kTolerance = 1e-11;
 constexpr int kMostPasses = 200;
 /// Passes in which nodes join while others leave; later, nodes join only when none leaves.
 constexpr int kExchanges = 8;
@@ -21,9 +21,8 @@ constexpr int kMostProducts = 400;  // of a pass
 
 class ElasticContactSolver {
  public:
-  ElasticContactSolver(const ElasticContactProblem& problem, HalfField guess, const MirroredTables& tables,
-                       ContactInverse& inverse)
-      : problem_(problem), tables_(tables), inverse_(inverse), pressing_(std::move(guess)) {}
+  ElasticContactSolver(const ElasticContactProblem& problem, HalfField guess, ContactInverse& inverse)
+      : problem_(problem), inverse_(inverse), pressing_(std::move(guess)) {}
 
   [[nodiscard]] ElasticContact solve() {
     double tolerance = kFirstTolerance;
@@ -48,23 +47,21 @@ class ElasticContactSolver {
     for (Index node = 0; node < pressing_.size(); ++node) {
       if (pressing_.data()[node] > 0.0) nodes_.push_back(node);
     }
-    inverse_.follow(tables_, nodes_);
+    compliance_ = problem_.compliance(nodes_);
+    inverse_.follow(nodes_, compliance_);
     weight_ = problem_.weights.reshaped()(nodes_);
     by_weight_ = inverse_.times(weight_);
   }
 
-  [[nodiscard]] HalfField displacement(const VectorXd& forces) {
-    HalfField field = HalfField::Zero(pressing_.rows(), pressing_.cols());
-    field.reshaped()(nodes_) = forces;
-    return problem_.displacement(field, nodes_.front() / field.rows(), nodes_.back() / field.rows());
+  [[nodiscard]] VectorXd times(const VectorXd& forces) const {
+    return compliance_.selfadjointView<Eigen::Lower>() * forces;
   }
 
   /// Conjugate gradients for the nodes in contact; the preconditioner keeps the sum of forces as it is.
   void press(double tolerance) {
     VectorXd forces = pressing_.reshaped()(nodes_);
     forces += by_weight_ * ((problem_.load - weight_.dot(forces)) / weight_.dot(by_weight_));
-    displacement_ = displacement(forces);
-    VectorXd residual = -(displacement_ + problem_.gap).reshaped()(nodes_);
+    VectorXd residual = -(times(forces) + problem_.gap.reshaped()(nodes_));
     VectorXd direction;
     double product = 0.0;
     for (int i = 0; i < kMostProducts; ++i) {
@@ -76,11 +73,10 @@ class ElasticContactSolver {
       const double next = violation.dot(step);
       direction = i == 0 ? step : VectorXd(step + next / product * direction);
       product = next;
-      const HalfField change = displacement(direction);
-      const double length = product / direction.dot(change.reshaped()(nodes_));
+      const VectorXd change = times(direction);
+      const double length = product / direction.dot(change);
       forces += length * direction;
-      displacement_ += length * change;
-      residual -= length * change.reshaped()(nodes_);
+      residual -= length * change;
     }
     pressing_.setZero();
     pressing_.reshaped()(nodes_) = forces;
@@ -93,6 +89,7 @@ class ElasticContactSolver {
   }
 
   bool add_overclosed(double tolerance) {
+    displacement_ = problem_.displacement(pressing_, nodes_.front() / pressing_.rows(), nodes_.back() / pressing_.rows());
     const double least = 1e-12 * problem_.load;
     const double slack = 10.0 * tolerance * std::abs(penetration_);
     const HalfField gap = displacement_ + problem_.gap - penetration_ * problem_.weights;
@@ -112,19 +109,19 @@ class ElasticContactSolver {
   }
 
   const ElasticContactProblem& problem_;
-  const MirroredTables& tables_;
   ContactInverse& inverse_;
   HalfField pressing_;
   HalfField displacement_;
   double penetration_ = 0.0;
   std::vector<Index> nodes_;
+  Eigen::MatrixXd compliance_;
   VectorXd weight_;
   VectorXd by_weight_;  // forces that displace all nodes alike
 };
 
 }  // namespace
 
-void ContactInverse::follow(const MirroredTables& tables, const std::vector<Index>& nodes) {
+void ContactInverse::follow(const std::vector<Index>& nodes, const Eigen::MatrixXd& compliance) {
   constexpr std::size_t kChanged = 6;  // one node in so many
   if (factor_) {
     std::vector<Index> common;
@@ -132,19 +129,9 @@ void ContactInverse::follow(const MirroredTables& tables, const std::vector<Inde
     const std::size_t changed = nodes.size() + factor_->nodes.size() - 2 * common.size();
     if (kChanged * changed > nodes.size()) factor_.reset();
   }
-  const Index height = tables.half_nodes();
   if (!factor_) {
-    const auto count = static_cast<Index>(nodes.size());
-    Eigen::MatrixXd matrix(count, count);
-    for (Index b = 0; b < count; ++b) {
-      const Index from = nodes[static_cast<std::size_t>(b)];
-      for (Index a = b; a < count; ++a) {
-        const Index to = nodes[static_cast<std::size_t>(a)];
-        const Index offset = to / height - from / height;
-        matrix(a, b) = offset > tables.reach() ? 0.0 : tables.block(offset)(to % height, from % height);
-      }
-    }
-    factor_ = std::make_shared<const Factor>(nodes, matrix.selfadjointView<Eigen::Lower>().llt(), matrix(0, 0));
+    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt(),
+                                             compliance(0, 0));
   }
   places_.clear();
   for (const Index node : nodes) {
@@ -169,8 +156,8 @@ VectorXd ContactInverse::times(const VectorXd& displacement) const {
 }
 
 ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
-                                     const MirroredTables& tables, ContactInverse& inverse) {
-  return ElasticContactSolver(problem, guess, tables, inverse).solve();
+                                     ContactInverse& inverse) {
+  return ElasticContactSolver(problem, guess, inverse).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -17,9 +17,9 @@ namespace viscoroll::detail {
 class ContactInverse {
  public:
   /// @brief Make it anew unless the contact has hardly changed.
-  /// @param[in] tables of the coating
   /// @param[in] nodes in contact: numbers in a window, ascending
-  void follow(const MirroredTables& tables, const std::vector<Eigen::Index>& nodes);
+  /// @param[in] compliance between them, its lower half
+  void follow(const std::vector<Eigen::Index>& nodes, const Eigen::MatrixXd& compliance);
 
   /// @return approximate forces on the nodes of the last `follow` by displacements there
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& displacement) const;
@@ -39,6 +39,8 @@ class ContactInverse {
 struct ElasticContactProblem {
   /// Displacement of all nodes of the window by forces on some of its rows, first to last.
   std::function<HalfField(const HalfField& pressing, Eigen::Index first, Eigen::Index last)> displacement;
+  /// Compliance between some nodes, its lower half.
+  std::function<Eigen::MatrixXd(const std::vector<Eigen::Index>& nodes)> compliance;
   HalfField gap;      ///< without these forces, up to a constant
   HalfField weights;  ///< of `half_weights`, at every node
   double load;        ///< sum of all forces
@@ -55,10 +57,9 @@ struct ElasticContact {
 /// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.
 /// @param[in] problem gap and load
 /// @param[in] guess forces to start from, one of them above zero
-/// @param[in] tables that the inverse is made of
 /// @param[in,out] inverse of an earlier contact
 /// @throws ConvergenceError where the contact does not settle
 [[nodiscard]] ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
-                                                   const MirroredTables& tables, ContactInverse& inverse);
+                                                   ContactInverse& inverse);
 
 }  // namespace viscoroll::detail

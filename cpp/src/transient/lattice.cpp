@@ -78,6 +78,9 @@ ElasticContact Lattice::touch(const Place& place, const HalfField& known, double
                                       return along(place.down,
                                                    tables.displacement(spread(place.down, pressing), first, last));
                                     },
+                                .compliance = [&](const std::vector<Index>& nodes) {
+                                  return tables.compliance(nodes, place.down);
+                                },
                                 .gap = as_field(place.nodes.height(), half_nodes),
                                 .weights = {},
                                 .load = load};
@@ -85,7 +88,7 @@ ElasticContact Lattice::touch(const Place& place, const HalfField& known, double
   problem.gap = weights.matrix().asDiagonal() * problem.gap;
   problem.gap += along(place.down, known);
   problem.weights = weights.matrix().replicate(1, place.rows.count);
-  return solve_elastic_contact(problem, guess(place, load), tables, inverse_);
+  return solve_elastic_contact(problem, guess(place, load), inverse_);
 }
 
 /// The last pressure, where it has been carried to: it stays below while nodes pass.

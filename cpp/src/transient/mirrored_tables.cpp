@@ -21,6 +21,28 @@ std::vector<TableRequest> requests(Index components) {
   return requests;
 }
 
+/// Nodes that follow each other in a row.
+struct Run {
+  Index row;
+  Index first;  // node of the row
+  Index place;  // in the list of nodes
+  Index length;
+};
+
+std::vector<Run> runs_of(const std::vector<Index>& nodes, Index half_nodes) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Index row = nodes[i] / half_nodes;
+    const Index node = nodes[i] % half_nodes;
+    if (!runs.empty() && runs.back().row == row && runs.back().first + runs.back().length == node) {
+      ++runs.back().length;
+    } else {
+      runs.push_back({.row = row, .first = node, .place = static_cast<Index>(i), .length = 1});
+    }
+  }
+  return runs;
+}
+
 /// The offset beyond which no value of a table is above a share of its center.
 Index useful_reach(const Table& table) {
   constexpr double kNegligible = 1e-10;
@@ -77,6 +99,35 @@ MirroredTables::MirroredTables(const OrderSum& sum, Index components, Index half
   };
   ahead_ = stack(1);
   if (components == 3) behind_ = stack(-1);
+}
+
+Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
+                                           const std::array<HalfField, 3>& direction) const {
+  const auto count = static_cast<Index>(nodes.size());
+  const std::vector<Run> runs = runs_of(nodes, half_nodes_);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t b = 0; b < runs.size(); ++b) {
+    for (std::size_t a = b; a < runs.size() && runs[a].row - runs[b].row <= reach_; ++a) {
+      const Run& to = runs[a];
+      const Run& from = runs[b];
+      const auto influence = block(to.row - from.row);
+      auto part = matrix.block(to.place, from.place, to.length, from.length);
+      if (components_ == 1) {
+        part = influence.block(to.first, from.first, to.length, from.length);
+        continue;
+      }
+      for (Index p = 0; p < 3; ++p) {
+        const auto left = direction[static_cast<std::size_t>(p)].col(to.row).segment(to.first, to.length);
+        for (Index q = 0; q < 3; ++q) {
+          const auto right = direction[static_cast<std::size_t>(q)].col(from.row).segment(from.first, from.length);
+          part += left.asDiagonal() *
+                  influence.block(p * half_nodes_ + to.first, q * half_nodes_ + from.first, to.length, from.length) *
+                  right.asDiagonal();
+        }
+      }
+    }
+  }
+  return matrix;
 }
 
 void MirroredTables::add(const HalfField& loads, Index first, Index last, Index shift, Index reach,

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include "influence/synthesis.hpp"
 #include "parallel.hpp"
@@ -45,6 +47,13 @@ class MirroredTables {
     const HalfField& stack = offset >= 0 || components_ == 1 ? ahead_ : behind_;
     return stack.middleRows(std::abs(offset) * height(), height());
   }
+
+  /// @brief Compliance between some nodes of a window, in one direction.
+  /// @param[in] nodes numbers in the window, row by row, ascending
+  /// @param[in] direction its components at all nodes of the window; not looked at where there is r alone
+  /// @return symmetric matrix, whose lower half is set
+  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
+                                           const std::array<HalfField, 3>& direction) const;
 
   /// @brief Displacements of a window of rows by forces on it.
   /// @param[in] loads a column for each row of the window

@@ -36,7 +36,7 @@ def roll(
     curvature: Curvature = Curvature.SPHERE,
     friction: float = 0.0,
     lattices: int = 4,
-    steps_per_spacing: int | None = 2,
+    steps_per_spacing: int | None = 4,
     shortest_time: float | None = None,
     longest_time: float | None = None,
     spectrum_tolerance: float = 0.01,

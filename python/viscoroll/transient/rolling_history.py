@@ -140,7 +140,7 @@ class RollingHistory:
     lattices : int, default 4
         Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
         fast, and its torque carries the staircase of the nodes.
-    steps_per_spacing : int or None, default 2
+    steps_per_spacing : int or None, default 4
         Steps of time while the ball turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: every
         call of `advance` is one step.
     shortest_time, longest_time : float
@@ -178,7 +178,7 @@ class RollingHistory:
         compliance: Compliance = Compliance.RADIAL,
         curvature: Curvature = Curvature.SPHERE,
         lattices: int = 4,
-        steps_per_spacing: int | None = 2,
+        steps_per_spacing: int | None = 4,
         shortest_time: float = 1e-4,
         longest_time: float = 1e4,
         spectrum_tolerance: float = 0.01,
