@@ -41,7 +41,8 @@ std::vector<std::string> instant_names() {
 
 /// Instants as an array, a row for each number.
 py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
-  py::array_t<double> array({static_cast<py::ssize_t>(kInstantMembers.size()), static_cast<py::ssize_t>(instants.size())});
+  py::array_t<double> array(
+      {static_cast<py::ssize_t>(kInstantMembers.size()), static_cast<py::ssize_t>(instants.size())});
   double* value = array.mutable_data();
   for (const auto& [name, member] : kInstantMembers) {
     for (const RollingInstant& instant : instants) *value++ = instant.*member;

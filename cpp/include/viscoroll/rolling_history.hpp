@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "viscoroll/influence.hpp"
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/observer.hpp"
-#include "viscoroll/solve.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll {

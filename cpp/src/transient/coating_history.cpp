@@ -22,13 +22,12 @@ std::vector<double> compared_frequencies(const ShearModulus& modulus, const Time
     high = std::max(std::min(high, curve->frequency.back()), low);
   }
   std::vector<double> frequencies;
-  for (int i = 0; i < kCount; ++i) frequencies.push_back(std::min(low * std::pow(high / low, i / (kCount - 1.0)), high));
+  for (int i = 0; i < kCount; ++i)
+    frequencies.push_back(std::min(low * std::pow(high / low, i / (kCount - 1.0)), high));
   return frequencies;
 }
 
-double relaxed_modulus(const ShearModulus& modulus) {
-  return complex_modulus(modulus, std::array{0.0}).front().real();
-}
+double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
 
 /// Largest difference of two moduli, each per its value at rest.
 double difference(const ShearModulus& a, const ShearModulus& b, std::span<const double> frequencies) {

@@ -8,7 +8,7 @@
 #include "surface/surface_window.hpp"
 #include "transient/creep_spectrum.hpp"
 #include "transient/mirrored_tables.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
 
 namespace viscoroll::detail {
 
@@ -16,10 +16,10 @@ namespace viscoroll::detail {
 /// under loads that creep.
 struct CreepingCoating {
   SurfaceGrid grid;
-  double thickness;              ///< of all layers [m]
-  Compliance compliance;         ///< in the contact condition
-  CreepSpectrum spectrum;        ///< per the compliance at rest
-  MirroredTables tables;         ///< at rest
+  double thickness;        ///< of all layers [m]
+  Compliance compliance;   ///< in the contact condition
+  CreepSpectrum spectrum;  ///< per the compliance at rest
+  MirroredTables tables;   ///< at rest
 };
 
 /// @brief The creep spectrum that all layers share.

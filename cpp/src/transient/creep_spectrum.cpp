@@ -158,8 +158,7 @@ CreepSpectrum cole_cole_spectrum(const FractionalZener& solid, const TimeRange& 
   const double total = std::accumulate(density.begin(), density.end(), 0.0);
   RangedSpectrum spectrum(share, range);
   for (int i = -last; i <= last; ++i) {
-    spectrum.add((1.0 - share) * density[static_cast<std::size_t>(i + last)] / total,
-                 center * std::exp(spacing * i));
+    spectrum.add((1.0 - share) * density[static_cast<std::size_t>(i + last)] / total, center * std::exp(spacing * i));
   }
   return spectrum.finished();
 }

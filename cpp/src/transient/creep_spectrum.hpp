@@ -13,10 +13,10 @@ namespace viscoroll::detail {
 
 /// @brief Creep of a material, per its relaxed compliance.
 struct CreepSpectrum {
-  double instantaneous = 1.0;            ///< J_0 [-], 0 where nothing yields at once
-  std::vector<double> weights;           ///< J_j [-], > 0
-  std::vector<double> retardation_times; ///< lambda_j [s], > 0
-  double error = 0.0;                    ///< largest relative error of the compliance it stands for [-]
+  double instantaneous = 1.0;             ///< J_0 [-], 0 where nothing yields at once
+  std::vector<double> weights;            ///< J_j [-], > 0
+  std::vector<double> retardation_times;  ///< lambda_j [s], > 0
+  double error = 0.0;                     ///< largest relative error of the compliance it stands for [-]
 
   [[nodiscard]] std::size_t size() const { return weights.size(); }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "viscoroll/errors.hpp"
 
@@ -80,6 +81,8 @@ class ElasticContactSolver {
     }
     pressing_.setZero();
     pressing_.reshaped()(nodes_) = forces;
+    const Index height = pressing_.rows();
+    displacement_ = problem_.displacement(pressing_, nodes_.front() / height, nodes_.back() / height);
   }
 
   bool drop_tensile() {
@@ -89,7 +92,6 @@ class ElasticContactSolver {
   }
 
   bool add_overclosed(double tolerance) {
-    displacement_ = problem_.displacement(pressing_, nodes_.front() / pressing_.rows(), nodes_.back() / pressing_.rows());
     const double least = 1e-12 * problem_.load;
     const double slack = 10.0 * tolerance * std::abs(penetration_);
     const HalfField gap = displacement_ + problem_.gap - penetration_ * problem_.weights;
@@ -130,8 +132,7 @@ void ContactInverse::follow(const std::vector<Index>& nodes, const Eigen::Matrix
     if (kChanged * changed > nodes.size()) factor_.reset();
   }
   if (!factor_) {
-    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt(),
-                                             compliance(0, 0));
+    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt(), compliance(0, 0));
   }
   places_.clear();
   for (const Index node : nodes) {

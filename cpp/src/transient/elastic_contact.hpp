@@ -48,10 +48,10 @@ struct ElasticContactProblem {
 
 /// @brief Who touches, and with which force.
 struct ElasticContact {
-  HalfField pressing;                ///< forces
-  HalfField displacement;            ///< by them
-  double penetration = 0.0;          ///< how far the plane comes into the gap
-  std::vector<Eigen::Index> nodes;   ///< in contact, ascending
+  HalfField pressing;               ///< forces
+  HalfField displacement;           ///< by them
+  double penetration = 0.0;         ///< how far the plane comes into the gap
+  std::vector<Eigen::Index> nodes;  ///< in contact, ascending
 };
 
 /// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.

@@ -34,15 +34,14 @@ Lattice::Place Lattice::place_at(double angle) const {
   const double lowest = -angle / coating_->grid.phi_spacing - shift_;  // row under the center, not whole
   const double middle = std::round(lowest);
   const auto half_rows = static_cast<int>(half_rows_);
-  Place place{.rows = {.first = on_ring(static_cast<Index>(std::fmod(middle, static_cast<double>(tables.ring()))) -
-                                            half_rows_,
-                                        tables.ring()),
-                       .count = 2 * half_rows_ + 1},
-              .nodes = SurfaceWindow(coating_->grid,
-                                     {{-half_rows, half_rows}, {0, static_cast<int>(half_nodes) - 1}},
-                                     middle - lowest),
-              .down = {},
-              .forward = {}};
+  Place place{
+      .rows = {.first = on_ring(static_cast<Index>(std::fmod(middle, static_cast<double>(tables.ring()))) - half_rows_,
+                                tables.ring()),
+               .count = 2 * half_rows_ + 1},
+      .nodes = SurfaceWindow(coating_->grid, {{-half_rows, half_rows}, {0, static_cast<int>(half_nodes) - 1}},
+                             middle - lowest),
+      .down = {},
+      .forward = {}};
   if (tables.components() == 3) {
     const auto axes = place.nodes.axes();
     for (std::size_t component = 0; component < 3; ++component) {
@@ -72,18 +71,16 @@ HalfField Lattice::spread(const std::array<HalfField, 3>& direction, const HalfF
 ElasticContact Lattice::touch(const Place& place, const HalfField& known, double load) {
   const MirroredTables& tables = coating_->tables;
   const Index half_nodes = tables.half_nodes();
-  ElasticContactProblem problem{.displacement =
-                                    [&](const HalfField& pressing, Index first, Index last) {
-                                      if (tables.components() == 1) return tables.displacement(pressing, first, last);
-                                      return along(place.down,
-                                                   tables.displacement(spread(place.down, pressing), first, last));
-                                    },
-                                .compliance = [&](const std::vector<Index>& nodes) {
-                                  return tables.compliance(nodes, place.down);
-                                },
-                                .gap = as_field(place.nodes.height(), half_nodes),
-                                .weights = {},
-                                .load = load};
+  ElasticContactProblem problem{
+      .displacement =
+          [&](const HalfField& pressing, Index first, Index last) {
+            if (tables.components() == 1) return tables.displacement(pressing, first, last);
+            return along(place.down, tables.displacement(spread(place.down, pressing), first, last));
+          },
+      .compliance = [&](const std::vector<Index>& nodes) { return tables.compliance(nodes, place.down); },
+      .gap = as_field(place.nodes.height(), half_nodes),
+      .weights = {},
+      .load = load};
   const ArrayXd weights = half_weights(half_nodes);
   problem.gap = weights.matrix().asDiagonal() * problem.gap;
   problem.gap += along(place.down, known);
@@ -114,11 +111,11 @@ RingMemory::Load Lattice::load_of(const Place& place, const ElasticContact& cont
   const Index half_nodes = tables.half_nodes();
   const HalfField force = spread(place.down, contact.pressing / compliance);
   const Index reach = tables.reach();
-  RingMemory::Load load{.rows = {.first = on_ring(place.rows.first - reach, tables.ring()),
-                                 .count = place.rows.count + 2 * reach},
-                        .force = HalfField::Zero(tables.height(), place.rows.count + 2 * reach),
-                        .displacement = tables.displacement_in_reach(force, contact.nodes.front() / half_nodes,
-                                                                     contact.nodes.back() / half_nodes)};
+  RingMemory::Load load{
+      .rows = {.first = on_ring(place.rows.first - reach, tables.ring()), .count = place.rows.count + 2 * reach},
+      .force = HalfField::Zero(tables.height(), place.rows.count + 2 * reach),
+      .displacement =
+          tables.displacement_in_reach(force, contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes)};
   load.force.middleCols(reach, place.rows.count) = force;
   return load;
 }
@@ -171,9 +168,9 @@ void Lattice::take(const Place& place, const ElasticContact& contact, const Half
   now_.driving_torque = now_.resisting_torque;
   if (tables.components() == 3) {
     // Pressure on undeformed normals does work along the plane, too.
-    const HalfField moved = known + tables.displacement(spread(place.down, contact.pressing),
-                                                        contact.nodes.front() / half_nodes,
-                                                        contact.nodes.back() / half_nodes);
+    const HalfField moved =
+        known + tables.displacement(spread(place.down, contact.pressing), contact.nodes.front() / half_nodes,
+                                    contact.nodes.back() / half_nodes);
     now_.driving_torque -= along(place.forward, moved).cwiseProduct(contact.pressing).sum() / compliance;
   }
 
@@ -186,7 +183,8 @@ void Lattice::take(const Place& place, const ElasticContact& contact, const Half
   const double center = (touching * place.nodes.x()).sum() / now_.contact_area;
   now_.semi_axis_x = 2.0 * std::sqrt((touching * (place.nodes.x() - center).square()).sum() / now_.contact_area);
   now_.semi_axis_z = 2.0 * std::sqrt((touching * place.nodes.z().square()).sum() / now_.contact_area);
-  now_.max_pressure = (forces / weights).maxCoeff() / (std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing);
+  now_.max_pressure =
+      (forces / weights).maxCoeff() / (std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing);
   pressing_ = contact.pressing / (compliance * load);
   lowest_ = place.nodes.shift();
 }
@@ -229,12 +227,19 @@ void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
 
 namespace {
 
-constexpr std::array kInstant{
-    &RollingInstant::angle,          &RollingInstant::load,           &RollingInstant::resisting_torque,
-    &RollingInstant::driving_torque, &RollingInstant::penetration,    &RollingInstant::contact_area,
-    &RollingInstant::semi_axis_x,    &RollingInstant::semi_axis_z,    &RollingInstant::max_pressure,
-    &RollingInstant::stored_energy,  &RollingInstant::dissipated_energy, &RollingInstant::work,
-    &RollingInstant::energy_imbalance};
+constexpr std::array kInstant{&RollingInstant::angle,
+                              &RollingInstant::load,
+                              &RollingInstant::resisting_torque,
+                              &RollingInstant::driving_torque,
+                              &RollingInstant::penetration,
+                              &RollingInstant::contact_area,
+                              &RollingInstant::semi_axis_x,
+                              &RollingInstant::semi_axis_z,
+                              &RollingInstant::max_pressure,
+                              &RollingInstant::stored_energy,
+                              &RollingInstant::dissipated_energy,
+                              &RollingInstant::work,
+                              &RollingInstant::energy_imbalance};
 
 }  // namespace
 

@@ -73,8 +73,8 @@ class Lattice {
   Eigen::Index half_rows_;
   RingMemory memory_;
   ContactInverse inverse_;
-  HalfField pressing_;        // of the window at the last angle, per unit load
-  double lowest_ = 0.0;       // place of the window's middle row from the lowest point [spacings]
+  HalfField pressing_;   // of the window at the last angle, per unit load
+  double lowest_ = 0.0;  // place of the window's middle row from the lowest point [spacings]
   RollingInstant now_;
 };
 

@@ -60,7 +60,8 @@ double RingMemory::advance(const TimeStep& step, const Load& load) {
       const auto behind = (now_.displacement.col(row) - displacement.col(row)).eval();
       mixed += change.col(row).dot(behind);
       state += (now_.force.col(row) - force.col(row)).dot(behind);
-      force.col(row) = term.decay * force.col(row) + term.on_old * now_.force.col(row) + term.on_new * next.force.col(row);
+      force.col(row) =
+          term.decay * force.col(row) + term.on_old * now_.force.col(row) + term.on_new * next.force.col(row);
       displacement.col(row) = term.decay * displacement.col(row) + term.on_old * now_.displacement.col(row) +
                               term.on_new * next.displacement.col(row);
       stored += force.col(row).dot(displacement.col(row));

@@ -16,8 +16,8 @@ struct RingRows {
   Eigen::Index count = 0;
 };
 
-/// @brief Memory of a ring of nodes. With each retarded force a_j its displacement K a_j is kept, which follows the same
-/// equation: a step needs one product, K F, and energies are sums.
+/// @brief Memory of a ring of nodes. With each retarded force a_j its displacement K a_j is kept, which follows the
+/// same equation: a step needs one product, K F, and energies are sums.
 class RingMemory {
  public:
   /// @param[in] tables of the coating, whose ring and reach it has

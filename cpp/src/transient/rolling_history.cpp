@@ -35,7 +35,8 @@ void validate(const HistoryOptions& options) {
   if (options.lattices < 1 || options.lattices > kMostLattices) {
     reject("lattices", "in [1, " + std::to_string(kMostLattices) + "]", std::to_string(options.lattices));
   }
-  if (options.steps_per_spacing && (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
+  if (options.steps_per_spacing &&
+      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
     reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
            std::to_string(*options.steps_per_spacing));
   }
@@ -129,12 +130,14 @@ struct RollingHistory::Impl {
     }
     const detail::OrderSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
     const Index components = options.compliance == Compliance::vertical ? 3 : 1;
-    return std::make_shared<const CreepingCoating>(CreepingCoating{
-        .grid = {.radius = outer_radius(elastic), .phi_spacing = phi_spacing(mesh), .theta_spacing = theta_spacing(mesh)},
-        .thickness = coating_thickness(elastic),
-        .compliance = options.compliance,
-        .spectrum = spectrum,
-        .tables = detail::MirroredTables(sum, components, half_nodes, options.threads, watch)});
+    return std::make_shared<const CreepingCoating>(
+        CreepingCoating{.grid = {.radius = outer_radius(elastic),
+                                 .phi_spacing = phi_spacing(mesh),
+                                 .theta_spacing = theta_spacing(mesh)},
+                        .thickness = coating_thickness(elastic),
+                        .compliance = options.compliance,
+                        .spectrum = spectrum,
+                        .tables = detail::MirroredTables(sum, components, half_nodes, options.threads, watch)});
   }
 
   void widen(detail::Watch& watch) {
@@ -149,9 +152,8 @@ struct RollingHistory::Impl {
     for (;;) {
       std::vector<Lattice> next = lattices;
       try {
-        detail::parallel_for(
-            next.size(), options.threads, watch, "rolling",
-            [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); });
+        detail::parallel_for(next.size(), options.threads, watch, "rolling",
+                             [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); });
         lattices = std::move(next);
         return;
       } catch (const detail::ContactTooWide&) {
@@ -169,12 +171,18 @@ struct RollingHistory::Impl {
 };
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
-  constexpr std::array kMeans{&RollingInstant::angle,          &RollingInstant::load,
-                              &RollingInstant::resisting_torque, &RollingInstant::driving_torque,
-                              &RollingInstant::penetration,    &RollingInstant::contact_area,
-                              &RollingInstant::semi_axis_x,    &RollingInstant::semi_axis_z,
-                              &RollingInstant::max_pressure,   &RollingInstant::stored_energy,
-                              &RollingInstant::dissipated_energy, &RollingInstant::work,
+  constexpr std::array kMeans{&RollingInstant::angle,
+                              &RollingInstant::load,
+                              &RollingInstant::resisting_torque,
+                              &RollingInstant::driving_torque,
+                              &RollingInstant::penetration,
+                              &RollingInstant::contact_area,
+                              &RollingInstant::semi_axis_x,
+                              &RollingInstant::semi_axis_z,
+                              &RollingInstant::max_pressure,
+                              &RollingInstant::stored_energy,
+                              &RollingInstant::dissipated_energy,
+                              &RollingInstant::work,
                               &RollingInstant::energy_imbalance};
   RollingInstant mean;
   const auto count = static_cast<double>(of_lattices.size());
@@ -185,8 +193,8 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
   for (const RollingInstant& one : of_lattices) {
     variance += std::pow(one.resisting_torque - mean.resisting_torque, 2) / std::max(count - 1.0, 1.0);
   }
-  // Shifts that are a share of the spacing each cancel the harmonics of the staircase, of which the estimate knows none:
-  // the spread per number of lattices is a bound found by trial.
+  // Shifts that are a share of the spacing each cancel the harmonics of the staircase, of which the estimate knows
+  // none: the spread per number of lattices is a bound found by trial.
   mean.error_estimate = of_lattices.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
   mean.time = time;
   return mean;
@@ -216,16 +224,15 @@ void RollingHistory::Impl::require_step(const Step& to) const {
   const double speed = (to.angle - now.angle) / duration;
   if (inertia * speed * speed > kNegligible) {
     reject("angle",
-           "turned so slowly that inertia is negligible, at most " +
-               detail::rounded(std::sqrt(kNegligible / inertia)) + " rad/s (or layers of density 0)",
+           "turned so slowly that inertia is negligible, at most " + detail::rounded(std::sqrt(kNegligible / inertia)) +
+               " rad/s (or layers of density 0)",
            detail::rounded(std::abs(speed)) + " rad/s");
   }
 }
 
 std::vector<Step> RollingHistory::Impl::path_to(const Step& end) const {
   const auto& times = spectrum.retardation_times;
-  const double shortest =
-      times.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::min_element(times);
+  const double shortest = times.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::min_element(times);
   const detail::StepChoice choice(coating->grid.phi_spacing, options.steps_per_spacing, shortest);
   const double duration = end.time - now.time;
   const auto shares = choice.shares({.duration = duration,
@@ -278,7 +285,8 @@ RollingState RollingHistory::Impl::state() const {
   numbers.put(static_cast<double>(lattices.size()));
   numbers.put(spectrum.instantaneous);
   numbers.put(Eigen::Map<const Eigen::VectorXd>(spectrum.weights.data(), static_cast<Index>(spectrum.size())));
-  numbers.put(Eigen::Map<const Eigen::VectorXd>(spectrum.retardation_times.data(), static_cast<Index>(spectrum.size())));
+  numbers.put(
+      Eigen::Map<const Eigen::VectorXd>(spectrum.retardation_times.data(), static_cast<Index>(spectrum.size())));
   numbers.put(spectrum.error);
   for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
   for (const Lattice& lattice : lattices) lattice.write(numbers);
@@ -354,9 +362,8 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
   for (int l = 0; l < options.lattices; ++l) {
     impl.lattices.emplace_back(impl.coating, static_cast<double>(l) / options.lattices, half_rows);
   }
-  impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker&) {
-    lattice.start(start, angle, load);
-  });
+  impl.on_lattices(watch,
+                   [&](std::size_t, Lattice& lattice, const detail::Worker&) { lattice.start(start, angle, load); });
   std::vector<RollingInstant> instants;
   for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
   impl.now = impl.mean(instants, time);

@@ -9,9 +9,9 @@ namespace viscoroll::detail {
 
 /// @brief A straight piece of a motion.
 struct Leg {
-  double duration;        ///< [s], >= 0
-  double turn;            ///< [rad]
-  double relative_load;   ///< change of load per the larger load [-]
+  double duration;       ///< [s], >= 0
+  double turn;           ///< [rad]
+  double relative_load;  ///< change of load per the larger load [-]
 };
 
 /// @brief By spacing while it rolls; after an event, and at standstill, from short steps to longer ones.

@@ -15,8 +15,8 @@ TimeStep::Term term_of(double weight, double z) {
   const double on_old = passed - on_new;
   const double twice = -0.5 * std::expm1(-2.0 * z);
   // Integral of (1 - e^-t)^2 over t < z, per z^2.
-  const double ramp = z < kSmall ? z / 3.0 - z * z / 4.0 + 7.0 * z * z * z / 60.0
-                                 : (z - 2.0 * passed + twice) / (z * z);
+  const double ramp =
+      z < kSmall ? z / 3.0 - z * z / 4.0 + 7.0 * z * z * z / 60.0 : (z - 2.0 * passed + twice) / (z * z);
   return {.weight = weight,
           .decay = decay,
           .on_old = on_old,
