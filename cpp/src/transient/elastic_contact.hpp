@@ -1,5 +1,5 @@
 /// @file
-/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md section 9.
+/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md, transient rolling.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -44,6 +44,7 @@ struct ElasticContactProblem {
   HalfField gap;      ///< without these forces, up to a constant
   HalfField weights;  ///< of `half_weights`, at every node
   double load;        ///< sum of all forces
+  double stiffness;   ///< force per own displacement of a node
 };
 
 /// @brief Who touches, and with which force.

@@ -13,6 +13,9 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+/// Part of a window that a first guess of the contact takes.
+constexpr double kContactShare = 0.8;
+
 Index on_ring(Index row, Index ring) { return ((row % ring) + ring) % ring; }
 
 /// Numbers of the nodes of a window, row by row, as the columns of a field.
@@ -80,7 +83,8 @@ ElasticContact Lattice::touch(const Place& place, const HalfField& known, double
       .compliance = [&](const std::vector<Index>& nodes) { return tables.compliance(nodes, place.down); },
       .gap = as_field(place.nodes.height(), half_nodes),
       .weights = {},
-      .load = load};
+      .load = load,
+      .stiffness = 1.0 / tables.block(0)(0, 0)};
   const ArrayXd weights = half_weights(half_nodes);
   problem.gap = weights.matrix().asDiagonal() * problem.gap;
   problem.gap += along(place.down, known);
@@ -93,8 +97,11 @@ HalfField Lattice::guess(const Place& place, double load) const {
   const Index half_nodes = coating_->tables.half_nodes();
   HalfField field = HalfField::Zero(half_nodes, place.rows.count);
   if (pressing_.size() == 0) {
-    field(0, half_rows_) = load;
-    return field;
+    // The window was made a little wider than such a contact.
+    const ArrayXd& height = place.nodes.height();
+    const double rim = kContactShare * kContactShare * height[0];
+    field = as_field((rim - height).max(0.0), half_nodes);
+    return load / field.sum() * field;
   }
   const double lowest = place.nodes.shift() - lowest_ + static_cast<double>((pressing_.cols() - field.cols()) / 2);
   const auto whole = static_cast<Index>(std::floor(lowest));

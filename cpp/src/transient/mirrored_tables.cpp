@@ -134,10 +134,15 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
                          HalfField& result) const {
   const Index count = last - first + 1;
   if (count <= 0) return;
+  // Of r alone, the nodes beside the loaded ones are left out of the product.
   const auto sources = loads.middleCols(first, count);
-  const HalfField forward = ahead_.topRows((reach + 1) * height()) * sources;
-  const HalfField backward =
-      components_ == 1 ? HalfField() : HalfField(behind_.topRows((reach + 1) * height()) * sources);
+  Index width = height();
+  while (components_ == 1 && width > 1 && (sources.row(width - 1).array() == 0.0).all()) --width;
+  const auto product = [&](const HalfField& stack) -> HalfField {
+    return stack.topLeftCorner((reach + 1) * height(), width) * sources.topRows(width);
+  };
+  const HalfField forward = product(ahead_);
+  const HalfField backward = components_ == 1 ? HalfField() : product(behind_);
   const HalfField& other = components_ == 1 ? forward : backward;
   for (Index source = 0; source < count; ++source) {
     const Index place = first + source + shift;
@@ -155,7 +160,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
 
 HalfField MirroredTables::displacement(const HalfField& loads, Index first, Index last) const {
   HalfField result = HalfField::Zero(height(), loads.cols());
-  add(loads, first, last, 0, std::min(reach_, loads.cols() - 1), result);
+  add(loads, first, last, 0, std::min(reach_, std::max(last, loads.cols() - 1 - first)), result);
   return result;
 }
 

@@ -155,6 +155,26 @@ class History:
         start = "a state" if self.start is None else f"{self.start.name} start"
         return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
+    def scalars(self) -> dict[str, float | int | str | None]:
+        """Return what sums the history up, by name, in SI units."""
+        highest = int(np.argmax(self.resisting_torque))
+        return {
+            "duration": float(self.time[-1] - self.time[0]),
+            "steps": len(self.time) - 1,
+            "largest_resisting_torque": float(self.resisting_torque[highest]),
+            "time_of_largest_resisting_torque": float(self.time[highest]),
+            "smallest_resisting_torque": float(self.resisting_torque.min()),
+            "largest_penetration": float(self.penetration.max()),
+            "dissipated_energy": float(self.dissipated_energy[-1] - self.dissipated_energy[0]),
+            "energy_balance_error": float(self.energy_balance_error[-1]),
+            "spectrum_error": self.spectrum_error,
+            "nodes_per_revolution": self.mesh.nodes_per_revolution,
+            "lattices": self.lattices,
+            "start": "STATE" if self.start is None else self.start.name,
+            "compliance": self.compliance.name,
+            "curvature": self.curvature.name,
+        }
+
     def to_xarray(self) -> xarray.Dataset:
         """Return the time series as a dataset over `time` [s], with units.
 
@@ -170,16 +190,7 @@ class History:
             name: ("time", getattr(self, name), {"units": unit, "long_name": text})
             for name, (unit, text) in SERIES.items()
         }
-        attributes = {
-            "start": "STATE" if self.start is None else self.start.name,
-            "compliance": self.compliance.name,
-            "curvature": self.curvature.name,
-            "lattices": self.lattices,
-            "nodes_per_revolution": self.mesh.nodes_per_revolution,
-            "spectrum_error": self.spectrum_error,
-            "energy_balance_error": float(self.energy_balance_error[-1]),
-        }
-        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, attrs=attributes)
+        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, attrs=self.scalars())
 
     def save(self, path: str | Path) -> None:
         """Write the time series to a file, in the format of its suffix.
