@@ -30,6 +30,10 @@ constexpr std::array kInstantMembers{
     std::pair{"dissipated_energy", &RollingInstant::dissipated_energy},
     std::pair{"work", &RollingInstant::work},
     std::pair{"energy_imbalance", &RollingInstant::energy_imbalance},
+    std::pair{"driving_force", &RollingInstant::driving_force},
+    std::pair{"center_way", &RollingInstant::center_way},
+    std::pair{"slip_energy", &RollingInstant::slip_energy},
+    std::pair{"stick_share", &RollingInstant::stick_share},
     std::pair{"error_estimate", &RollingInstant::error_estimate},
 };
 
@@ -51,13 +55,15 @@ py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
 }
 
 RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, std::optional<Mesh> mesh,
-                            Compliance compliance, Curvature curvature, int lattices,
+                            Compliance compliance, Curvature curvature, double friction, double driving_force, int lattices,
                             std::optional<int> steps_per_spacing, double shortest_time, double longest_time,
                             double spectrum_tolerance, int threads, double time, double angle,
                             const py::object& progress) {
   const HistoryOptions options{.mesh = mesh,
                                .compliance = compliance,
                                .curvature = curvature,
+                               .friction = friction,
+                               .driving_force = driving_force,
                                .lattices = lattices,
                                .steps_per_spacing = steps_per_spacing,
                                .shortest_time = shortest_time,
@@ -106,6 +112,8 @@ void bind_roll(py::module_& m) {
       .def(py::init<>())
       .def_readonly("compliance", &HistoryOptions::compliance)
       .def_readonly("curvature", &HistoryOptions::curvature)
+      .def_readonly("friction", &HistoryOptions::friction)
+      .def_readonly("driving_force", &HistoryOptions::driving_force)
       .def_readonly("lattices", &HistoryOptions::lattices)
       .def_readonly("steps_per_spacing", &HistoryOptions::steps_per_spacing)
       .def_readonly("shortest_time", &HistoryOptions::shortest_time)
@@ -121,7 +129,7 @@ void bind_roll(py::module_& m) {
 
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
-           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("lattices"),
+           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"), py::arg("driving_force"), py::arg("lattices"),
            py::arg("steps_per_spacing").none(true), py::arg("shortest_time"), py::arg("longest_time"),
            py::arg("spectrum_tolerance"), py::arg("threads"), py::arg("time"), py::arg("angle"),
            py::arg("progress").none(true))

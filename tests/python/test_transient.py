@@ -1,7 +1,7 @@
 """Transient rolling: exact checks, and reference values of an independent computation.
 
 The reference values and their error bars are those of a NumPy program that shares nothing with the library (single
-lattices at π/150, π/250 and π/400, extrapolated); docs/theory.md, transient rolling lists them.
+lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature); docs/theory.md lists them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from viscoroll import paper
 
 MILLI = 1e3
 BALL = paper.ball(density=0.0)
-FINE = vr.Mesh(nodes_per_revolution=500)
+FINE = {"mesh": vr.Mesh(nodes_per_revolution=500), "curvature": vr.Curvature.PAPER}
 COARSE = vr.Mesh(nodes_per_revolution=100)
 
 
@@ -59,7 +59,7 @@ def steady_whole_nodes(nodes: int, omega: float) -> float:
     elastic = ball_of(vr.Elastic(modulus=3e6))
     half = 14
     table = vr.influence_tables(
-        elastic, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=nodes), phi_reach=nodes // 2, theta_reach=2 * half
+        elastic, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=nodes), reach=(nodes // 2, 2 * half)
     )[0, 0]
     ring = np.concatenate([table[nodes // 2 :], table[1 : nodes // 2]])  # offsets 0 … nodes-1
     z = 2 * np.pi / nodes / omega / 0.25
@@ -168,7 +168,7 @@ STARTS = {
 @pytest.mark.parametrize(("start", "omega"), STARTS)
 def test_starts(start, omega):
     values, largest, bar = STARTS[start, omega]
-    h = speed(omega, 0.5, start=start, mesh=FINE)
+    h = speed(omega, 0.5, start=start, **FINE)
     torque = h.resisting_torque * MILLI
     for angle, (value, allowed) in values.items():
         assert np.interp(angle, h.angle, torque) == pytest.approx(value, abs=allowed)
@@ -179,7 +179,7 @@ def test_starts(start, omega):
 
 def test_change_of_speed():
     t, psi = [0, 1.0, 1.6], [0, 2.5, 2.8]
-    h = vr.roll(BALL, time=t, angle=psi, load=100.0, mesh=FINE, start=vr.Start.FRESH)
+    h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=vr.Start.FRESH, **FINE)
     for way, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
         assert np.interp(2.5 + way, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
 
@@ -187,23 +187,23 @@ def test_change_of_speed():
 @pytest.mark.parametrize(("stand", "torque", "bar"), [(0.1, 28.33, 0.05), (1.0, 52.1, 0.1), (10.0, 52.57, 0.1)])
 def test_break_away_after_standing(stand, torque, bar):
     t = np.cumsum([0, 0.8, stand, 0.1])
-    h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, mesh=FINE, start=vr.Start.FRESH)
+    h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, start=vr.Start.FRESH, **FINE)
     assert h.resisting_torque[h.time > t[2]].max() * MILLI == pytest.approx(torque, abs=bar)
     if stand == 0.1:
         at = np.searchsorted(h.time, t[2])
         assert h.resisting_torque[at] * MILLI == pytest.approx(6.40, abs=0.02)
-        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=2e-5)
+        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=7e-5)  # theirs ± 2e-5, of four digits
 
 
 def test_oscillation_loses_what_it_should():
     time = np.linspace(0.0, 4.0, 4 * 160 + 1)
-    h = vr.roll(BALL, time=time, angle=np.radians(5.0) * np.sin(2 * np.pi * time), load=100.0, mesh=FINE)
+    h = vr.roll(BALL, time=time, angle=np.radians(5.0) * np.sin(2 * np.pi * time), load=100.0, **FINE)
     lost = np.interp([3.0, 4.0], h.time, h.dissipated_energy)
     assert np.diff(lost)[0] * MILLI == pytest.approx(9.46, abs=0.03)
 
 
 def test_vertical_compliance():
-    h = speed(2.5, 0.35, compliance=vr.Compliance.VERTICAL, mesh=FINE, start=vr.Start.FRESH)
+    h = speed(2.5, 0.35, compliance=vr.Compliance.VERTICAL, start=vr.Start.FRESH, **FINE)
     assert h.resisting_torque.max() * MILLI == pytest.approx(12.34, abs=0.03)
     assert h.driving_torque.max() * MILLI == pytest.approx(14.36, abs=0.03)
 
@@ -219,10 +219,10 @@ def test_pressed_and_left_standing(compliance):
     times = np.array([0.0, 0.05, 0.1, 0.25, 0.5, 50.0])
     h = vr.roll(
         BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=800),
-        compliance=compliance, lattices=1,
+        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=1,
     )  # fmt: skip
     found = h.penetration[np.searchsorted(h.time, times)] * MILLI
-    # Theirs are limits of the mesh, to 2e-5 mm; ours is π/400.
+    # Theirs are limits of the mesh, to 2e-5 mm; ours, of one lattice at π/400, is as far from its own.
     np.testing.assert_allclose(found, PENETRATIONS[compliance], rtol=0, atol=4e-5)
 
 
@@ -235,7 +235,8 @@ ZENER = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relax
 @pytest.mark.parametrize(("nodes", "bound"), [(300, 0.005), (500, 0.0015)])
 def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
     steady = vr.solve(BALL, load=100.0, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=3200)).resisting_torque
-    h = speed(omega, max(0.6, 2.5 * omega), start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    turn = 0.8 if omega < 3.0 else 8.0  # what is left of the last turn, e^(-2π/(Ωλ)), is 0.2 % at 4 rad/s
+    h = speed(omega, turn, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
 
@@ -382,11 +383,11 @@ BAD = [
     ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
     ({"load": [100.0, -1.0]}, r"load\[1\] must be > 0 N on the whole way \(lifting off is not built\), got -1 N"),
     ({"load": 1e7}, "load must be small enough for the coating"),
-    ({"time": [0.0]}, "time must hold at least two knots, got 1"),
+    ({"time": [0.0], "angle": [0.0]}, "time must hold at least two knots, got 1"),
     ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
     ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
     ({"curvature": vr.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
-    ({"friction": 0.3}, "friction must be 0 in transient rolling"),
+    ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
     ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
     ({"contact_times": [2.0]}, r"contact_times must be in \[0, 1\] s, got 2"),
 ]
@@ -447,3 +448,64 @@ def test_results_are_saved_and_drawn(tmp_path):
     h.plot().savefig(tmp_path / "h.png")
     assert "FRESH" not in repr(h)
     assert "RELAXED start" in repr(h)
+
+
+# --- friction -------------------------------------------------------------------------------------------------------
+
+
+def test_friction_starts_as_it_should():
+    """Fresh, 0.2 rad/s, μ = 0.3, C_r in full: the independent program's torques with their bars."""
+    h = speed(
+        0.2, 0.4, start=vr.Start.FRESH, compliance=vr.Compliance.VERTICAL, curvature=vr.Curvature.PAPER, friction=0.3,
+        mesh=vr.Mesh(nodes_per_revolution=200), lattices=1, steps_per_spacing=1,
+    )  # fmt: skip
+    torque = np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
+    # Theirs are for fine meshes; this is π/100, whose steady torque is 4 % low (28.6 of 30.2).
+    np.testing.assert_allclose(torque, [17.1, 27.25, 30.1, 30.24], rtol=0.06)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("friction", [0.1, 0.3, 1.0])
+def test_friction_ends_in_the_steady_state(friction):
+    given = {"load": 100.0, "compliance": vr.Compliance.VERTICAL, "friction": friction}
+    mesh = vr.Mesh(nodes_per_revolution=200)
+    steady = vr.solve(BALL, angular_speed=0.2, mesh=mesh, **given)
+    spacing = mesh.spacing
+    steps = np.arange(33) * spacing
+    h = vr.roll(
+        BALL, time=steps / 0.2, angle=steps, mesh=mesh, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH,
+        **given,
+    )  # fmt: skip
+    # Whole nodes on the same mesh: docs/theory.md has 28.62 and 28.56 mN m, 0.03679 and 0.03682.
+    assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
+    assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
+    assert h.creepage[-1] == pytest.approx(steady.creepage, abs=2e-4)
+
+
+@pytest.mark.parametrize("compliance", list(vr.Compliance))
+def test_energy_balance_with_friction(compliance):
+    h = vr.roll(
+        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=vr.Start.FRESH, friction=0.3,
+        compliance=compliance, mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
+    )  # fmt: skip
+    assert h.slip_energy[-1] > 0.0
+    assert (np.diff(h.slip_energy) > -1e-12).all()
+    assert np.abs(h.driving_force).max() < 1e-6
+    assert h.energy_balance_error[-1] < 3e-3
+
+
+def test_a_force_on_the_center():
+    given = {"friction": 0.5, "mesh": vr.Mesh(nodes_per_revolution=120), "lattices": 1}
+    pushed = speed(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
+    free = speed(0.5, 0.3, **given)
+    np.testing.assert_allclose(pushed.driving_force[1:], 5.0, rtol=1e-6)
+    # Statics: a force pushes where a torque is spared.
+    height = 21e-3 - pushed.penetration[-1]
+    np.testing.assert_allclose(
+        pushed.driving_torque[-1], pushed.resisting_torque[-1] - 5.0 * height, rtol=1e-6, atol=1e-9
+    )
+    assert pushed.creepage[-1] > free.creepage[-1]
+    with pytest.raises(ValueError, match=r"driving_force must be smaller than friction \* load = 50 N"):
+        speed(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
+    with pytest.raises(ValueError, match="drive must be a force in transient rolling"):
+        speed(0.5, 0.3, drive=vr.Drive(torque=0.0), **given)

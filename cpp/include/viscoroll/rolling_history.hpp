@@ -27,6 +27,8 @@ struct HistoryOptions {
   std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
+  double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], >= 0
+  double driving_force = 0.0;                  ///< Q on the center, forward [N], below friction * load in magnitude
   int lattices = 4;                            ///< shifted lattices that are averaged, 1 to 16
   /// Steps while the coating turns by a spacing, 1 to 64; none: one step from each knot to the next.
   std::optional<int> steps_per_spacing = 4;
@@ -49,9 +51,13 @@ struct RollingInstant {
   double semi_axis_z = 0.0;        ///< likewise [m]
   double max_pressure = 0.0;       ///< [Pa]
   double stored_energy = 0.0;      ///< in the coating [J]
-  double dissipated_energy = 0.0;  ///< lost in the coating since the start [J]
+  double dissipated_energy = 0.0;  ///< lost in the coating and by slip since the start [J]
   double work = 0.0;               ///< of torque and load since the start, by the trapezoidal rule [J]
   double energy_imbalance = 0.0;   ///< work - change of stored energy - dissipated_energy [J]
+  double driving_force = 0.0;      ///< Q = -sum of t_x, force on the center, forward [N]; 0 without friction
+  double center_way = 0.0;         ///< of the center since the start [m]; 0 without friction
+  double slip_energy = 0.0;        ///< part of dissipated_energy that slip on the plane takes [J]
+  double stick_share = 0.0;        ///< of the nodes in contact [-]; 0 without friction
   double error_estimate = 0.0;     ///< of the torque: standard error of the mean over the lattices [N m]
 };
 

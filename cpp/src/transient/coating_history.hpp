@@ -18,6 +18,8 @@ struct CreepingCoating {
   SurfaceGrid grid;
   double thickness;        ///< of all layers [m]
   Compliance compliance;   ///< in the contact condition
+  double friction;         ///< Coulomb's coefficient [-]
+  double driving_force;    ///< on the center, forward [N]
   CreepSpectrum spectrum;  ///< per the compliance at rest
   MirroredTables tables;   ///< at rest
 };

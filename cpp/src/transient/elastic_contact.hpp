@@ -1,5 +1,6 @@
 /// @file
-/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md, transient rolling.
+/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md, transient
+/// rolling.
 #pragma once
 
 #include <Eigen/Cholesky>

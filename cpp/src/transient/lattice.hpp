@@ -3,13 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <memory>
 #include <stdexcept>
 
 #include "transient/coating_history.hpp"
 #include "transient/elastic_contact.hpp"
 #include "transient/ring_memory.hpp"
+#include "transient/stick_slip_step.hpp"
 #include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::detail {
@@ -53,27 +53,39 @@ class Lattice {
   struct Place {
     RingRows rows;
     SurfaceWindow nodes;
-    std::array<HalfField, 3> down;     // components of the direction y; the first one alone where pressure is radial
-    std::array<HalfField, 3> forward;  // of the direction x
+    Axes axes;  ///< empty where pressure is radial and there is no friction
+  };
+
+  /// Who touches at an angle, in scaled forces.
+  struct Touch {
+    Place place;
+    HalfField known;  ///< K h
+    double compliance;
+    StickSlip contact;  ///< without friction only with what presses
   };
 
   [[nodiscard]] Place place_at(double angle) const;
-  [[nodiscard]] ElasticContact touch(const Place& place, const HalfField& known, double load);
-  [[nodiscard]] ElasticContact touch_in_window(const TimeStep* step, double compliance, double angle, double load,
-                                               Place& place);
-  [[nodiscard]] HalfField guess(const Place& place, double load) const;
-  [[nodiscard]] RingMemory::Load load_of(const Place& place, const ElasticContact& contact, double compliance) const;
-  void take(const Place& place, const ElasticContact& contact, const HalfField& known, double compliance, double angle,
-            double load);
-  [[nodiscard]] HalfField along(const std::array<HalfField, 3>& direction, const HalfField& field) const;
-  [[nodiscard]] HalfField spread(const std::array<HalfField, 3>& direction, const HalfField& scalar) const;
+  [[nodiscard]] Axes axes_at(const SurfaceWindow& nodes) const;
+  /// @param[in] step none for a first contact, on a coating that bears nothing else
+  [[nodiscard]] Touch touch(const TimeStep* step, double compliance, double angle, double load, double driving_force);
+  [[nodiscard]] StickSlip touch_smooth(const Place& place, const HalfField& known, double load);
+  [[nodiscard]] StickSlip touch_with_friction(const Place& place, const HalfField& known, double compliance,
+                                              double angle, double load, double driving_force) const;
+  [[nodiscard]] HalfField guess(const HalfField& last, const Place& place) const;
+  [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
+  void take(const Touch& touch, double angle, double load);
+  void take_contact(const Touch& touch);
+  void take_friction(const Touch& touch);
+  [[nodiscard]] double slip_work(const Touch& touch) const;
+  [[nodiscard]] bool has_friction() const { return coating_->friction > 0.0; }
 
   std::shared_ptr<const CreepingCoating> coating_;
   double shift_;
   Eigen::Index half_rows_;
   RingMemory memory_;
   ContactInverse inverse_;
-  HalfField pressing_;   // of the window at the last angle, per unit load
+  PlaneForces forces_;   // of the window at the last angle
+  RingRows rows_;        // which it is of
   double lowest_ = 0.0;  // place of the window's middle row from the lowest point [spacings]
   RollingInstant now_;
 };

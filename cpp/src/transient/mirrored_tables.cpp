@@ -43,6 +43,24 @@ std::vector<Run> runs_of(const std::vector<Index>& nodes, Index half_nodes) {
   return runs;
 }
 
+/// Influence of a run of nodes on another one, from one direction to another one.
+template <class Influence>
+Eigen::MatrixXd projected(const Influence& influence, const Run& to, const Run& from,
+                          const std::array<HalfField, 3>& displaced, const std::array<HalfField, 3>& loaded) {
+  const Index half_nodes = influence.rows() / 3;
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(to.length, from.length);
+  for (Index p = 0; p < 3; ++p) {
+    const auto left = displaced[static_cast<std::size_t>(p)].col(to.row).segment(to.first, to.length);
+    for (Index q = 0; q < 3; ++q) {
+      const auto right = loaded[static_cast<std::size_t>(q)].col(from.row).segment(from.first, from.length);
+      part += left.asDiagonal() *
+              influence.block(p * half_nodes + to.first, q * half_nodes + from.first, to.length, from.length) *
+              right.asDiagonal();
+    }
+  }
+  return part;
+}
+
 /// The offset beyond which no value of a table is above a share of its center.
 Index useful_reach(const Table& table) {
   constexpr double kNegligible = 1e-10;
@@ -116,15 +134,22 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
         part = influence.block(to.first, from.first, to.length, from.length);
         continue;
       }
-      for (Index p = 0; p < 3; ++p) {
-        const auto left = direction[static_cast<std::size_t>(p)].col(to.row).segment(to.first, to.length);
-        for (Index q = 0; q < 3; ++q) {
-          const auto right = direction[static_cast<std::size_t>(q)].col(from.row).segment(from.first, from.length);
-          part += left.asDiagonal() *
-                  influence.block(p * half_nodes_ + to.first, q * half_nodes_ + from.first, to.length, from.length) *
-                  right.asDiagonal();
-        }
-      }
+      part = projected(influence, to, from, direction, direction);
+    }
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes, const std::array<HalfField, 3>& displaced,
+                                           const std::array<HalfField, 3>& loaded) const {
+  const auto count = static_cast<Index>(nodes.size());
+  const std::vector<Run> runs = runs_of(nodes, half_nodes_);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+  for (const Run& from : runs) {
+    for (const Run& to : runs) {
+      if (std::abs(to.row - from.row) > reach_) continue;
+      matrix.block(to.place, from.place, to.length, from.length) =
+          projected(block(to.row - from.row), to, from, displaced, loaded);
     }
   }
   return matrix;

@@ -55,6 +55,12 @@ class MirroredTables {
   [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
                                            const std::array<HalfField, 3>& direction) const;
 
+  /// @brief Displacements along one direction by forces along another one.
+  /// @param[in] nodes,displaced,loaded as above; there must be three components
+  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
+                                           const std::array<HalfField, 3>& displaced,
+                                           const std::array<HalfField, 3>& loaded) const;
+
   /// @brief Displacements of a window of rows by forces on it.
   /// @param[in] loads a column for each row of the window
   /// @param[in] first,last rows that bear loads, the last one included

@@ -87,6 +87,16 @@ HalfField RingMemory::known_displacement(const TimeStep& step, const RingRows& r
   return known;
 }
 
+HalfField RingMemory::displacement(const RingRows& rows) const {
+  HalfField field(now_.force.rows(), rows.count);
+  for (Index i = 0; i < rows.count; ++i) {
+    const Index row = (rows.first + i) % ring();
+    field.col(i) = instantaneous_ * now_.displacement.col(row);
+    for (std::size_t j = 0; j < retarded_.size(); ++j) field.col(i) += weights_[j] * retarded_[j].displacement.col(row);
+  }
+  return field;
+}
+
 RingMemory::Retarded RingMemory::displaced(const HalfField& force, const MirroredTables& tables) const {
   const Index reach = tables.reach();
   Load load{.rows = {.first = on_ring(-reach, ring()), .count = ring() + 2 * reach},

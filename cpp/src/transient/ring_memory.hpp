@@ -42,6 +42,9 @@ class RingMemory {
   /// @return K h on some rows: the displacement at the end of a step that does not come from its new forces
   [[nodiscard]] HalfField known_displacement(const TimeStep& step, const RingRows& rows) const;
 
+  /// @return K v on some rows: all of the displacement of now
+  [[nodiscard]] HalfField displacement(const RingRows& rows) const;
+
   /// @return F.K F J_0 / 2 + sum J_j a_j.K a_j / 2 [J]
   [[nodiscard]] double stored_energy() const { return stored_; }
 

@@ -40,6 +40,8 @@ void validate(const HistoryOptions& options) {
     reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
            std::to_string(*options.steps_per_spacing));
   }
+  detail::require_nonnegative("friction", options.friction, "");
+  detail::require_finite("driving_force", options.driving_force);
   detail::require_positive("shortest_time", options.shortest_time, "s");
   if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
     reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
@@ -129,15 +131,15 @@ struct RollingHistory::Impl {
       half_nodes = most;
     }
     const detail::OrderSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
-    const Index components = options.compliance == Compliance::vertical ? 3 : 1;
-    return std::make_shared<const CreepingCoating>(
-        CreepingCoating{.grid = {.radius = outer_radius(elastic),
-                                 .phi_spacing = phi_spacing(mesh),
-                                 .theta_spacing = theta_spacing(mesh)},
-                        .thickness = coating_thickness(elastic),
-                        .compliance = options.compliance,
-                        .spectrum = spectrum,
-                        .tables = detail::MirroredTables(sum, components, half_nodes, options.threads, watch)});
+    const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
+    return std::make_shared<const CreepingCoating>(CreepingCoating{
+        .grid = {.radius = outer_radius(elastic),
+                 .phi_spacing = phi_spacing(mesh),
+                 .theta_spacing = theta_spacing(mesh)},
+        .thickness = coating_thickness(elastic),
+        .compliance = options.compliance,
+        .spectrum = spectrum,
+        .tables = detail::MirroredTables(sum, along_plane ? 3 : 1, half_nodes, options.threads, watch)});
   }
 
   void widen(detail::Watch& watch) {
@@ -183,7 +185,11 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
                               &RollingInstant::stored_energy,
                               &RollingInstant::dissipated_energy,
                               &RollingInstant::work,
-                              &RollingInstant::energy_imbalance};
+                              &RollingInstant::energy_imbalance,
+                              &RollingInstant::driving_force,
+                              &RollingInstant::center_way,
+                              &RollingInstant::slip_energy,
+                              &RollingInstant::stick_share};
   RollingInstant mean;
   const auto count = static_cast<double>(of_lattices.size());
   for (const auto member : kMeans) {
@@ -208,6 +214,12 @@ void RollingHistory::Impl::require_step(const Step& to) const {
   }
   if (!(std::isfinite(to.load) && to.load > 0.0)) {
     reject("load", "> 0 N on the whole way (lifting off is not built)", text(to.load) + " N");
+  }
+  if (!(std::abs(options.driving_force) < options.friction * to.load) && options.driving_force != 0.0) {
+    reject("driving_force",
+           "smaller than friction * load = " + text(options.friction * to.load) +
+               " N in magnitude, else the sphere slides without end",
+           text(options.driving_force) + " N");
   }
   const double duration = to.time - now.time;
   if (duration == 0.0) {

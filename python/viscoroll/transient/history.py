@@ -11,6 +11,7 @@ import numpy as np
 
 from .._core import Compliance, Curvature, Start
 from .._extras import extra
+from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
 from .rolling_history import RollingState
@@ -59,7 +60,7 @@ class History:
 
     Attributes
     ----------
-    ball, mesh, compliance, curvature, lattices
+    ball, mesh, compliance, curvature, friction, drive, lattices
         The input; the mesh as it was used.
     start : Start or None
         What was before; None for a history that went on from a state.
@@ -86,11 +87,19 @@ class History:
     stored_energy : ndarray
         In the coating [J].
     dissipated_energy : ndarray
-        Lost in the coating since the start [J], from the memory alone: not from the torque.
+        Lost in the coating and by slip since the start [J], from memory and slip alone: not from the torque.
     work : ndarray
         Of torque and load since the start [J], by the trapezoidal rule; a jump takes what it stores.
     energy_imbalance : ndarray
         Work less what was stored and lost [J].
+    driving_force : ndarray
+        Q = -Σ t_x, force on the center [N].
+    center_way : ndarray
+        Way of the center since the start [m]; 0 without friction, where it is undetermined.
+    slip_energy : ndarray
+        Part of `dissipated_energy` that slip on the plane takes [J].
+    stick_share : ndarray
+        Of the nodes in contact [-].
     error_estimate : ndarray
         Of the torque, by the spread of the lattices [N m]; not a number with one lattice.
     contacts : tuple of ContactInstant
@@ -104,6 +113,8 @@ class History:
     start: Start | None
     compliance: Compliance
     curvature: Curvature
+    friction: float
+    drive: Drive
     lattices: int
     spectrum_error: float
     time: NDArray[np.float64]
@@ -120,6 +131,10 @@ class History:
     dissipated_energy: NDArray[np.float64]
     work: NDArray[np.float64]
     energy_imbalance: NDArray[np.float64]
+    driving_force: NDArray[np.float64]
+    center_way: NDArray[np.float64]
+    slip_energy: NDArray[np.float64]
+    stick_share: NDArray[np.float64]
     error_estimate: NDArray[np.float64]
     contacts: tuple[ContactInstant, ...]
     state: RollingState
@@ -136,6 +151,14 @@ class History:
         gained = self.energy_imbalance - self.energy_imbalance[0]
         return np.abs(gained) / lost if lost > 0.0 else np.zeros_like(gained)
 
+    @property
+    def creepage(self) -> NDArray[np.float64]:
+        """Way of the center per way of the undeformed surface, less one, in the step before [-]; nan at standstill."""
+        turn = np.diff(self.angle, prepend=np.nan)
+        way = np.diff(self.center_way, prepend=np.nan)
+        rolls = np.abs(turn) > 0.0 if self.friction > 0.0 else np.zeros_like(turn, dtype=bool)
+        return np.divide(way, self.ball.outer_radius * turn, out=np.full_like(turn, np.nan), where=rolls) - 1.0
+
     def __repr__(self) -> str:
         """Return a summary of one screen."""
         torque = self.resisting_torque
@@ -147,7 +170,7 @@ class History:
             ("largest torque T_r", f"{torque[highest]:.5g} N m at {self.time[highest]:.4g} s"),
             ("smallest torque T_r", f"{torque[lowest]:.5g} N m at {self.time[lowest]:.4g} s"),
             ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
-            ("energy lost in the coating", f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J"),
+            ("energy lost, of that by slip", f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J, {self.slip_energy[-1]:.3g} J"),
             ("energy balance open by", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", f"{self.mesh}, {self.lattices} lattices"),
         ]
@@ -167,6 +190,8 @@ class History:
             "largest_penetration": float(self.penetration.max()),
             "dissipated_energy": float(self.dissipated_energy[-1] - self.dissipated_energy[0]),
             "energy_balance_error": float(self.energy_balance_error[-1]),
+            "slip_energy": float(self.slip_energy[-1] - self.slip_energy[0]),
+            "friction": self.friction,
             "spectrum_error": self.spectrum_error,
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
             "lattices": self.lattices,

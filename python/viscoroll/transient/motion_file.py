@@ -12,6 +12,7 @@ import numpy as np
 from .._core import Compliance, Curvature, Start
 from .._extras import extra
 from ..case import BallTable, StrictTable, build_ball, errors_in, first_line, read_toml
+from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
 from .roll import roll
@@ -39,6 +40,8 @@ class _Motion(StrictTable):
     frequency: float | None = None
     cycles: float = 1.0
     start: Literal["relaxed", "fresh"] = "relaxed"
+    friction: float = 0.0
+    driving_force: float = 0.0
 
 
 class _Numerics(StrictTable):
@@ -67,6 +70,8 @@ class MotionCase:
     angle: NDArray[np.float64]
     load: NDArray[np.float64] | float
     start: Start
+    friction: float
+    drive: Drive
     mesh: Mesh | None
     compliance: Compliance
     curvature: Curvature
@@ -117,6 +122,8 @@ def _build(file: _File, folder: Path) -> MotionCase:
         angle=angle,
         load=load,
         start=Start[file.motion.start.upper()],
+        friction=file.motion.friction,
+        drive=Drive(force=file.motion.driving_force),
         mesh=mesh,
         compliance=Compliance[numerics.compliance.upper()],
         curvature=Curvature[numerics.curvature.upper()],

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_float_array, require_callable, require_type
+from .._arrays import as_float_array, require_callable, require_type
 from .._core import Compliance, Curvature, Start
+from ..drive import Drive
 from ..geometry import CoatedSphere
 from .history import ContactInstant, History
 from .rolling_history import RollingHistory, RollingState
@@ -35,6 +36,7 @@ def roll(
     compliance: Compliance = Compliance.RADIAL,
     curvature: Curvature = Curvature.SPHERE,
     friction: float = 0.0,
+    drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
     lattices: int = 4,
     steps_per_spacing: int | None = 4,
     shortest_time: float | None = None,
@@ -62,10 +64,8 @@ def roll(
     start : Start or RollingState, default Start.RELAXED
         What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
-    mesh, compliance, curvature, lattices, steps_per_spacing, spectrum_tolerance, threads
+    mesh, compliance, curvature, friction, drive, lattices, steps_per_spacing, spectrum_tolerance, threads
         As of `RollingHistory`.
-    friction : float, default 0
-        Must be 0: friction is not built in transient rolling.
     shortest_time, longest_time : float, optional
         Between which moduli with a continuous spectrum are resolved [s]; by default from the motion: a tenth of a step
         while it rolls, and ten times its duration.
@@ -102,8 +102,6 @@ def roll(
     """
     require_type("ball", ball, CoatedSphere)
     require_callable("progress", progress)
-    if as_float("friction", friction) != 0.0:
-        raise ValueError(f"friction must be 0 in transient rolling, where it is not built, got {friction!r}")
     knots, angles, loads = _motion(time, angle, load)
     spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
     shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))
@@ -114,6 +112,8 @@ def roll(
         mesh=mesh,
         compliance=compliance,
         curvature=curvature,
+        friction=friction,
+        drive=drive,
         lattices=lattices,
         steps_per_spacing=steps_per_spacing,
         shortest_time=shortest if shortest_time is None else shortest_time,
@@ -147,6 +147,8 @@ def roll(
         start=start if isinstance(start, Start) else None,
         compliance=compliance,
         curvature=curvature,
+        friction=float(friction),
+        drive=drive,
         lattices=lattices,
         spectrum_error=stepper.spectrum_error,
         contacts=tuple(contacts),

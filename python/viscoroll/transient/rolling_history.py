@@ -11,6 +11,7 @@ import numpy as np
 from .. import _core
 from .._arrays import as_float, as_int, require_callable, require_type
 from .._core import Compliance, Curvature, Start
+from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
 
@@ -42,6 +43,14 @@ class Instant:
         [Pa].
     stored_energy, dissipated_energy, work, energy_imbalance : float
         [J].
+    driving_force : float
+        Q [N].
+    center_way : float
+        [m].
+    slip_energy : float
+        Part of `dissipated_energy` [J].
+    stick_share : float
+        [-].
     error_estimate : float
         Of the torque [N m]; not a number with one lattice.
     """
@@ -60,6 +69,10 @@ class Instant:
     dissipated_energy: float
     work: float
     energy_imbalance: float
+    driving_force: float
+    center_way: float
+    slip_energy: float
+    stick_share: float
     error_estimate: float
 
 
@@ -137,6 +150,10 @@ class RollingHistory:
         As of `viscoroll.solve`.
     curvature : Curvature, default Curvature.SPHERE
         SPHERE or PAPER.
+    friction : float, default 0
+        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With friction a step takes some fifty times as long.
+    drive : Drive, default Drive(force=0.0)
+        Horizontal force on the center; a given torque or creepage is refused here.
     lattices : int, default 4
         Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
         fast, and its torque carries the staircase of the nodes.
@@ -177,6 +194,8 @@ class RollingHistory:
         mesh: Mesh | None = None,
         compliance: Compliance = Compliance.RADIAL,
         curvature: Curvature = Curvature.SPHERE,
+        friction: float = 0.0,
+        drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
         lattices: int = 4,
         steps_per_spacing: int | None = 4,
         shortest_time: float = 1e-4,
@@ -192,6 +211,9 @@ class RollingHistory:
         require_type("compliance", compliance, Compliance)
         require_type("curvature", curvature, Curvature)
         require_callable("progress", progress)
+        require_type("drive", drive, Drive)
+        if drive.force is None:
+            raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
         resumed = isinstance(start, RollingState)
         if not resumed:
             require_type("start", start, Start)
@@ -203,6 +225,8 @@ class RollingHistory:
             mesh=None if mesh is None else mesh._to_core(),
             compliance=compliance,
             curvature=curvature,
+            friction=as_float("friction", friction),
+            driving_force=drive.force,
             lattices=as_int("lattices", lattices),
             steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
             shortest_time=as_float("shortest_time", shortest_time),

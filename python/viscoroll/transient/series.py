@@ -16,8 +16,12 @@ SERIES = {
     "semi_axis_z": ("m", "contact semi-axis along z"),
     "max_pressure": ("Pa", "largest contact pressure"),
     "stored_energy": ("J", "energy stored in the coating"),
-    "dissipated_energy": ("J", "energy lost in the coating since the start"),
+    "dissipated_energy": ("J", "energy lost in the coating and by slip since the start"),
     "work": ("J", "work of torque and load since the start"),
     "energy_imbalance": ("J", "work less what was stored and lost"),
+    "driving_force": ("N", "driving force Q"),
+    "center_way": ("m", "way of the center since the start"),
+    "slip_energy": ("J", "energy lost by slip since the start"),
+    "stick_share": ("1", "share of the nodes in contact that stick"),
     "error_estimate": ("N m", "error estimate of the torque"),
 }
