@@ -36,17 +36,17 @@ class Platform:
 
     @property
     def radius(self) -> float:
-        """r_o [m]."""
+        """Outer radius of a ball [m]."""
         return self.ball.outer_radius
 
     @property
     def mass(self) -> float:
-        """M [kg]."""
+        """Mass [kg]."""
         return self.balls * self.load / 9.81
 
     @property
     def stiffness(self) -> float:
-        """k [N/m]."""
+        """Stiffness of the springs [N/m]."""
         return self.mass * (2.0 * np.pi / self.natural_period) ** 2
 
     def angle(self, displacement: float) -> float:
@@ -75,7 +75,7 @@ def respond(platform: Platform, time: np.ndarray, ground: np.ndarray, mesh: vr.M
             return 4.0 * (new - s - step * v) / step**2 - a  # noqa: B023  (called in this pass alone)
 
         def out_of_balance(new: float) -> float:
-            trial = copy.copy(stepper)  # noqa: B023
+            trial = copy.copy(stepper)
             torque = trial.advance(time=now, angle=platform.angle(new), load=platform.load).driving_torque  # noqa: B023
             force = platform.stiffness * new + platform.balls * torque / platform.radius
             return platform.mass * (acceleration(new) + shake) + force  # noqa: B023
@@ -101,9 +101,7 @@ def equivalent_damping(platform: Platform, amplitude: float, mesh: vr.Mesh) -> f
 def break_away(platform: Platform, stand: float, mesh: vr.Mesh) -> float:
     """Force that moves the platform again after standing for some time [N]."""
     time, angle = np.cumsum([0.0, 0.5, stand, 0.5]), [0.0, 1.0, 1.0, 1.2]
-    h = vr.roll(
-        platform.ball, time=time, angle=angle, load=platform.load, start=vr.Start.FRESH, mesh=mesh, lattices=2
-    )
+    h = vr.roll(platform.ball, time=time, angle=angle, load=platform.load, start=vr.Start.FRESH, mesh=mesh, lattices=2)
     return float(platform.balls * h.driving_torque[h.time > time[2]].max() / platform.radius)
 
 

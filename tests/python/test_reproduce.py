@@ -292,3 +292,14 @@ def test_figure_6_starts_from_both_states(compute):
     assert [verdict.agrees for verdict in figure.verdicts()] == [True, True, False]
     assert figure.verdicts()[-1].unclear
     assert figure.settling_time(vr.Start.FRESH, 2.5) == pytest.approx(0.13, abs=0.02)
+
+
+def test_figure_8_overshoots_more_with_friction_when_fresh(compute):
+    figure = compute("figure8")
+    fresh = figure.overshoots(vr.Start.FRESH)
+    assert fresh == sorted(fresh)
+    assert 0.0 <= fresh[0] < 0.005
+    assert fresh[-1] < 0.05
+    # A flat spot overshoots whatever the friction: 4.1 to 5.5 %.
+    assert 0.02 < min(figure.overshoots(vr.Start.RELAXED)) < max(figure.overshoots(vr.Start.RELAXED)) < 0.12
+    assert figure.verdicts()[0].agrees

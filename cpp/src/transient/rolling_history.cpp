@@ -138,6 +138,8 @@ struct RollingHistory::Impl {
                  .theta_spacing = theta_spacing(mesh)},
         .thickness = coating_thickness(elastic),
         .compliance = options.compliance,
+        .friction = options.friction,
+        .driving_force = options.driving_force,
         .spectrum = spectrum,
         .tables = detail::MirroredTables(sum, along_plane ? 3 : 1, half_nodes, options.threads, watch)});
   }

@@ -2,6 +2,7 @@
 
 from .convergence import compute_table2
 from .friction import compute_figure9
+from .frictional_start import compute_figure8
 from .inertia import compute_figure13
 from .item import Item, Outcome, Runner, Verdict, write_files, write_verdicts
 from .load import compute_figure10, compute_table3
@@ -21,6 +22,7 @@ ITEMS = {
         Item(name="figure4", title="radial sub-intervals", compute=compute_figure4),
         Item(name="figure6", title="sudden starts", compute=compute_figure6),
         Item(name="figure7", title="torque against speed", compute=compute_figure7),
+        Item(name="figure8", title="sudden starts with friction", compute=compute_figure8),
         Item(name="figure9", title="surface friction", compute=compute_figure9),
         Item(name="table3", title="power laws of the load", compute=compute_table3),
         Item(name="figure10", title="torque against load", compute=compute_figure10),

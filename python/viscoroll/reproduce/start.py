@@ -48,7 +48,7 @@ class Figure6:
         return float(history.time[last]) if last < len(history.time) else float("inf")
 
     def tables(self) -> dict[str, Table]:
-        """A row for each start and speed, and the histories."""
+        """Return a row for each start and speed, and the histories."""
         keys = list(self.histories)
         rows = [(key, i) for key in keys for i in range(len(self.histories[key].time))]
         return {
@@ -98,8 +98,8 @@ class Figure6:
         verdicts.append(
             Verdict(
                 statement="the load is applied somehow before the start",
-                found=f"it decides the peak: pressed on at the start {fresh[0]:.1%} to {fresh[-1]:.1%} above the steady "
-                f"torque, long borne {relaxed[0]:.0%} to {relaxed[-1]:.0%}",
+                found=f"it decides the peak: pressed on at the start {fresh[0]:.1%} to {fresh[-1]:.1%} above the "
+                f"steady torque, long borne {relaxed[0]:.0%} to {relaxed[-1]:.0%}",
                 agrees=False,
                 unclear="unclear: neither text nor picture has numbers",
             )

@@ -170,7 +170,10 @@ class History:
             ("largest torque T_r", f"{torque[highest]:.5g} N m at {self.time[highest]:.4g} s"),
             ("smallest torque T_r", f"{torque[lowest]:.5g} N m at {self.time[lowest]:.4g} s"),
             ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
-            ("energy lost, of that by slip", f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J, {self.slip_energy[-1]:.3g} J"),
+            (
+                "energy lost, of that by slip",
+                f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J, {self.slip_energy[-1]:.3g} J",
+            ),
             ("energy balance open by", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", f"{self.mesh}, {self.lattices} lattices"),
         ]
