@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import astuple
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -510,3 +511,16 @@ def test_a_force_on_the_center():
         speed(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
     with pytest.raises(ValueError, match="drive must be a force in transient rolling"):
         speed(0.5, 0.3, drive=vr.Drive(torque=0.0), **given)
+
+
+def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
+    """docs/isolation_platform.py on a coarse mesh: its balance of forces, and break-away that grows with standing."""
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[2] / "docs"))
+    import isolation_platform
+
+    numbers = isolation_platform.main(nodes=80, duration=3.0, picture=str(tmp_path / "loop.png"))
+    assert (tmp_path / "loop.png").stat().st_size > 1000
+    assert "equivalent damping" in capsys.readouterr().out
+    assert 5.0 < numbers["equivalent damping at that amplitude [%]"] < 60.0
+    forces = [numbers[f"break-away force after standing {stand} s [N]"] for stand in ("0", "0.1", "1", "10")]
+    assert forces == sorted(forces)
