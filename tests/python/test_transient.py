@@ -213,16 +213,17 @@ PENETRATIONS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compliance", PENETRATIONS)
 def test_pressed_and_left_standing(compliance):
     times = np.array([0.0, 0.05, 0.1, 0.25, 0.5, 50.0])
     h = vr.roll(
         BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=800),
-        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=1,
+        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=2,
     )  # fmt: skip
     found = h.penetration[np.searchsorted(h.time, times)] * MILLI
-    # Theirs are limits of the mesh, to 2e-5 mm; ours, of one lattice at π/400, is as far from its own.
-    np.testing.assert_allclose(found, PENETRATIONS[compliance], rtol=0, atol=4e-5)
+    # Theirs are limits of the mesh, to 2e-5 mm; the steady solver at rest is 3e-5 to 4e-5 mm below its own at π/400.
+    np.testing.assert_allclose(found, PENETRATIONS[compliance], rtol=0, atol=6e-5)
 
 
 # --- the steady solver ----------------------------------------------------------------------------------------------
@@ -241,12 +242,12 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("omega", [0.5, 2.5, 4.0])
+@pytest.mark.parametrize("omega", [0.5, 1.0, 2.0, 2.5, 4.0])
 def test_fractional_zener_ends_in_the_steady_torque(omega):
-    """Its memory has no end: what is left after a few turns falls like a power of time."""
+    """Its memory has no end: what is left of the start falls with the root of time, to 0.3 % after 20 s."""
     ball = ball_of(ZENER)
     steady = vr.solve(ball, load=100.0, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=3200)).resisting_torque
-    h = speed(omega, 2 * np.pi, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=300))
+    h = speed(omega, 20.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=300))
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=0.005)
 

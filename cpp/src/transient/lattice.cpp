@@ -114,7 +114,7 @@ StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, doub
       .stiffness = 1.0 / tables.block(0)(0, 0)};
   problem.gap += radial ? known : along(down, known);
   const HalfField likely = guess(forces_.pressing, place);
-  ElasticContact contact = solve_elastic_contact(problem, load / likely.sum() * likely, inverse_);
+  ElasticContact contact = solve_elastic_contact(problem, load / likely.cwiseProduct(problem.weights).sum() * likely, inverse_);
   StickSlip result;
   result.forces.pressing = std::move(contact.pressing);
   result.penetration = contact.penetration;
@@ -145,7 +145,7 @@ StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& know
                                  .friction = coating_->friction,
                                  .forward_force = -compliance * driving_force};
   const HalfField likely = guess(forces_.pressing, place);
-  return solve_stick_slip(problem, {.pressing = problem.load / likely.sum() * likely,
+  return solve_stick_slip(problem, {.pressing = problem.load / likely.cwiseProduct(problem.weights).sum() * likely,
                                     .forward = HalfField::Zero(half_nodes, place.rows.count),
                                     .sideways = HalfField::Zero(half_nodes, place.rows.count)});
 }

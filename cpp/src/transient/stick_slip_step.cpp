@@ -18,6 +18,8 @@ enum Along : std::size_t { kForward = 0, kDown = 1, kSideways = 2 };
 constexpr int kMostSteps = 100;
 /// Steps in which nodes join while others leave.
 constexpr int kExchanges = 12;
+constexpr int kFewJoins = 3;   // of a node, after which it slips
+constexpr int kMostJoins = 6;  // after which it stays out of this instant
 constexpr double kTolerance = 1e-10;  // of forces per load, and of gaps per penetration
 
 class StickSlipSolver {
@@ -28,6 +30,7 @@ class StickSlipSolver {
       return problem.tables.compliance({middle}, problem.axes[axis])(0, 0);
     };
     stiffness_ = 1.0 / own(kForward);
+    joined_ = Eigen::ArrayXXi::Zero(guess.pressing.rows(), guess.pressing.cols());
     slips_ = Eigen::ArrayXX<bool>::Constant(guess.pressing.rows(), guess.pressing.cols(), false);
     for (Index node = 0; node < size(); ++node) {
       if (pressing(node) > 0.0) nodes_.push_back(node);
@@ -162,11 +165,16 @@ class StickSlipSolver {
     return std::erase_if(nodes_, is_tensile) > 0;
   }
 
+  /// Those that join slip, where there is no pressure yet to stick by. A node whose traction relieves it of its own
+  /// pressure can neither stick nor slip nor leave, and would come and go for ever.
   bool add_overclosed() {
     std::vector<Index> added;
     for (Index node = 0; node < size(); ++node) {
       const bool overclosed = gap_.data()[node] < -10.0 * kTolerance * std::abs(penetration_);
-      if (overclosed && !std::ranges::binary_search(nodes_, node)) added.push_back(node);
+      if (!overclosed || std::ranges::binary_search(nodes_, node) || joined_.data()[node] == kMostJoins) continue;
+      added.push_back(node);
+      slips_.data()[node] = true;
+      ++joined_.data()[node];
     }
     const auto middle = static_cast<std::ptrdiff_t>(nodes_.size());
     nodes_.insert(nodes_.end(), added.begin(), added.end());
@@ -177,9 +185,11 @@ class StickSlipSolver {
   bool switch_stick_and_slip() {
     bool switched = false;
     for (const Index node : nodes_) {
+      if (pressing(node) == 0.0) continue;  // it has just joined
       const double limit = problem_.friction * pressing(node);
       bool& slips = slips_.data()[node];
-      const bool should = trial(node).norm() > limit * (1.0 + 1e-9) && limit > 0.0;
+      const bool unsettled = slips && joined_.data()[node] > kFewJoins;
+      const bool should = trial(node).norm() > limit * (1.0 + 1e-9) || unsettled;
       switched = switched || slips != should;
       slips = should;
     }
@@ -207,6 +217,7 @@ class StickSlipSolver {
   HalfField forward_slip_;
   HalfField sideways_slip_;
   Eigen::ArrayXX<bool> slips_;
+  Eigen::ArrayXXi joined_;  // how often
   std::vector<Index> nodes_;
 };
 
