@@ -20,6 +20,7 @@ from ._core import (
     InnerBoundary,
     PatchLoad,
     SlipKinematics,
+    Start,
     Status,
     WarningKind,
     __version__,
@@ -67,6 +68,7 @@ from .rolling import RollingModel, solve
 from .rolling_resistance import RollingResistance
 from .shift import Arrhenius, WilliamsLandelFerry
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
     "Arrhenius",
@@ -80,6 +82,7 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "History",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
@@ -93,12 +96,15 @@ __all__ = [
     "Refinement",
     "Result",
     "ResultWarning",
+    "RollingHistory",
     "RollingModel",
     "RollingResistance",
+    "RollingState",
     "ShearModulus",
     "ShiftFactors",
     "SlipKinematics",
     "StandardLinearSolid",
+    "Start",
     "Status",
     "Temperature",
     "WarningKind",
@@ -122,6 +128,7 @@ __all__ = [
     "loss_spectrum",
     "plane_cooling",
     "read_rheology",
+    "roll",
     "rolling_range",
     "save_material",
     "self_heating",

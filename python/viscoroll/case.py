@@ -28,7 +28,19 @@ from .shift import Arrhenius, WilliamsLandelFerry
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, ValidationError
 
-__all__ = ["Case", "Thermal", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
+__all__ = [
+    "BallTable",
+    "Case",
+    "StrictTable",
+    "Thermal",
+    "build_ball",
+    "build_case",
+    "errors_in",
+    "example_text",
+    "first_line",
+    "load_case",
+    "read_toml",
+]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -54,13 +66,13 @@ _Choice = TypeVar("_Choice")
 _ENCODING = "utf-8-sig"
 
 
-class _Table(BaseModel):
+class StrictTable(BaseModel):
     """A table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
-class _Layer(_Table):
+class _Layer(StrictTable):
     thickness: float
     shear_modulus: dict[str, Any] | str | float
     poisson_ratio: float | None = None
@@ -69,27 +81,29 @@ class _Layer(_Table):
     conductivity: float | None = None
 
 
-class _Ball(_Table):
+class BallTable(StrictTable):
+    """The table `ball`."""
+
     core_radius: float = 0.0
     inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
     layers: list[_Layer]
 
 
-class _Drive(_Table):
+class _Drive(StrictTable):
     force: float | None = None
     torque: float | None = None
     creepage: float | None = None
     lateral_creepage: float = 0.0
 
 
-class _Rolling(_Table):
+class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
     drive: _Drive = _Drive(force=0.0)
 
 
-class _Numerics(_Table):
+class _Numerics(StrictTable):
     accuracy: float | None = None
     nodes_per_revolution: int | None = None
     max_order: int | None = None
@@ -100,7 +114,7 @@ class _Numerics(_Table):
     slip_kinematics: Literal["exact", "flat"] = "exact"
 
 
-class _Thermal(_Table):
+class _Thermal(StrictTable):
     convection: float
     ambient: float
     conductivity: float | list[float] | None = None
@@ -110,8 +124,8 @@ class _Thermal(_Table):
     limit: float | None = None
 
 
-class _File(_Table):
-    ball: _Ball
+class _File(StrictTable):
+    ball: BallTable
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: _Thermal | None = None
@@ -242,12 +256,12 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     try:
         file = _File.model_validate(document)
     except ValidationError as error:
-        raise ValueError(_first_line(error)) from None
+        raise ValueError(first_line(error)) from None
     return _build(file, folder)
 
 
-def example_text(name: Literal["case", "sweep"] = "case") -> str:
-    """Return the commented example of a case file, or of the table that makes a study of it."""
+def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
+    """Return the commented example of a case file, of a motion, or of the table that makes a study of a case."""
     return resources.files(__package__).joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
 
 
@@ -265,11 +279,7 @@ def _build(file: _File, folder: Path) -> Case:
     elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
-        ball=CoatedSphere(
-            core_radius=file.ball.core_radius,
-            inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
-            layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(file.ball.layers)],
-        ),
+        ball=build_ball(file.ball, folder),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
@@ -296,6 +306,15 @@ def _shift(table: dict[str, Any]) -> WilliamsLandelFerry | Arrhenius:
     if table.keys() != wanted:
         raise ValueError(f"thermal.shift of type {kind} must have {', '.join(sorted(wanted))}, got {sorted(table)}")
     return shift(**table)
+
+
+def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
+    """Return the ball that a table describes; its master curves are files in a folder."""
+    return CoatedSphere(
+        core_radius=ball.core_radius,
+        inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
+        layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(ball.layers)],
+    )
 
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
@@ -375,7 +394,8 @@ def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice
     return choices[value]
 
 
-def _first_line(error: ValidationError) -> str:
+def first_line(error: ValidationError) -> str:
+    """Return what is wrong first, with its place in the file."""
     first = error.errors()[0]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
