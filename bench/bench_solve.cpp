@@ -214,6 +214,27 @@ void loss_inside(benchmark::State& state) {
   state.counters["error"] = relative_error(loss.volume_power, loss.surface_power);
 }
 
+/// A revolution at 2.5 rad/s from a fresh start; tables are made before. The error is that of the torque of the steady
+/// state, as of `kRadialTorque`, averaged over the last spacing.
+void revolution(benchmark::State& state, int nodes, int lattices, int threads) {
+  constexpr double kSpeed = 2.5;
+  constexpr double kTurn = 6.283185307179586;
+  const RollingHistory fresh(cases::paper_sphere(), 100.0, Start::fresh,
+                             {.mesh = Mesh{nodes}, .lattices = lattices, .threads = threads});
+  double torque = 0.0;
+  double steps = 0.0;
+  for (auto _ : state) {
+    RollingHistory history(fresh);
+    const auto instants = roll(history, {.time = {0.0, kTurn / kSpeed}, .angle = {0.0, kTurn}, .load = {100.0, 100.0}});
+    steps = static_cast<double>(history.steps());
+    torque = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) torque += instants[instants.size() - 1 - i].resisting_torque / 4.0;
+  }
+  state.counters["error"] = relative_error(torque, 11.3867e-3);
+  state.counters["steps"] = steps;
+  state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 constexpr auto kUnit = benchmark::kMillisecond;
 
 BENCHMARK(fields_inside)->Unit(kUnit)->UseRealTime();
@@ -277,6 +298,11 @@ BENCHMARK_CAPTURE(fine_rolling, 1024_vertical, 14684, Compliance::vertical, kVer
 BENCHMARK_CAPTURE(fine_rolling, 2048_vertical, 29460, Compliance::vertical, kVerticalTorque)
     ->Unit(kUnit)
     ->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 300_one_lattice, 300, 1, 1)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 500_one_lattice, 500, 1, 1)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 1000_one_lattice, 1000, 1, 1)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(revolution, 300, 300, 4, 2)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 500, 500, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(fine_friction, 256, 3650)->Unit(kUnit)->UseRealTime();
 
 }  // namespace

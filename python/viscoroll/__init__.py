@@ -20,14 +20,17 @@ from ._core import (
     InnerBoundary,
     PatchLoad,
     SlipKinematics,
+    Start,
     Status,
     WarningKind,
     __version__,
 )
 from .caution import ResultWarning
 from .drive import Drive
+from .export import dem
 from .geometry import CoatedSphere, Layer
 from .interior import Core, Temperature, plane_cooling, self_heating, temperature
+from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
     Elastic,
     FractionalZener,
@@ -47,9 +50,25 @@ from .orders import (
     surface_compliance,
 )
 from .result import Refinement, Result
+from .rheology import (
+    LossFactor,
+    ShiftFactors,
+    check_modulus,
+    check_range,
+    example_data,
+    fit_prony,
+    hardness_to_modulus,
+    load_material,
+    read_rheology,
+    rolling_range,
+    save_material,
+    superpose,
+)
 from .rolling import RollingModel, solve
+from .rolling_resistance import RollingResistance
 from .shift import Arrhenius, WilliamsLandelFerry
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
     "Arrhenius",
@@ -63,9 +82,12 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "History",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
+    "LossFactor",
+    "LossSpectrum",
     "MasterCurve",
     "Mesh",
     "Parameter",
@@ -74,10 +96,15 @@ __all__ = [
     "Refinement",
     "Result",
     "ResultWarning",
+    "RollingHistory",
     "RollingModel",
+    "RollingResistance",
+    "RollingState",
     "ShearModulus",
+    "ShiftFactors",
     "SlipKinematics",
     "StandardLinearSolid",
+    "Start",
     "Status",
     "Temperature",
     "WarningKind",
@@ -85,16 +112,29 @@ __all__ = [
     "__version__",
     "analytic",
     "centrifugal_displacement",
+    "check_modulus",
+    "check_range",
     "critical_speed",
     "degree_compliance",
+    "dem",
+    "example_data",
     "fit_friction_law",
     "fit_power_law",
+    "fit_prony",
     "fit_thickness_law",
+    "hardness_to_modulus",
     "influence_tables",
+    "load_material",
+    "loss_spectrum",
     "plane_cooling",
+    "read_rheology",
+    "roll",
+    "rolling_range",
+    "save_material",
     "self_heating",
     "solve",
     "state_matrix",
+    "superpose",
     "surface_compliance",
     "sweep",
     "temperature",

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from . import materials
+from ._arrays import as_float
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
@@ -20,13 +21,26 @@ from .geometry import CoatedSphere, Layer
 from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
 from .result import Result
+from .rheology import LossFactor, load_material
 from .rolling import solve
 from .shift import Arrhenius, WilliamsLandelFerry
 
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, ValidationError
 
-__all__ = ["Case", "Thermal", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
+__all__ = [
+    "BallTable",
+    "Case",
+    "StrictTable",
+    "Thermal",
+    "build_ball",
+    "build_case",
+    "errors_in",
+    "example_text",
+    "first_line",
+    "load_case",
+    "read_toml",
+]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -35,6 +49,7 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "kelvin_voigt": materials.KelvinVoigt,
     "fractional_zener": materials.FractionalZener,
     "master_curve": materials.MasterCurve,
+    "loss_factor": LossFactor,
 }
 
 _SHIFTS: dict[str, type[WilliamsLandelFerry] | type[Arrhenius]] = {
@@ -51,42 +66,44 @@ _Choice = TypeVar("_Choice")
 _ENCODING = "utf-8-sig"
 
 
-class _Table(BaseModel):
+class StrictTable(BaseModel):
     """A table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
-class _Layer(_Table):
+class _Layer(StrictTable):
     thickness: float
-    shear_modulus: dict[str, Any]
+    shear_modulus: dict[str, Any] | str | float
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
     conductivity: float | None = None
 
 
-class _Ball(_Table):
+class BallTable(StrictTable):
+    """The table `ball`."""
+
     core_radius: float = 0.0
     inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
     layers: list[_Layer]
 
 
-class _Drive(_Table):
+class _Drive(StrictTable):
     force: float | None = None
     torque: float | None = None
     creepage: float | None = None
     lateral_creepage: float = 0.0
 
 
-class _Rolling(_Table):
+class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
     drive: _Drive = _Drive(force=0.0)
 
 
-class _Numerics(_Table):
+class _Numerics(StrictTable):
     accuracy: float | None = None
     nodes_per_revolution: int | None = None
     max_order: int | None = None
@@ -97,7 +114,7 @@ class _Numerics(_Table):
     slip_kinematics: Literal["exact", "flat"] = "exact"
 
 
-class _Thermal(_Table):
+class _Thermal(StrictTable):
     convection: float
     ambient: float
     conductivity: float | list[float] | None = None
@@ -107,8 +124,8 @@ class _Thermal(_Table):
     limit: float | None = None
 
 
-class _File(_Table):
-    ball: _Ball
+class _File(StrictTable):
+    ball: BallTable
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: _Thermal | None = None
@@ -239,12 +256,12 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     try:
         file = _File.model_validate(document)
     except ValidationError as error:
-        raise ValueError(_first_line(error)) from None
+        raise ValueError(first_line(error)) from None
     return _build(file, folder)
 
 
-def example_text(name: Literal["case", "sweep"] = "case") -> str:
-    """Return the commented example of a case file, or of the table that makes a study of it."""
+def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
+    """Return the commented example of a case file, of a motion, or of the table that makes a study of a case."""
     return resources.files(__package__).joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
 
 
@@ -262,11 +279,7 @@ def _build(file: _File, folder: Path) -> Case:
     elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
-        ball=CoatedSphere(
-            core_radius=file.ball.core_radius,
-            inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
-            layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(file.ball.layers)],
-        ),
+        ball=build_ball(file.ball, folder),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
@@ -295,24 +308,56 @@ def _shift(table: dict[str, Any]) -> WilliamsLandelFerry | Arrhenius:
     return shift(**table)
 
 
+def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
+    """Return the ball that a table describes; its master curves are files in a folder."""
+    return CoatedSphere(
+        core_radius=ball.core_radius,
+        inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
+        layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(ball.layers)],
+    )
+
+
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
     try:
-        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(dict(layer.shear_modulus), folder)})
+        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(layer.shear_modulus, folder)})
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name}: {error}") from None
 
 
-def _shear_modulus(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+def _shear_modulus(given: dict[str, Any] | str | float, folder: Path) -> materials.ShearModulus:
+    if isinstance(given, float | int):
+        return materials.Elastic(modulus=given)
+    table = {"type": "measured", "file": given} if isinstance(given, str) else dict(given)
     kind = table.pop("type", None)
-    material = _chosen("shear_modulus.type", kind, _MATERIALS)
+    if kind == "measured":
+        return _measured(table, folder)
+    if not isinstance(kind, str) or kind not in _MATERIALS:
+        names = ", ".join([*_MATERIALS, "measured"])
+        raise ValueError(f"shear_modulus.type must be one of {names}, got {shown(kind)}")
+    material = _MATERIALS[kind]
     if material is materials.MasterCurve:
         table = _master_curve(table, folder)
     known = {field.name for field in fields(material)}  # type: ignore[arg-type]
     if unknown := sorted(table.keys() - known):
         raise ValueError(f"shear_modulus of type {kind} has no parameter {', '.join(unknown)}")
-    if missing := sorted(known - table.keys() - {"extrapolation"}):
+    if missing := sorted(known - table.keys() - {"extrapolation", "decades"}):
         raise ValueError(f"shear_modulus of type {kind} needs {', '.join(missing)}")
     return material(**table)
+
+
+def _measured(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+    """Return a material of `viscoroll material`: file, and temperature and form where they are given."""
+    if unknown := sorted(table.keys() - {"file", "temperature", "form"}):
+        raise ValueError(f"shear_modulus of type measured has no parameter {', '.join(unknown)}")
+    name = table.pop("file", None)
+    if not isinstance(name, str):
+        raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
+    if "temperature" in table:
+        table["temperature"] = as_float("shear_modulus.temperature", table["temperature"])
+    try:
+        return load_material(folder / name, **table)
+    except OSError as error:
+        raise ValueError(f"material {folder / name}: {error.strerror}") from None
 
 
 def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:
@@ -349,7 +394,8 @@ def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice
     return choices[value]
 
 
-def _first_line(error: ValidationError) -> str:
+def first_line(error: ValidationError) -> str:
+    """Return what is wrong first, with its place in the file."""
     first = error.errors()[0]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""

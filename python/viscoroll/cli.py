@@ -16,6 +16,7 @@ from ._core import Compliance, Curvature
 from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
+from .commands import add_commands
 from .result import SUFFIXES
 from .rolling import solve as solve_rolling
 from .scalars import SCALARS
@@ -143,6 +144,43 @@ def solve(
 
 
 @app.command()
+def roll(
+    case: Annotated[
+        Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
+    ],
+    as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
+    checkpoint: Annotated[Path | None, typer.Option(help="State of an interrupted run, to go on from (.npy).")] = None,
+) -> None:
+    """Roll, stop, stand and turn back: follow the motion of a file."""
+    from .transient.history import SUFFIXES as HISTORY_SUFFIXES
+    from .transient.motion_file import load_motion
+    from .transient.rolling_history import RollingState
+
+    _check_target("--plot", plot, _PICTURES)
+    _check_target("--save", save, HISTORY_SUFFIXES)
+    _check_target("--checkpoint", checkpoint, (".npy",))
+    loaded = load_motion(case)
+    resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
+    with _progress_bar() as bar:
+        task = bar.add_task("starting", total=1.0)
+        history = loaded.roll(
+            progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction),
+            checkpoint=checkpoint,
+            **resumed,
+        )
+    if as_json:
+        typer.echo(_json(history.scalars()))
+    else:
+        _output.print(repr(history), markup=False, emoji=False, highlight=False, soft_wrap=True)
+    if plot is not None:
+        history.plot().savefig(plot, dpi=150)
+    if save is not None:
+        history.save(save)
+
+
+@app.command()
 def sweep(
     study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
     output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
@@ -189,8 +227,14 @@ def plot(
 @app.command()
 def example(
     with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
+    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
 ) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
+    if motion:
+        if with_sweep:
+            raise ValueError("--sweep must be left out with --motion: studies are of steady rolling")
+        typer.echo(example_text("motion"), nl=False)
+        return
     typer.echo(example_text() + (example_text("sweep") if with_sweep else ""), nl=False)
 
 
@@ -298,6 +342,10 @@ def demo(
     _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
+def _write_line(line: str) -> None:
+    _output.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
@@ -342,6 +390,8 @@ def _result_table(result: Result) -> Table:
     for name, (unit, description) in SCALARS.items():
         value = getattr(result, name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
+    if (share := result.extrapolated_loss()) is not None:
+        table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")
     table.add_row("mesh", str(result.mesh))
     table.add_row("status", result.status.name, "")
     return table
@@ -410,3 +460,6 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
             head = f"π/{nodes // 2}" if source is torques else ""
             table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
     return table
+
+
+add_commands(app, _write_line, _check_target, _progress_bar)

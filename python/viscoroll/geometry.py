@@ -7,10 +7,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from . import _core
-from ._arrays import require_type, store_floats
+from ._arrays import as_member, require_type, store_floats
 from ._core import InnerBoundary
 from ._text import shown
-from .materials import ShearModulusLike, to_core
+from .materials import ShearModulusLike, as_modulus, to_core
 
 __all__ = ["CoatedSphere", "Layer"]
 
@@ -25,9 +25,10 @@ class Layer:
     ----------
     thickness : float
         [m], > 0.
-    shear_modulus : ShearModulus or callable
-        μ*(ω) [Pa]: a modulus of this package, or a function of an array of angular frequencies [rad/s], which are ≥ 0
-        and include 0, that returns complex values [Pa] with loss ≥ 0.
+    shear_modulus : ShearModulus, callable or float
+        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
+        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
+        or one for all.
     poisson_ratio : float, optional
         Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
     bulk_modulus : float, optional
@@ -55,6 +56,7 @@ density=0.0, conductivity=None)
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
         store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus", "conductivity"))
+        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
         if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
             raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
         self._to_core()
@@ -79,7 +81,7 @@ class CoatedSphere:
         Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
     layers : sequence of Layer
         From the center outwards, at least one.
-    inner_boundary : InnerBoundary, default InnerBoundary.RIGID
+    inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
         What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
         core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
 
@@ -105,7 +107,7 @@ class CoatedSphere:
             require_type(f"layers[{j}]", layer, Layer)
         store_floats(self, ("core_radius",))
         object.__setattr__(self, "layers", layers)
-        require_type("inner_boundary", self.inner_boundary, InnerBoundary)
+        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
         self._to_core()
 
     @property

@@ -14,6 +14,7 @@ from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
 from .drive import Drive
 from .geometry import CoatedSphere
+from .loss_spectrum import extrapolated_share
 from .mesh import Mesh
 from .scalars import SCALARS, ScalarFields, with_scalars
 
@@ -177,6 +178,7 @@ class Result(ScalarFields):
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
             ("power lost in the coating", f"{self.bulk_power:.6g} W"),
+            *self._extrapolation_rows(),
             ("error of the mesh, of linear theory", f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"),
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
@@ -188,6 +190,20 @@ class Result(ScalarFields):
         model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
         head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({model})"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def extrapolated_loss(self) -> float | None:
+        """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
+
+        Returns
+        -------
+        float or None
+            [-], where the outermost entries of a `MasterCurve` were held; None without such a material.
+        """
+        return extrapolated_share(self)
+
+    def _extrapolation_rows(self) -> list[tuple[str, str]]:
+        share = self.extrapolated_loss()
+        return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
 
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:

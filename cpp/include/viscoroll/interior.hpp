@@ -2,7 +2,7 @@
 /// @brief What happens inside the coating under tractions that are known: displacement, strain, stress, and loss.
 ///
 /// Components are those along r, phi and theta, of tensors rr, phiphi, thetatheta, rphi, rtheta and phitheta; stress is
-/// positive in tension. Theory.md section 9.
+/// positive in tension. Theory.md section 10.
 #pragma once
 
 #include <array>

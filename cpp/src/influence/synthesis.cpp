@@ -230,7 +230,7 @@ double highest(const std::vector<OrderBand>& bands) {
 }
 
 /// Bands are made of what has been checked alone.
-const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
+CoatedSphere checked(CoatedSphere sphere, double angular_speed) {
   validate(sphere);
   require_positive("angular_speed", angular_speed, "rad/s");
   return sphere;
@@ -270,6 +270,7 @@ std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, i
 
   synthesis.prepare_phi(phi_reach);
   std::vector<Table> tables;
+  tables.reserve(requests.size());
   for (std::size_t k = 0; k < requests.size(); ++k) {
     tables.emplace_back(phi_reach, theta_reach, synthesis.is_odd_in_theta(k));
   }

@@ -1,4 +1,4 @@
-// Energy lost inside the coating: w(r, theta) and its volume integral, theory.md section 10.
+// Energy lost inside the coating: w(r, theta) and its volume integral, theory.md section 11.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -31,11 +31,11 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   for (const Layer& layer : sphere.layers) {
     radii_.push_back(radii_.back() + layer.thickness);
     const bool measured = is_measured(layer.shear_modulus);
-    std::transform(orders_.begin(), orders_.end(), omega.begin(),
-                   [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
+    std::ranges::transform(orders_, omega.begin(),
+                           [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
     moduli_.push_back(complex_modulus(layer.shear_modulus, omega));
   }
-  const double highest = orders_.empty() ? 0.0 : *std::max_element(orders_.begin(), orders_.end());
+  const double highest = orders_.empty() ? 0.0 : std::ranges::max(orders_);
   require_subcritical(sphere, angular_speed, angular_speed * std::max(1.0, limited(highest, measured_order)),
                       curvature);
   require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
@@ -45,6 +45,7 @@ HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
   HarmonicCoating other(*this);
   other.orders_ = std::move(orders);
   std::vector<double> omega;
+  omega.reserve(other.orders_.size());
   for (const double m : other.orders_) omega.push_back(m * angular_speed_);
   for (std::size_t j = 0; j < moduli_.size(); ++j) {
     other.moduli_[j] = complex_modulus(sphere_.layers[j].shear_modulus, omega);
@@ -53,8 +54,7 @@ HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
 }
 
 bool HarmonicCoating::has_measured_moduli() const {
-  return std::any_of(sphere_.layers.begin(), sphere_.layers.end(),
-                     [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+  return std::ranges::any_of(sphere_.layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {
