@@ -38,8 +38,8 @@ def answers(thickness: float, speed: float) -> list[tuple[bool, float, float, fl
         convection=15.0,
         ambient=AMBIENT,
         shift=vr.Arrhenius(activation_energy=80e3, reference_temperature=293.15),
-        accuracy=0.02,
-        points=10,
+        mesh=vr.Mesh(nodes_per_revolution=800),
+        points=8,
     )
     rows = []
     for state in hot.states:
