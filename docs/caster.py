@@ -67,6 +67,8 @@ def main(path: str) -> None:
                 if not p[1]:
                     panel.plot(p[0], p[place], "o", markerfacecolor="none", color=line.get_color())
             panel.set(xlabel="speed [m/s]", ylabel=label, xscale="log")
+            panel.set_xticks(SPEEDS, [f"{speed:g}" for speed in SPEEDS])
+            panel.minorticks_off()
         for p in points:
             print(f"{thickness * 1e3:5.1f} mm {p[0]:5.1f} m/s  " + "  ".join(f"{v:8.3f}" for v in p[2:]))
     axes[0].legend(title="tread")
