@@ -382,6 +382,35 @@ class RollingModel:
         progress: typing.Any,
     ) -> Result: ...
 
+class Tractions:
+    def __init__(
+        self,
+        *,
+        mesh: Mesh,
+        pressure: numpy.typing.NDArray[numpy.float64],
+        shear_traction: numpy.typing.NDArray[numpy.float64],
+        friction: bool,
+        compliance: Compliance,
+        curvature: Curvature,
+        patch_load: PatchLoad,
+    ) -> None: ...
+
+class LossDensity:
+    @property
+    def density(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def order_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    @property
+    def radial_weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def surface_power(self) -> float: ...
+    @property
+    def theta(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def volume_power(self) -> float: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
@@ -415,6 +444,42 @@ def influence_tables(
     curvature: Curvature,
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
+def interior_fields(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    phi: numpy.typing.NDArray[numpy.float64],
+    theta: numpy.typing.NDArray[numpy.float64],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> numpy.typing.NDArray[numpy.float64]: ...
+def loss_density(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    max_order: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> LossDensity: ...
+def order_fields(
+    sphere: CoatedSphere,
+    m: numpy.typing.NDArray[numpy.int32],
+    n: numpy.typing.NDArray[numpy.int32],
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def places_at(
+    sphere: CoatedSphere, radius: numpy.typing.NDArray[numpy.float64]
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """
     What the scalar results are, in SI units.

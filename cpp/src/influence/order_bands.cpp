@@ -57,25 +57,44 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
   return {make_band(1.0, max_order, nodes_per_revolution / 2, [](double) { return 1.0; })};
 }
 
-std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
-  using std::numbers::pi;
-  const double spacing = 2.0 * pi / nodes_per_revolution;
-  const double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
+namespace {
+
+/// Bands up to `top`. `stride_of` is told how far from the load a band reaches [rad].
+template <class Stride>
+std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
+  const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
   const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
   const auto count = static_cast<int>(std::ceil(std::log2(top / first)));
 
   Step below{.middle = first, .sharpness = rough_orders > 0.0 && count > 0 ? kSharpnessOfMeasured : kSharpness};
-  std::vector<OrderBand> bands{make_band(1.0, below.end(), nodes_per_revolution / 2, below)};
+  std::vector<OrderBand> bands{make_band(1.0, below.end(), half, below)};
   for (int octave = 1; octave <= count; ++octave) {
     const Step step{.middle = first * std::pow(top / first, static_cast<double>(octave) / count)};
     // Transform of the lower, narrower step: exp(-(sigma x / 2)^2), sigma = middle / sharpness; then two patches.
     const double confined = 2.0 * kSharpness * below.sharpness / below.middle + spacing;
-    const double stride = pi / confined;  // images of the load stay apart
-    const int reach = std::min(nodes_per_revolution / 2, static_cast<int>(confined / spacing));
-    bands.push_back(make_band(stride, step.end(), reach, [&](double order) { return step(order) - below(order); }));
+    const int reach = std::min(half, static_cast<int>(confined / spacing));
+    bands.push_back(
+        make_band(stride_of(confined), step.end(), reach, [&](double order) { return step(order) - below(order); }));
     below = step;
   }
   return bands;
+}
+
+}  // namespace
+
+std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
+  const double spacing = 2.0 * std::numbers::pi / nodes_per_revolution;
+  const double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
+  // Images of the load stay apart.
+  return split(spacing, top, rough_orders, [](double confined) { return std::numbers::pi / confined; });
+}
+
+std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset, double rough_orders) {
+  using std::numbers::pi;
+  const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
+  // Images of the load stay out of the window.
+  return split(spacing, highest, rough_orders,
+               [&](double confined) { return std::max(1.0, 2.0 * pi / (largest_offset + confined)); });
 }
 
 namespace {
@@ -99,7 +118,9 @@ double finest_order(const CoatedSphere& sphere, double angular_speed) {
   return outer_radius(sphere) / std::min(thinnest, thickness);
 }
 
-/// Tables are interpolated with kinks, and users' functions may be.
+}  // namespace
+
+// Tables are interpolated with kinks, and users' functions may be.
 double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
   double highest = 0.0;
   for (const Layer& layer : sphere.layers) {
@@ -111,8 +132,6 @@ double material_rough_orders(const CoatedSphere& sphere, double angular_speed, c
   }
   return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // which is approached slowly
 }
-
-}  // namespace
 
 double exact_share(double wave_number, double middle) {
   return std::isinf(middle) ? 1.0 : Step{.middle = middle}(wave_number);

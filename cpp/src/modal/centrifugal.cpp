@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "viscoroll/modal.hpp"
 
@@ -37,13 +38,20 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
 
 }  // namespace
 
-double centrifugal_displacement(const HarmonicCoating& coating) {
-  const auto media = coating.media(0);
+std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media) {
   const double stress_unit = media.back().mu.real();
 
   // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
   double compliance = 0.0;
   double offset = 0.0;
+  struct Step {
+    double stress;  // at the outer end, per what it starts from
+    double load;    // at the outer end, by the load within the step
+    double compliance;
+    double offset;
+    bool ends_layer;
+  };
+  std::vector<Step> taken;
   for (const auto& medium : media) {
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
@@ -63,9 +71,29 @@ double centrifugal_displacement(const HarmonicCoating& coating) {
       compliance = unit_stress(0) / unit_stress(1);
       offset = loaded(0) - compliance * loaded(1);
       free = false;
+      taken.push_back({.stress = unit_stress(1),
+                       .load = loaded(1),
+                       .compliance = compliance,
+                       .offset = offset,
+                       .ends_layer = step == steps - 1});
     }
   }
-  return offset;
+
+  std::vector<State> states;
+  double stress = 0.0;
+  for (auto step = taken.rbegin(); step != taken.rend(); ++step) {
+    if (step->ends_layer) states.emplace_back(step->compliance * stress + step->offset, stress * stress_unit);
+    stress = (stress - step->load) / step->stress;
+  }
+  const bool free = media.front().within == InnerBoundary::hollow;
+  states.emplace_back(free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
+  std::reverse(states.begin(), states.end());
+  return states;
+}
+
+double centrifugal_displacement(const HarmonicCoating& coating) {
+  const auto media = coating.media(0);
+  return centrifugal_states(media).back()(0);
 }
 
 }  // namespace detail

@@ -70,6 +70,7 @@ class LoadCaseSolver {
     require_few_nodes(half_phi, half_theta);
     const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
     const ContactProblem problem = make_problem(nodes);
+    if (problem.friction) require_bearable(problem, estimated_depth(estimate));
     LocatedContact located = solve_contact(problem, swelling_ * estimated_depth(estimate));
     for (;;) {
       const bool boxed = located.window() != nodes.window();
@@ -225,7 +226,7 @@ class LoadCaseSolver {
   /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
   void require_rolling(ContactProblem problem, double likely_depth, double torque) const {
     std::array<double, 2> limits{};
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
       const ContactSolution& state = sliding.contact;
@@ -236,6 +237,15 @@ class LoadCaseSolver {
     reject("drive.torque",
            "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
            text(torque) + " N m");
+  }
+
+  /// Refuse a load that presses the sphere to the core even without friction, before stick and slip are sought.
+  void require_bearable(ContactProblem problem, double likely_depth) const {
+    constexpr Eigen::Index kRoughNodes = 1024;
+    problem.friction.reset();
+    while (problem.initial_gap.size() > kRoughNodes) problem = coarsened(problem);
+    const LocatedContact pressed = solve_multilevel(problem, likely_depth, limits_);
+    if (!touches_edge(pressed)) require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
   }
 
   void require_few_nodes(int half_phi, int half_theta) const {

@@ -90,6 +90,8 @@ class Terms {
   std::size_t shapes_;
 };
 
+}  // namespace
+
 std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
                                                            const SurfaceWindow& window) {
   using Eigen::ArrayXd;
@@ -121,6 +123,8 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
   }
   return weights;
 }
+
+namespace {
 
 /// Sums of a table over patches of two spacings: a quarter, a half and a quarter each way; at every `stride`-th offset.
 /// A share of displacements is taken an offset further downstream.
