@@ -66,11 +66,6 @@ def test_known_wlf_constants_lie_in_their_intervals(noisy):
     assert c2.upper - c2.lower < 0.1 * C2
 
 
-def test_law_as_a_function_of_kelvin(noisy):
-    for law in (noisy.wlf, noisy.arrhenius):
-        assert np.log10(law.shift(273.15 + 55.0)) == pytest.approx(float(law(55.0)), rel=1e-9)
-
-
 def test_master_curve_from_noise_of_3_percent_is_within_2_percent(noisy):
     omega = np.geomspace(noisy.frequency[5], noisy.frequency[-5], 60)
     true, found = RUBBER.complex_modulus(omega), noisy.fit.series.complex_modulus(omega)

@@ -13,7 +13,6 @@ import numpy as np
 
 from .._arrays import as_floats
 from .._extras import extra
-from ..shift import Arrhenius, WilliamsLandelFerry
 from ..studies.least_squares import Parameter
 from .names import parse_header
 from .text import read_text
@@ -132,13 +131,6 @@ class ShiftLaw:
         values = [parameter.value for parameter in self.parameters.values()]
         model = _wlf if self.name == "WLF" else _arrhenius
         return model(np.asarray(temperature, dtype=float), self.reference, *values)
-
-    @property
-    def shift(self) -> WilliamsLandelFerry | Arrhenius:
-        """The same as a function of temperature in kelvin, as `self_heating` and others take it."""
-        values = {name: parameter.value for name, parameter in self.parameters.items()}
-        made = WilliamsLandelFerry if self.name == "WLF" else Arrhenius
-        return made(**values, reference_temperature=self.reference + _ZERO_CELSIUS)
 
     def __str__(self) -> str:
         """Return law, intervals and residual in one line."""
