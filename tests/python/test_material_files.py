@@ -213,6 +213,7 @@ def test_design_stops_at_the_limit(tmp_path):
     assert found.plot().axes[0].get_ylabel() == "power lost [W]"
 
 
+@pytest.mark.slow
 def test_design_under_a_temperature(tmp_path):
     """What is found is no hotter than the limit; without a table of how it is cooled there is none."""
     cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
