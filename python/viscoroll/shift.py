@@ -119,6 +119,10 @@ def shift_factor(shift: Shift, temperature: float) -> float:
     """
     if not callable(shift):
         raise TypeError(f"shift must be a function of temperature [K], got {shown(shift)}")
+    if callable(getattr(shift, "shift", None)):
+        raise TypeError(
+            f"shift must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
+        )
     factor = as_float("shift(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):
         raise ValueError(f"shift(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
