@@ -21,7 +21,7 @@ std::vector<std::pair<double, double>> merged_terms(const Prony& series) {
   constexpr double kSame = 1e-12;
   std::vector<std::pair<double, double>> terms;  // (time, weight)
   for (std::size_t k = 0; k < series.weights.size(); ++k) {
-    terms.emplace_back(series.relaxation_times[k], series.weights[k]);
+    if (series.weights[k] > 0.0) terms.emplace_back(series.relaxation_times[k], series.weights[k]);
   }
   std::ranges::sort(terms);
   std::vector<std::pair<double, double>> merged;
