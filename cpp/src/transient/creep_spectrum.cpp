@@ -193,7 +193,7 @@ std::vector<double> fitted_frequencies(const ShearModulus& modulus, const TimeRa
 /// Nonnegative least squares of the relative compliance itself: real and imaginary parts at all frequencies, and its
 /// value at rest.
 CreepSpectrum fitted_spectrum(const ShearModulus& modulus, const TimeRange& range) {
-  constexpr double kTimesPerDecade = 3.0;
+  constexpr double kTimesPerDecade = 6.0;
   const std::vector<double> frequencies = fitted_frequencies(modulus, range);
   const std::vector<double> times = log_spaced(0.01 / frequencies.back(), 100.0 / frequencies.front(), kTimesPerDecade);
   const auto values = complex_modulus(modulus, frequencies);
