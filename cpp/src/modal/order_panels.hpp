@@ -15,7 +15,7 @@ namespace viscoroll::detail {
 ///
 /// Multiplied by m and the modulus of the outer layer, the compliance is as smooth in ln m as it is in ln k: moduli of
 /// frequency have their poles and cuts where ln m is half of pi off the real axis. So some 24 solutions stand for as
-/// many orders m as there are in three octaves. Measured moduli have kinks, between which ten solutions stand for the
+/// many orders m as there are in three octaves. Measured moduli have kinks, between which 6 to 24 solutions stand for the
 /// orders. Orders that lie less closely are solved one by one.
 class OrderPanels final : public Spectrum {
  public:
