@@ -55,9 +55,9 @@ py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
 }
 
 RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, std::optional<Mesh> mesh,
-                            Compliance compliance, Curvature curvature, double friction, double driving_force, int lattices,
-                            std::optional<int> steps_per_spacing, double shortest_time, double longest_time,
-                            double spectrum_tolerance, int threads, double time, double angle,
+                            Compliance compliance, Curvature curvature, double friction, double driving_force,
+                            int lattices, std::optional<int> steps_per_spacing, double shortest_time,
+                            double longest_time, double spectrum_tolerance, int threads, double time, double angle,
                             const py::object& progress) {
   const HistoryOptions options{.mesh = mesh,
                                .compliance = compliance,
@@ -129,10 +129,10 @@ void bind_roll(py::module_& m) {
 
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
-           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"), py::arg("driving_force"), py::arg("lattices"),
-           py::arg("steps_per_spacing").none(true), py::arg("shortest_time"), py::arg("longest_time"),
-           py::arg("spectrum_tolerance"), py::arg("threads"), py::arg("time"), py::arg("angle"),
-           py::arg("progress").none(true))
+           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"),
+           py::arg("driving_force"), py::arg("lattices"), py::arg("steps_per_spacing").none(true),
+           py::arg("shortest_time"), py::arg("longest_time"), py::arg("spectrum_tolerance"), py::arg("threads"),
+           py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"))
       .def("roll", &roll_array, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),

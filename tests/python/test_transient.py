@@ -247,7 +247,7 @@ def test_fractional_zener_ends_in_the_steady_torque(omega):
     """Its memory has no end: what is left of the start falls with the root of time, to 0.3 % after 20 s."""
     ball = ball_of(ZENER)
     steady = vr.solve(ball, load=100.0, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=3200)).resisting_torque
-    h = speed(omega, 20.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=300))
+    h = speed(omega, 20.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=300), lattices=1)
     last = h.angle > h.angle[-1] - h.mesh.spacing
     assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=0.005)
 
@@ -468,21 +468,18 @@ def test_friction_starts_as_it_should():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("compliance", list(vr.Compliance))
 @pytest.mark.parametrize("friction", [0.1, 0.3, 1.0])
-def test_friction_ends_in_the_steady_state(friction):
-    given = {"load": 100.0, "compliance": vr.Compliance.VERTICAL, "friction": friction}
-    mesh = vr.Mesh(nodes_per_revolution=200)
-    steady = vr.solve(BALL, angular_speed=0.2, mesh=mesh, **given)
-    spacing = mesh.spacing
-    steps = np.arange(33) * spacing
-    h = vr.roll(
-        BALL, time=steps / 0.2, angle=steps, mesh=mesh, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH,
-        **given,
-    )  # fmt: skip
-    # Whole nodes on the same mesh: docs/theory.md has 28.62 and 28.56 mN m, 0.03679 and 0.03682.
+def test_friction_ends_in_the_steady_state(friction, compliance):
+    mesh = vr.Mesh(nodes_per_revolution=500)
+    given = {"load": 100.0, "compliance": compliance, "friction": friction, "mesh": mesh}
+    steady = vr.solve(BALL, angular_speed=0.2, **given)
+    angle = np.arange(41) * mesh.spacing
+    h = vr.roll(BALL, time=angle / 0.2, angle=angle, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH, **given)
+    # Whole nodes, on the same mesh: slip and memory are taken from node to node otherwise than in the steady solver.
     assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
     assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
-    assert h.creepage[-1] == pytest.approx(steady.creepage, abs=2e-4)
+    assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
 
 
 @pytest.mark.parametrize("compliance", list(vr.Compliance))

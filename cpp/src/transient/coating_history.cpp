@@ -22,6 +22,7 @@ std::vector<double> compared_frequencies(const ShearModulus& modulus, const Time
     high = std::max(std::min(high, curve->frequency.back()), low);
   }
   std::vector<double> frequencies;
+  frequencies.reserve(kCount);
   for (int i = 0; i < kCount; ++i)
     frequencies.push_back(std::min(low * std::pow(high / low, i / (kCount - 1.0)), high));
   return frequencies;

@@ -20,8 +20,9 @@ using cplx = std::complex<double>;
 std::vector<std::pair<double, double>> merged_terms(const Prony& series) {
   constexpr double kSame = 1e-12;
   std::vector<std::pair<double, double>> terms;  // (time, weight)
+  terms.reserve(series.weights.size());
   for (std::size_t k = 0; k < series.weights.size(); ++k) {
-    terms.emplace_back(series.relaxation_times[k], series.weights[k]);
+    if (series.weights[k] > 0.0) terms.emplace_back(series.relaxation_times[k], series.weights[k]);
   }
   std::ranges::sort(terms);
   std::vector<std::pair<double, double>> merged;
@@ -166,6 +167,7 @@ CreepSpectrum cole_cole_spectrum(const FractionalZener& solid, const TimeRange& 
 std::vector<double> log_spaced(double low, double high, double per_decade) {
   const auto count = static_cast<int>(std::ceil(per_decade * std::log10(high / low))) + 1;
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     values.push_back(low * std::pow(high / low, i / std::max(1.0, count - 1.0)));
   }
@@ -191,7 +193,7 @@ std::vector<double> fitted_frequencies(const ShearModulus& modulus, const TimeRa
 /// Nonnegative least squares of the relative compliance itself: real and imaginary parts at all frequencies, and its
 /// value at rest.
 CreepSpectrum fitted_spectrum(const ShearModulus& modulus, const TimeRange& range) {
-  constexpr double kTimesPerDecade = 3.0;
+  constexpr double kTimesPerDecade = 6.0;
   const std::vector<double> frequencies = fitted_frequencies(modulus, range);
   const std::vector<double> times = log_spaced(0.01 / frequencies.back(), 100.0 / frequencies.front(), kTimesPerDecade);
   const auto values = complex_modulus(modulus, frequencies);

@@ -118,10 +118,7 @@ class ElasticContactSolver {
   }
 
   [[nodiscard]] ElasticContact result() {
-    return {.pressing = std::move(pressing_),
-            .displacement = std::move(displacement_),
-            .penetration = penetration_,
-            .nodes = std::move(nodes_)};
+    return {.pressing = std::move(pressing_), .penetration = penetration_, .nodes = std::move(nodes_)};
   }
 
   const ElasticContactProblem& problem_;

@@ -51,7 +51,6 @@ struct ElasticContactProblem {
 /// @brief Who touches, and with which force.
 struct ElasticContact {
   HalfField pressing;               ///< forces
-  HalfField displacement;           ///< by them
   double penetration = 0.0;         ///< how far the plane comes into the gap
   std::vector<Eigen::Index> nodes;  ///< in contact, ascending
 };

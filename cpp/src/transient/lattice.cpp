@@ -114,7 +114,8 @@ StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, doub
       .stiffness = 1.0 / tables.block(0)(0, 0)};
   problem.gap += radial ? known : along(down, known);
   const HalfField likely = guess(forces_.pressing, place);
-  ElasticContact contact = solve_elastic_contact(problem, load / likely.cwiseProduct(problem.weights).sum() * likely, inverse_);
+  ElasticContact contact =
+      solve_elastic_contact(problem, load / likely.cwiseProduct(problem.weights).sum() * likely, inverse_);
   StickSlip result;
   result.forces.pressing = std::move(contact.pressing);
   result.penetration = contact.penetration;
@@ -159,7 +160,7 @@ HalfField Lattice::guess(const HalfField& last, const Place& place) const {
     return as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
   }
   HalfField field = HalfField::Zero(half_nodes, place.rows.count);
-  const double lowest = place.nodes.shift() - lowest_ + static_cast<double>((last.cols() - field.cols()) / 2);
+  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(last.cols() - field.cols());
   const auto whole = static_cast<Index>(std::floor(lowest));
   const double share = lowest - static_cast<double>(whole);
   for (Index i = 0; i < field.cols(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace viscoroll::detail {
@@ -76,7 +77,7 @@ Index useful_reach(const Table& table) {
 }  // namespace
 
 Eigen::ArrayXd half_weights(Index half_nodes) {
-  Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(half_nodes, std::sqrt(2.0));
+  Eigen::ArrayXd weights = Eigen::ArrayXd::Constant(half_nodes, std::numbers::sqrt2);
   weights[0] = 1.0;
   return weights;
 }

@@ -254,6 +254,7 @@ std::vector<Step> RollingHistory::Impl::path_to(const Step& end) const {
                                      .relative_load = (end.load - now.load) / std::max(end.load, now.load)},
                                     last_step);
   std::vector<Step> path;
+  path.reserve(shares.size());
   for (const double share : shares) {
     path.push_back({.time = now.time + share * duration,
                     .angle = now.angle + share * (end.angle - now.angle),
@@ -282,6 +283,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const Step> p
     }
   });
   std::vector<RollingInstant> means;
+  means.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     means.push_back(mean(std::span(instants).subspan(i * count, count), path[i].time));
   }
@@ -379,6 +381,7 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
   impl.on_lattices(watch,
                    [&](std::size_t, Lattice& lattice, const detail::Worker&) { lattice.start(start, angle, load); });
   std::vector<RollingInstant> instants;
+  instants.reserve(impl.lattices.size());
   for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
   impl.now = impl.mean(instants, time);
 }

@@ -18,8 +18,8 @@ enum Along : std::size_t { kForward = 0, kDown = 1, kSideways = 2 };
 constexpr int kMostSteps = 100;
 /// Steps in which nodes join while others leave.
 constexpr int kExchanges = 12;
-constexpr int kFewJoins = 3;   // of a node, after which it slips
-constexpr int kMostJoins = 6;  // after which it stays out of this instant
+constexpr int kFewJoins = 3;          // of a node, after which it slips
+constexpr int kMostJoins = 6;         // after which it stays out of this instant
 constexpr double kTolerance = 1e-10;  // of forces per load, and of gaps per penetration
 
 class StickSlipSolver {
@@ -178,7 +178,7 @@ class StickSlipSolver {
     }
     const auto middle = static_cast<std::ptrdiff_t>(nodes_.size());
     nodes_.insert(nodes_.end(), added.begin(), added.end());
-    std::inplace_merge(nodes_.begin(), nodes_.begin() + middle, nodes_.end());
+    std::ranges::inplace_merge(nodes_, nodes_.begin() + middle);
     return !added.empty();
   }
 

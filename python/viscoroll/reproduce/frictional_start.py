@@ -103,8 +103,18 @@ def compute_figure8(runner: Runner) -> Figure8:
 
     def history(key: tuple[Start, float]) -> History:
         start, friction = key
-        numerics = {"mesh": mesh, "lattices": 1, "steps_per_spacing": None, "threads": 1}
-        return roll(ball, time=angle / _SPEED, angle=angle, load=paper.LOAD, start=start, friction=friction, **numerics)
+        return roll(
+            ball,
+            time=angle / _SPEED,
+            angle=angle,
+            load=paper.LOAD,
+            start=start,
+            friction=friction,
+            mesh=mesh,
+            lattices=1,
+            steps_per_spacing=None,
+            threads=1,
+        )
 
     keys = [(start, mu) for start in (Start.FRESH, Start.RELAXED) for mu in (_COARSE if runner.coarse else _FRICTIONS)]
     return Figure8(histories=dict(zip(keys, runner.map(history, keys), strict=True)))

@@ -114,8 +114,15 @@ def compute_figure6(runner: Runner) -> Figure6:
 
     def history(key: tuple[Start, float]) -> History:
         start, speed = key
-        motion = {"time": [0.0, _TURN / speed], "angle": [0.0, _TURN]}
-        return roll(ball, **motion, load=paper.LOAD, start=start, mesh=runner.mesh, lattices=4, threads=1)
+        return roll(
+            ball,
+            time=[0.0, _TURN / speed],
+            angle=[0.0, _TURN],
+            load=paper.LOAD,
+            start=start,
+            mesh=runner.mesh,
+            threads=1,
+        )
 
     def steady(speed: float) -> float:
         return solve(ball, load=paper.LOAD, angular_speed=speed, accuracy=2e-3, threads=1).resisting_torque

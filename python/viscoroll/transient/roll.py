@@ -98,7 +98,7 @@ def roll(
     >>> from viscoroll import Mesh, paper
     >>> h = roll(paper.ball(), time=[0.0, 0.2], angle=[0.0, 0.5], load=100.0, mesh=Mesh(nodes_per_revolution=100))
     >>> f"{h.resisting_torque.max() * 1e3:.0f} mN m to break away"
-    '52 mN m to break away'
+    '53 mN m to break away'
     """
     require_type("ball", ball, CoatedSphere)
     require_callable("progress", progress)

@@ -151,7 +151,7 @@ class RollingHistory:
     curvature : Curvature, default Curvature.SPHERE
         SPHERE or PAPER.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With friction a step takes some fifty times as long.
+        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center; a given torque or creepage is refused here.
     lattices : int, default 4
