@@ -259,6 +259,7 @@ BENCHMARK_CAPTURE(order_by_order_to_accuracy, unlike_layers, cases::unlike_layer
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK_CAPTURE(order_by_order_to_accuracy, stiff_skin, cases::stiff_skin(), 2.5, 1e-3)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, measured, cases::measured_skin(), 2.5, 0.01)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(order_by_order_to_accuracy, without_inertia, cases::paper_sphere(0.0), 100.0, 0.01)
     ->Unit(kUnit)
     ->UseRealTime();

@@ -109,7 +109,8 @@ def solve(
     _check_target("--save", save, SUFFIXES)
     loaded = load_case(case)
     heated = None
-    with _progress_bar() as bar:
+    with _progress_bar() as bar, warnings.catch_warnings(record=True) as doubts:
+        warnings.simplefilter("always", ResultWarning)
         task = bar.add_task("starting", total=1.0)
         report = lambda stage, fraction: bar.update(task, description=stage, completed=fraction)  # noqa: E731
         if loaded.thermal is not None and loaded.thermal.shift is not None:
@@ -117,9 +118,9 @@ def solve(
             result = heated.states[0].result  # of a cold start
         else:
             result = loaded.solve(progress=report)
-    temperatures = [] if heated is None else [state.temperature for state in heated.states]
-    if loaded.thermal is not None and heated is None:
-        temperatures = [loaded.thermal.temperature(result)]
+        temperatures = [] if heated is None else [state.temperature for state in heated.states]
+        if loaded.thermal is not None and heated is None:
+            temperatures = [loaded.thermal.temperature(result)]
     if as_json:
         scalars = result.scalars()
         if temperatures:
@@ -129,7 +130,8 @@ def solve(
         _output.print(_result_table(result))
         if temperatures:
             _output.print(_thermal_table(_thermal_scalars(temperatures, heated)))
-    for message in result.warnings.values():
+    said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
+    for message in dict.fromkeys([*result.warnings.values(), *said]):
         _print_message(f"warning: {message}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
@@ -428,7 +430,7 @@ def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
     title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
     for name in scalars[0]:
-        table.add_row(text[name], *(v if isinstance(v := row[name], str) else f"{v:.6g}" for row in scalars))
+        table.add_row(escape(text[name]), *(v if isinstance(v := row[name], str) else f"{v:.6g}" for row in scalars))
     return table
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -19,8 +19,10 @@ from .materials import (
     KelvinVoigt,
     MasterCurve,
     Prony,
+    ShearModulus,
     ShearModulusLike,
     StandardLinearSolid,
+    as_modulus,
 )
 
 __all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "shift_factor", "shifted"]
@@ -117,6 +119,10 @@ def shift_factor(shift: Shift, temperature: float) -> float:
     """
     if not callable(shift):
         raise TypeError(f"shift must be a function of temperature [K], got {shown(shift)}")
+    if callable(getattr(shift, "shift", None)):
+        raise TypeError(
+            f"shift must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
+        )
     factor = as_float("shift(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):
         raise ValueError(f"shift(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
@@ -139,23 +145,23 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
     >>> shifted(rubber, 0.5).relaxation_time
     0.0625
     """
-    match modulus:
+    known = as_modulus(modulus)
+    match known:
         case Elastic():
-            return modulus
+            return known
         case Prony():
-            return replace(modulus, relaxation_times=[factor * time for time in modulus.relaxation_times])
+            return replace(known, relaxation_times=[factor * time for time in known.relaxation_times])
         case StandardLinearSolid() | FractionalZener():
-            return replace(modulus, relaxation_time=factor * modulus.relaxation_time)
+            return replace(known, relaxation_time=factor * known.relaxation_time)
         case KelvinVoigt():
-            return replace(modulus, viscosity=factor * modulus.viscosity)
+            return replace(known, viscosity=factor * known.viscosity)
         case MasterCurve():
-            return replace(modulus, frequency=[frequency / factor for frequency in modulus.frequency])
-        case _ if callable(modulus):
-            function: Callable[[Any], Any] = modulus
-            return lambda omega: function(factor * omega)
-        case _:
-            evaluate = modulus.complex_modulus
+            return replace(known, frequency=[frequency / factor for frequency in known.frequency])
+        case ShearModulus():
+            evaluate = known.complex_modulus
             return lambda omega: evaluate(factor * omega)
+        case _:
+            return lambda omega: known(factor * omega)
 
 
 def _store_positive(target: object, units: dict[str, str]) -> None:

@@ -111,6 +111,16 @@ def test_shift_factors():
     assert math.log(arrhenius(500.0)) == pytest.approx(1e3 * (1 / 500 - 1 / 300))
     with pytest.raises(ValueError, match="c2 must be finite and > 0 K"):
         vr.WilliamsLandelFerry(c1=1.0, c2=0.0, reference_temperature=300.0)
+
+    class Fitted:
+        def __call__(self, celsius):
+            return 0.0
+
+        def shift(self):
+            return wlf
+
+    with pytest.raises(TypeError, match="of a fitted law take its shift"):
+        shift_factor(Fitted(), 300.0)
     with pytest.raises(TypeError, match="shift must be a function"):
         shift_factor(1.0, 300.0)
     with pytest.raises(ValueError, match="must be finite and > 0"):

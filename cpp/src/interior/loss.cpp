@@ -26,9 +26,10 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using std::numbers::pi;
 
-constexpr double kDeepest = 14.0;     // exponent beyond which nothing of an order is left, squared
-constexpr double kTolerance = 1e-10;  // of fields, whose squares are added up
-constexpr std::size_t kBlock = 8;     // orders that are added up in a row, whatever the threads
+constexpr double kDeepest = 14.0;  // exponent beyond which nothing of an order is left, squared
+/// Of fields, whose squares are added up.
+constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-10, .inertia = 1e-9};
+constexpr std::size_t kBlock = 8;  // orders that are added up in a row, whatever the threads
 
 /// Nodes of the volume integral through one layer: Gauss's in the root of the depth, where the loss falls like that of
 /// a Gaussian whatever the orders.
@@ -71,6 +72,20 @@ struct Losses {
   double surface = 0.0;
 };
 
+/// Loads of one order m.
+struct OrderLoads {
+  LoadRows same;
+  LoadRows opposite;
+};
+
+/// Those of all places, and the surface, for the power put in.
+std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places) {
+  std::vector<std::size_t> boundaries;
+  for (std::size_t place = 0; place < places; ++place) boundaries.push_back(cuts.boundary(place));
+  boundaries.push_back(cuts.boundaries() - 1);
+  return boundaries;
+}
+
 class LossSum {
  public:
   LossSum(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions, std::vector<Place> places,
@@ -83,6 +98,8 @@ class LossSum {
         coating_(sphere, angular_speed, {orders_.begin(), orders_.end()}, measured_order(tractions.mesh),
                  tractions.curvature),
         loads_(tractions, coating_.outer_radius(), orders_, orders_),
+        transfers_(coating_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order,
+                   loads_.loaded(), kAccuracy),
         theta_nodes_(fast_length(2 * max_order + 2)),
         transform_(theta_nodes_) {}
 
@@ -104,45 +121,35 @@ class LossSum {
  private:
   void add_order(Index order, Index in_block, Losses& losses) const {
     const double m = orders_[order];
-    std::vector<std::size_t> active;
-    std::vector<std::size_t> boundaries;
-    std::vector<Index> counts;
-    for (std::size_t place = 0; place < places_.size(); ++place) {
-      const double limit = limit_(places_[place], kDeepest);
-      if (m > limit) continue;
-      active.push_back(place);
-      boundaries.push_back(cuts_.boundary(place));
-      const double highest = std::sqrt(limit * limit - m * m);
-      counts.push_back(std::min<Index>(orders_.size(), static_cast<Index>(std::min(highest, 1e9)) + 1));
-    }
-    boundaries.push_back(cuts_.boundaries() - 1);  // for the power put in
+    const DepthTransfer transfer = transfers_.at(static_cast<std::size_t>(order), orders_);
     const auto media = coating_.media(static_cast<std::size_t>(order));
-    DepthTransfer transfer(media, cuts_, boundaries, m, orders_[orders_.size() - 1], loads_.loaded(), kTolerance);
-    transfer.evaluate(orders_);
-    const LoadRows same = loads_.loads(Mirror::same, order);
-    const LoadRows opposite = loads_.loads(Mirror::opposite, order);
-
+    const OrderLoads loads{.same = loads_.loads(Mirror::same, order),
+                           .opposite = loads_.loads(Mirror::opposite, order)};
     ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
-    for (std::size_t a = 0; a < active.size(); ++a) {
-      const Place& place = places_[active[a]];
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      const Place& place = places_[p];
+      const double limit = limit_(place, kDeepest);
+      if (m > limit) continue;
+      const double highest = std::min(std::sqrt(limit * limit - m * m), orders_[orders_.size() - 1]);
       const Medium<cplx>& medium = media[static_cast<std::size_t>(place.layer)];
-      const ArrayXd density = density_of(transfer, a, medium, place, m, counts[a], same, opposite, line);
-      losses.density.col(static_cast<Index>(active[a])) += density;
+      const ArrayXd density = density_of(transfer, p, medium, place, m, static_cast<Index>(highest) + 1, loads, line);
+      losses.density.col(static_cast<Index>(p)) += density;
       losses.by_order(place.layer, in_block) +=
-          weights_[active[a]] * place.radius * place.radius * density.sum() * 2.0 * pi / theta_nodes_;
+          weights_[p] * place.radius * place.radius * density.sum() * 2.0 * pi / theta_nodes_;
     }
-    losses.surface += surface_loss(transfer, active.size(), m, same, opposite);
+    losses.surface += surface_loss(transfer, places_.size(), m, loads);
   }
 
   /// w of order m at a place, over theta.
   [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t boundary, const Medium<cplx>& medium,
-                                   const Place& place, double m, Index count, const LoadRows& same,
-                                   const LoadRows& opposite, ComplexBuffer& line) const {
+                                   const Place& place, double m, Index count, const OrderLoads& loads,
+                                   ComplexBuffer& line) const {
     const ArrayXd n = orders_.head(count);
     std::array<ComponentRows, 2> fields;
     for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
+      if (!loads_.has(mirror)) continue;
       ComponentRows state;
-      transfer.state(boundary, n, mirror == Mirror::same ? same : opposite, state);
+      transfer.state(boundary, count, mirror == Mirror::same ? loads.same : loads.opposite, state);
       field_components(medium, place.radius, m, n, state, fields[static_cast<std::size_t>(mirror)]);
     }
     // Tensor components count twice off the diagonal.
@@ -166,22 +173,25 @@ class LossSum {
     std::fill(line.begin(), line.end(), 0.0);
     const auto row = static_cast<Index>(component);
     const double mirrored = is_odd_in_theta(component) ? -1.0 : 1.0;
-    for (Index n = 0; n < fields[0].cols(); ++n) {
-      line[static_cast<std::size_t>(n)] = fields[0](row, n) + fields[1](row, n);
-      if (n > 0) line[static_cast<std::size_t>(theta_nodes_ - n)] = mirrored * (fields[0](row, n) - fields[1](row, n));
+    for (std::size_t kind = 0; kind < fields.size(); ++kind) {
+      const double of_negative = kind == 0 ? mirrored : -mirrored;
+      for (Index n = 0; n < fields[kind].cols(); ++n) {
+        line[static_cast<std::size_t>(n)] += fields[kind](row, n);
+        if (n > 0) line[static_cast<std::size_t>(theta_nodes_ - n)] += of_negative * fields[kind](row, n);
+      }
     }
     transform_.backward(line.data());
   }
 
   /// What the tractions put into order m, per Omega: -(2 pi)^2 r_o m Im(conj(f)^T u), over orders of either sign.
-  [[nodiscard]] double surface_loss(const DepthTransfer& transfer, std::size_t boundary, double m, const LoadRows& same,
-                                    const LoadRows& opposite) const {
+  [[nodiscard]] double surface_loss(const DepthTransfer& transfer, std::size_t boundary, double m,
+                                    const OrderLoads& loads) const {
     double sum = 0.0;
-    for (const LoadRows* loads : {&same, &opposite}) {
+    for (const LoadRows* part : {&loads.same, &loads.opposite}) {
       ComponentRows state;
-      transfer.state(boundary, orders_, *loads, state);
+      transfer.state(boundary, orders_.size(), *part, state);
       // The two kinds do not work on one another; order n = 0 is there once.
-      const ArrayXd work = (loads->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
+      const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
       sum += 2.0 * work.sum() - work[0];
     }
     return -2.0 * std::pow(2.0 * pi, 2) * coating_.outer_radius() * m * sum;
@@ -222,6 +232,7 @@ class LossSum {
   ArrayXd orders_;
   HarmonicCoating coating_;
   LoadSpectrum loads_;
+  DepthTransfers transfers_;
   int theta_nodes_;
   ComplexFft transform_;
 };

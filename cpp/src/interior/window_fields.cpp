@@ -28,7 +28,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// Sums end smoothly where exp(-9) is left of orders that hold little of the tractions: 1e-6 of the field.
 constexpr double kEnd = 9.0;
 constexpr double kDeepest = 12.0;
-constexpr double kTolerance = 1e-8;
+constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-8, .inertia = 1e-6};
 
 constexpr auto kComponents = static_cast<Index>(kFieldComponents);
 
@@ -174,77 +174,77 @@ class WindowSum {
       sums[place - first].setZero(2 * m_.count_up_to(limit),
                                   static_cast<Index>(mirrors().size()) * kComponents * angles_.magnitudes.size());
     }
-    const auto orders = static_cast<std::size_t>(m_.count_up_to(highest));
-    const RowMajor phase = (n_.orders.matrix() * angles_.magnitudes.matrix().transpose());
-    const RowMajor cosines = phase.array().cos();
-    const RowMajor sines = phase.array().sin();
-    parallel_for(orders, threads, watch, "fields inside", [&](std::size_t i, const Worker& worker) {
-      add_order(static_cast<Index>(i), first, cosines, sines, sums, worker);
-    });
+    std::vector<std::size_t> boundaries;
+    for (std::size_t place = first; place < last; ++place) boundaries.push_back(cuts_.boundary(place));
+    const double most = std::hypot(m_.orders[m_.orders.size() - 1], n_.orders[n_.orders.size() - 1]);
+    const DepthTransfers transfers(coating_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
+    const RowMajor phase = n_.orders.matrix() * angles_.magnitudes.matrix().transpose();
+    const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
+    parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
+                 [&](std::size_t i, const Worker& worker) {
+                   add_order(static_cast<Index>(i), first, highest, transfers, waves, sums, worker);
+                 });
     return sums;
   }
 
-  void add_order(Index i, std::size_t first, const RowMajor& cosines, const RowMajor& sines,
+  /// Of every order n at every magnitude of theta.
+  struct Waves {
+    RowMajor cosines;
+    RowMajor sines;
+  };
+
+  void add_order(Index i, std::size_t first, double highest, const DepthTransfers& transfers, const Waves& waves,
                  std::vector<RowMajor>& sums, const Worker& worker) const {
     const double m = m_.orders[i];
-    const auto kinds = mirrors();
-    std::vector<std::size_t> active;
-    std::vector<std::size_t> boundaries;
-    std::vector<Index> counts;
-    for (std::size_t p = 0; p < sums.size(); ++p) {
-      const double limit = limit_(places_[first + p], kDeepest);
-      if (m > limit) continue;
-      active.push_back(p);
-      boundaries.push_back(cuts_.boundary(first + p));
-      counts.push_back(n_.count_up_to(std::sqrt(limit * limit - m * m)));
-    }
-    if (active.empty()) return;
-    const Index most = *std::max_element(counts.begin(), counts.end());
-    const ArrayXd n = n_.orders.head(most);
-    const auto media = coating_.media(static_cast<std::size_t>(i));
-    DepthTransfer transfer(media, cuts_, boundaries, m, n[most - 1], loads_.loaded(), kTolerance);
+    const auto reach = [&](double limit) { return n_.count_up_to(std::sqrt(limit * limit - m * m)); };
+    const ArrayXd n = n_.orders.head(reach(highest));
+    const DepthTransfer transfer = transfers.at(static_cast<std::size_t>(i), n);
     worker.checkpoint();
-    transfer.evaluate(n);
+    const auto media = coating_.media(static_cast<std::size_t>(i));
+    const auto kinds = mirrors();
     ComponentRows state;
     ComponentRows fields;
-    RowMajor parts;
-    RowMajor waves;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const LoadRows loads = loads_.loads(kinds[k], i);
-      for (std::size_t a = 0; a < active.size(); ++a) {
-        const Place& place = places_[first + active[a]];
-        const Index count = counts[a];
-        const ArrayXd orders = n.head(count);
-        transfer.state(a, orders, loads, state);
-        field_components(media[static_cast<std::size_t>(place.layer)], place.radius, m, orders, state, fields);
-        const auto width = angles_.magnitudes.size();
-        for (const bool odd : {false, true}) {
-          // Of opposite loads the even components run with the sine.
-          std::vector<Index> rows;
-          for (Index c = 0; c < kComponents; ++c) {
-            if ((is_odd_in_theta(static_cast<std::size_t>(c)) != (kinds[k] == Mirror::opposite)) == odd) {
-              rows.push_back(c);
-            }
-          }
-          const auto size = static_cast<Index>(rows.size());
-          parts.resize(2 * size, count);
-          for (Index row = 0; row < size; ++row) {
-            const auto c = rows[static_cast<std::size_t>(row)];
-            // A factor i of the component and another of the sine.
-            const cplx unit =
-                std::pow(cplx(0.0, 1.0), (is_imaginary(static_cast<std::size_t>(c)) ? 1 : 0) + (odd ? 1 : 0));
-            const Eigen::Array<cplx, 1, Eigen::Dynamic> weighted =
-                unit * fields.row(c) * n_.weights.head(count).transpose().cast<cplx>();
-            parts.row(2 * row) = weighted.real().matrix();
-            parts.row(2 * row + 1) = weighted.imag().matrix();
-          }
-          waves.noalias() = parts * (odd ? sines : cosines).topRows(count);
-          for (Index row = 0; row < size; ++row) {
-            const Index column = (static_cast<Index>(k) * kComponents + rows[static_cast<std::size_t>(row)]) * width;
-            sums[active[a]].block(2 * i, column, 2, width) = waves.middleRows(2 * row, 2);
-          }
-        }
+      for (std::size_t p = 0; p < sums.size(); ++p) {
+        const Place& place = places_[first + p];
+        const double limit = limit_(place, kDeepest);
+        if (m > limit) continue;
+        const Index count = reach(limit);
+        transfer.state(p, count, loads, state);
+        field_components(media[static_cast<std::size_t>(place.layer)], place.radius, m, n.head(count), state, fields);
+        const auto width = angles_.magnitudes.size() * kComponents;
+        add_waves(fields, kinds[k], waves, sums[p].block(2 * i, static_cast<Index>(k) * width, 2, width));
         worker.checkpoint();
+      }
+    }
+  }
+
+  /// Sum over n: rows for the real and the imaginary part, in these [component][magnitude of theta].
+  void add_waves(const ComponentRows& fields, Mirror mirror, const Waves& waves, Eigen::Ref<RowMajor> sums) const {
+    const Index count = fields.cols();
+    const Index width = angles_.magnitudes.size();
+    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
+    for (const bool odd : {false, true}) {
+      // Of loads opposite to their mirror image the even components run with the sine.
+      std::vector<Index> rows;
+      for (Index c = 0; c < kComponents; ++c) {
+        if ((is_odd_in_theta(static_cast<std::size_t>(c)) != (mirror == Mirror::opposite)) == odd) rows.push_back(c);
+      }
+      const auto size = static_cast<Index>(rows.size());
+      RowMajor parts(2 * size, count);
+      for (Index row = 0; row < size; ++row) {
+        const auto c = rows[static_cast<std::size_t>(row)];
+        // A factor i of the component and another of the sine.
+        const int quarters = (is_imaginary(static_cast<std::size_t>(c)) ? 1 : 0) + (odd ? 1 : 0);
+        const Eigen::Array<double, 1, Eigen::Dynamic> real = weights * fields.row(c).real();
+        const Eigen::Array<double, 1, Eigen::Dynamic> imaginary = weights * fields.row(c).imag();
+        parts.row(2 * row) = quarters == 0 ? real : quarters == 1 ? -imaginary : -real;
+        parts.row(2 * row + 1) = quarters == 0 ? imaginary : quarters == 1 ? real : -imaginary;
+      }
+      const RowMajor along_theta = parts * (odd ? waves.sines : waves.cosines).topRows(count);
+      for (Index row = 0; row < size; ++row) {
+        sums.middleCols(rows[static_cast<std::size_t>(row)] * width, width) = along_theta.middleRows(2 * row, 2);
       }
     }
   }

@@ -41,20 +41,31 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
 }
 
-HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
+HarmonicCoating HarmonicCoating::at(std::vector<double> orders, const Eigen::ArrayXXcd& measured) const {
   HarmonicCoating other(*this);
   other.orders_ = std::move(orders);
   std::vector<double> omega;
   omega.reserve(other.orders_.size());
   for (const double m : other.orders_) omega.push_back(m * angular_speed_);
+  Eigen::Index column = 0;
   for (std::size_t j = 0; j < moduli_.size(); ++j) {
-    other.moduli_[j] = complex_modulus(sphere_.layers[j].shear_modulus, omega);
+    const ShearModulus& modulus = sphere_.layers[j].shear_modulus;
+    if (is_measured(modulus)) {
+      const auto values = measured.col(column++);
+      other.moduli_[j].assign(values.begin(), values.end());
+    } else {
+      other.moduli_[j] = complex_modulus(modulus, omega);
+    }
   }
   return other;
 }
 
-bool HarmonicCoating::has_measured_moduli() const {
-  return std::ranges::any_of(sphere_.layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+std::vector<std::size_t> HarmonicCoating::measured_layers() const {
+  std::vector<std::size_t> layers;
+  for (std::size_t j = 0; j < sphere_.layers.size(); ++j) {
+    if (is_measured(sphere_.layers[j].shear_modulus)) layers.push_back(j);
+  }
+  return layers;
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {

@@ -2,7 +2,9 @@
 /// @brief One layer as the material of one order sees it, and the layers of a coating at all harmonics.
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -65,11 +67,13 @@ class HarmonicCoating {
                   double measured_order = std::numeric_limits<double>::infinity(),
                   Curvature curvature = Curvature::sphere);
 
-  /// @brief The same layers at other orders, within the range of these; not for measured materials.
-  [[nodiscard]] HarmonicCoating at(std::vector<double> orders) const;
+  /// @brief The same layers at other orders, within the range of these.
+  /// @param[in] orders m
+  /// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
+  [[nodiscard]] HarmonicCoating at(std::vector<double> orders, const Eigen::ArrayXXcd& measured) const;
 
-  /// @brief Whether a modulus was measured, and so may have kinks.
-  [[nodiscard]] bool has_measured_moduli() const;
+  /// @brief Layers of which the modulus was measured, and so may have kinks.
+  [[nodiscard]] std::vector<std::size_t> measured_layers() const;
 
   /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;

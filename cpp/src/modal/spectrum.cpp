@@ -4,7 +4,6 @@
 #include <array>
 
 #include "instruction_sets.hpp"
-#include "modal/order_by_order.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
 
@@ -38,7 +37,6 @@ void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* 
 std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch,
                                         double inertia_tolerance) {
   if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, inertia_tolerance, threads, watch)) return shared;
-  if (coating.has_measured_moduli()) return std::make_unique<OrderByOrderSpectrum>(coating, highest_n);
   return std::make_unique<OrderPanels>(coating, highest_n, threads, watch);
 }
 

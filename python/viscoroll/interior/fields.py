@@ -118,7 +118,7 @@ def order_fields(
     >>> bool(abs(displacement[0, 0]).max() == 0.0)  # on the rigid core
     True
     >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # of the radial stress, what reaches the core
-    0.69
+    0.75
     """
     require_type("ball", ball, CoatedSphere)
     require_type("curvature", curvature, Curvature)
