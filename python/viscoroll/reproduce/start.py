@@ -10,6 +10,7 @@ import numpy as np
 from .. import paper
 from .._core import Start
 from .._extras import extra
+from ..mesh import Mesh
 from ..rolling import solve
 from ..transient import roll
 from .item import Runner, Table, Verdict
@@ -111,6 +112,7 @@ def compute_figure6(runner: Runner) -> Figure6:
     """Start at once at every speed, from both states, at the paper's load."""
     ball = paper.ball()
     speeds = _COARSE if runner.coarse else _SPEEDS
+    mesh = Mesh(nodes_per_revolution=runner.mesh.nodes_per_revolution)  # all orders, as in the steady torque
 
     def history(key: tuple[Start, float]) -> History:
         start, speed = key
@@ -120,7 +122,7 @@ def compute_figure6(runner: Runner) -> Figure6:
             angle=[0.0, _TURN],
             load=paper.LOAD,
             start=start,
-            mesh=runner.mesh,
+            mesh=mesh,
             threads=1,
         )
 

@@ -214,14 +214,14 @@ class RollingHistory:
         require_type("drive", drive, Drive)
         if drive.force is None:
             raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
-        resumed = isinstance(start, RollingState)
-        if not resumed:
-            require_type("start", start, Start)
+        state = start if isinstance(start, RollingState) else None
+        before = Start.RELAXED if isinstance(start, RollingState) else start
+        require_type("start", before, Start)
         self.ball = ball
         self._history = _core.RollingHistory(
             ball._to_core(),
             load=as_float("load", load),
-            start=Start.RELAXED if resumed else start,
+            start=before,
             mesh=None if mesh is None else mesh._to_core(),
             compliance=compliance,
             curvature=curvature,
@@ -237,8 +237,8 @@ class RollingHistory:
             angle=as_float("angle", angle),
             progress=progress,
         )
-        if isinstance(start, RollingState):
-            self._history.restore(start.numbers)
+        if state is not None:
+            self._history.restore(state.numbers)
 
     def advance(self, *, time: float, angle: float, load: float) -> Instant:
         """Turn and load linearly in time.
