@@ -32,6 +32,7 @@ Tractions make_tractions(const Mesh& mesh, const InputArray<double>& pressure, c
 std::vector<Place> places_from(const InputArray<double>& radius, const InputArray<int>& layer) {
   if (radius.size() != layer.size()) throw py::value_error("radius and layer must be of one length");
   std::vector<Place> places;
+  places.reserve(static_cast<std::size_t>(radius.size()));
   for (py::ssize_t i = 0; i < radius.size(); ++i) places.push_back({.radius = radius.at(i), .layer = layer.at(i)});
   return places;
 }
@@ -47,7 +48,7 @@ PlaceArrays to_arrays(const std::vector<Place>& places) {
     radius.mutable_at(i) = places[static_cast<std::size_t>(i)].radius;
     layer.mutable_at(i) = places[static_cast<std::size_t>(i)].layer;
   }
-  return PlaceArrays(py::make_tuple(radius, layer));
+  return {py::make_tuple(radius, layer)};
 }
 
 py::array_t<double> to_array(const std::vector<double>& values, const std::vector<py::ssize_t>& shape) {

@@ -39,6 +39,7 @@ constexpr std::array kInstantMembers{
 
 std::vector<std::string> instant_names() {
   std::vector<std::string> names;
+  names.reserve(kInstantMembers.size());
   for (const auto& [name, member] : kInstantMembers) names.emplace_back(name);
   return names;
 }

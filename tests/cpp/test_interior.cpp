@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "cases.hpp"
@@ -21,7 +22,7 @@ struct Rolling {
   Result result = solve(sphere, load_case, options);
   Tractions tractions = tractions_of(result, load_case, options);
 
-  explicit Rolling(const CoatedSphere& body) : sphere(body) {}
+  explicit Rolling(CoatedSphere body) : sphere(std::move(body)) {}
 
   [[nodiscard]] InteriorFields fields(int threads) const {
     const std::vector<double> radii{21e-3 - 0.3e-3, 20e-3};

@@ -363,7 +363,7 @@ def test_values_out_of_range(function, valid, changes, message):
         (analytic.hertz, HERTZ, {"load": "1"}, "load must hold real numbers, got "),
         (analytic.hertz, HERTZ, {"radius": [1.0, 2.0]}, "radius must be a real number, got list"),
         (analytic.hertz, HERTZ, {"shear_modulus": SPRING}, "shear_modulus must be a real number, got Elastic"),
-        (analytic.persson_torque, PERSSON, {"shear_modulus": 1.0}, "shear_modulus must be a modulus of viscoroll"),
+        (analytic.persson_torque, PERSSON, {"shear_modulus": "1"}, "shear_modulus must be a modulus of viscoroll"),
         (
             analytic.applicable,
             {"ball": paper.ball()},

@@ -297,7 +297,7 @@ BAD = {
         ValueError,
         "drive.torque must be between 0.0",
     ),
-    "kinematics": ({"friction": 0.3, "slip_kinematics": "flat"}, TypeError, "slip_kinematics must be"),
+    "kinematics": ({"friction": 0.3, "slip_kinematics": 1}, TypeError, "slip_kinematics must be"),
 }
 
 

@@ -128,7 +128,7 @@ def test_every_item_has_pictures_and_numbers_with_units(compute, tmp_path, name)
             head, *rows = csv.reader(path.read_text(encoding="utf-8").splitlines())
             assert len(rows) >= 3
             assert {len(row) for row in rows} == {len(head)}
-            assert "[" in head[0] or head[0] == "parameter"
+            assert "[" in head[0] or head[0] in {"parameter", "start"}
 
 
 def test_runner_computes_in_order_and_shared_numbers_once():
@@ -288,7 +288,7 @@ def test_figure_6_starts_from_both_states(compute):
     relaxed = [figure.overshoot(vr.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
     # The coarse mesh is good for half a percent of the torque.
     np.testing.assert_allclose(fresh, [0.002, 0.068, 0.089], atol=0.008)
-    np.testing.assert_allclose(relaxed, [0.36, 3.61, 6.10], rtol=0.015)
+    np.testing.assert_allclose(relaxed, [0.36, 3.61, 6.10], rtol=0.015, atol=0.008)
     assert [verdict.agrees for verdict in figure.verdicts()] == [True, True, False]
     assert figure.verdicts()[-1].unclear
     assert figure.settling_time(vr.Start.FRESH, 2.5) == pytest.approx(0.13, abs=0.02)

@@ -7,7 +7,7 @@
 
 namespace viscoroll::detail {
 
-DepthLimit::DepthLimit(const CoatedSphere& sphere, double angular_speed) : radius_(outer_radius(sphere)), decay_(1.0) {
+DepthLimit::DepthLimit(const CoatedSphere& sphere, double angular_speed) : radius_(outer_radius(sphere)) {
   constexpr double kLeastDecay = 0.05;
   const std::array passing{10.0 * angular_speed};  // slower than what passes a contact: softer, and so on the safe side
   for (const Layer& layer : sphere.layers) {

@@ -20,7 +20,7 @@ class DepthLimit {
 
  private:
   double radius_;
-  double decay_;  // per k of what there is without inertia
+  double decay_ = 1.0;  // per k of what there is without inertia
 };
 
 }  // namespace viscoroll::detail

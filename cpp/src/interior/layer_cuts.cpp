@@ -55,15 +55,14 @@ LayerCuts::LayerCuts(const CoatedSphere& sphere, std::span<const Place> places) 
     }
     radii_.push_back(place.radius);
   }
-  std::sort(radii_.begin(), radii_.end());
-  radii_.erase(std::unique(radii_.begin(), radii_.end()), radii_.end());
+  std::ranges::sort(radii_);
+  const auto repeated = std::ranges::unique(radii_);
+  radii_.erase(repeated.begin(), repeated.end());
   for (const Place& place : places) {
-    boundary_.push_back(
-        static_cast<std::size_t>(std::lower_bound(radii_.begin(), radii_.end(), place.radius) - radii_.begin()));
+    boundary_.push_back(static_cast<std::size_t>(std::ranges::lower_bound(radii_, place.radius) - radii_.begin()));
   }
   for (std::size_t piece = 0; piece + 1 < radii_.size(); ++piece) {
-    layer_.push_back(
-        static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), radii_[piece]) - ends.begin() - 1));
+    layer_.push_back(static_cast<std::size_t>(std::ranges::upper_bound(ends, radii_[piece]) - ends.begin() - 1));
   }
 }
 

@@ -121,6 +121,7 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, double radius, const Arra
   const auto weights = patch_weights(formulation, window);
   const Eigen::MatrixXcd to_m = phi_waves(window.window().phi, window.grid().phi_spacing, m);
   std::vector<ThetaWaves> to_n;
+  to_n.reserve(weights.size());
   for (std::size_t shape = 0; shape < weights.size(); ++shape) {
     to_n.push_back(theta_waves(window.window().theta, window.grid().theta_spacing, n, static_cast<int>(shape)));
   }

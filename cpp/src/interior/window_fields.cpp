@@ -42,7 +42,7 @@ struct WeightedOrders {
     for (const OrderBand& band : bands) {
       for (Index i = 0; i < band.orders.size(); ++i) all.emplace_back(band.orders[i], band.weights[i]);
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     orders.resize(static_cast<Index>(all.size()));
     weights.resize(orders.size());
     for (Index i = 0; i < orders.size(); ++i) {
@@ -51,7 +51,7 @@ struct WeightedOrders {
   }
 
   [[nodiscard]] Index count_up_to(double highest) const {
-    return std::upper_bound(orders.begin(), orders.end(), highest) - orders.begin();
+    return std::ranges::upper_bound(orders, highest) - orders.begin();
   }
 };
 
@@ -65,12 +65,12 @@ struct Angles {
     std::vector<double> unique;
     constexpr double kSame = 1e-12;  // mesh nodes are found by sums
     for (const double angle : angles) unique.push_back(std::abs(angle));
-    std::sort(unique.begin(), unique.end());
-    unique.erase(std::unique(unique.begin(), unique.end(), [](double a, double b) { return b - a < kSame; }),
-                 unique.end());
+    std::ranges::sort(unique);
+    const auto repeated = std::ranges::unique(unique, [](double a, double b) { return b - a < kSame; });
+    unique.erase(repeated.begin(), repeated.end());
     magnitudes = Eigen::Map<const ArrayXd>(unique.data(), static_cast<Index>(unique.size()));
     for (const double angle : angles) {
-      number.push_back(std::upper_bound(unique.begin(), unique.end(), std::abs(angle) + kSame) - unique.begin() - 1);
+      number.push_back(std::ranges::upper_bound(unique, std::abs(angle) + kSame) - unique.begin() - 1);
       is_negative.push_back(angle < 0.0);
     }
   }
@@ -280,7 +280,7 @@ class WindowSum {
 
   void add_centrifugal(double* values) const {
     const auto& layers = coating_.sphere().layers;
-    if (std::all_of(layers.begin(), layers.end(), [](const Layer& layer) { return layer.density == 0.0; })) return;
+    if (std::ranges::all_of(layers, [](const Layer& layer) { return layer.density == 0.0; })) return;
     const HarmonicCoating rest = coating_at_rest(coating_.sphere(), coating_.angular_speed(), coating_.curvature());
     const auto media = rest.media(0);
     const auto states = centrifugal_states(cuts_.pieces(media));

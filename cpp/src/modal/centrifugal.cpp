@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 #include "viscoroll/modal.hpp"
@@ -81,13 +82,13 @@ std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::comp
 
   std::vector<State> states;
   double stress = 0.0;
-  for (auto step = taken.rbegin(); step != taken.rend(); ++step) {
-    if (step->ends_layer) states.emplace_back(step->compliance * stress + step->offset, stress * stress_unit);
-    stress = (stress - step->load) / step->stress;
+  for (const auto& step : std::views::reverse(taken)) {
+    if (step.ends_layer) states.emplace_back(step.compliance * stress + step.offset, stress * stress_unit);
+    stress = (stress - step.load) / step.stress;
   }
   const bool free = media.front().within == InnerBoundary::hollow;
   states.emplace_back(free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
-  std::reverse(states.begin(), states.end());
+  std::ranges::reverse(states);
   return states;
 }
 

@@ -267,7 +267,7 @@ void OrderPanels::find_ranges() {
   const auto lowest = std::ranges::lower_bound(ascending, kLowestOrder, {}, [&](std::size_t i) { return m[i]; });
   for (std::span<const std::size_t> left(lowest, ascending.end()); !left.empty();) {
     SmoothRun run = first_smooth_run(coating_, left);
-    if (static_cast<int>(run.count) > run.nodes) {
+    if (std::cmp_greater(run.count, run.nodes)) {
       left = left.subspan(run.count);
       ranges_.push_back({.run = std::move(run), .cells = {}});
     } else {

@@ -70,7 +70,7 @@ class LoadCaseSolver {
     require_few_nodes(half_phi, half_theta);
     const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
     const ContactProblem problem = make_problem(nodes);
-    if (problem.friction) require_bearable(problem, estimated_depth(estimate));
+    if (problem.friction && !holds_pressed_contact(problem, estimated_depth(estimate))) return std::nullopt;
     LocatedContact located = solve_contact(problem, swelling_ * estimated_depth(estimate));
     for (;;) {
       const bool boxed = located.window() != nodes.window();
@@ -239,13 +239,16 @@ class LoadCaseSolver {
            text(torque) + " N m");
   }
 
-  /// Refuse a load that presses the sphere to the core even without friction, before stick and slip are sought.
-  void require_bearable(ContactProblem problem, double likely_depth) const {
+  /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press the sphere
+  /// to the core are refused.
+  [[nodiscard]] bool holds_pressed_contact(ContactProblem problem, double likely_depth) const {
     constexpr Eigen::Index kRoughNodes = 1024;
     problem.friction.reset();
     while (problem.initial_gap.size() > kRoughNodes) problem = coarsened(problem);
     const LocatedContact pressed = solve_multilevel(problem, likely_depth, limits_);
-    if (!touches_edge(pressed)) require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
+    if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
+    require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
+    return true;
   }
 
   void require_few_nodes(int half_phi, int half_theta) const {

@@ -26,8 +26,7 @@ _LONGEST = 16.0  # e-folds of the highest degree through an element
 
 def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return P_l(cosine) for l = 0 … degrees - 1, a row for each."""
-    values: NDArray[np.float64] = legendre.legvander(cosine, degrees - 1).T
-    return values
+    return np.asarray(legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
 
 
 def _lobatto(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -126,8 +125,7 @@ class Conduction:
             first = np.zeros((self.degrees, 1))
             first[0] = core_rise
             rises = np.concatenate([first, rises], axis=1)
-        at_points: NDArray[np.float64] = rises[:, self._scatter()]
-        return at_points
+        return np.asarray(rises[:, self._scatter()], dtype=np.float64)
 
     def volume_weights(self) -> NDArray[np.float64]:
         """Return r² dr at every point [m³]."""
