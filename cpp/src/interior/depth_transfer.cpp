@@ -53,8 +53,7 @@ DepthSeries::DepthSeries(std::vector<Medium<cplx>> pieces, std::vector<std::size
     lowest = kLowOrders;
   }
   append(lowest, highest);
-  is_real_ = std::all_of(panels_.begin(), panels_.end(),
-                         [](const Panel<cplx>& panel) { return panel.series.imag().isZero(0.0); });
+  is_real_ = std::ranges::all_of(panels_, [](const Panel<cplx>& panel) { return panel.series.imag().isZero(0.0); });
 }
 
 void DepthSeries::append(double low, double high) {

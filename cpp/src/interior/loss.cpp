@@ -81,6 +81,7 @@ struct OrderLoads {
 /// Those of all places, and the surface, for the power put in.
 std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places) {
   std::vector<std::size_t> boundaries;
+  boundaries.reserve(places + 1);
   for (std::size_t place = 0; place < places; ++place) boundaries.push_back(cuts.boundary(place));
   boundaries.push_back(cuts.boundaries() - 1);
   return boundaries;
@@ -170,7 +171,7 @@ class LossSum {
 
   /// Sum of both kinds over n of either sign, by a transform.
   void to_theta(const std::array<ComponentRows, 2>& fields, std::size_t component, ComplexBuffer& line) const {
-    std::fill(line.begin(), line.end(), 0.0);
+    std::ranges::fill(line, 0.0);
     const auto row = static_cast<Index>(component);
     const double mirrored = is_odd_in_theta(component) ? -1.0 : 1.0;
     for (std::size_t kind = 0; kind < fields.size(); ++kind) {

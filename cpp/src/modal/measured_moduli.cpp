@@ -1,6 +1,7 @@
 #include "modal/measured_moduli.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace viscoroll::detail {
 namespace {
@@ -32,7 +33,7 @@ std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicCoating& co
   Eigen::ArrayXd product = Eigen::ArrayXd::Ones(count);  // of distances to the nodes, twice each
   while (!(rest.abs() <= limit).all()) {
     Eigen::Index node = 0;
-    if (static_cast<int>(moduli.nodes_.size()) == most_terms || product.abs().maxCoeff(&node) == 0.0) return {};
+    if (std::cmp_equal(moduli.nodes_.size(), most_terms) || product.abs().maxCoeff(&node) == 0.0) return {};
     moduli.nodes_.push_back(points[node]);
     moduli.coefficients_.emplace_back(rest.row(node).transpose() / product[node]);
     rest -= (product.matrix().cast<std::complex<double>>() * moduli.coefficients_.back().matrix().transpose()).array();

@@ -176,9 +176,8 @@ class StickSlipSolver {
       slips_.data()[node] = true;
       ++joined_.data()[node];
     }
-    const auto middle = static_cast<std::ptrdiff_t>(nodes_.size());
     nodes_.insert(nodes_.end(), added.begin(), added.end());
-    std::ranges::inplace_merge(nodes_, nodes_.begin() + middle);
+    std::ranges::sort(nodes_);
     return !added.empty();
   }
 
