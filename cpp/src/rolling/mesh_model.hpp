@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
@@ -73,7 +73,7 @@ class MeshModel {
            const Execution& execution) const;
   [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
 
-  OrderSum orders_;
+  CoatingSum orders_;
   std::unique_ptr<const SphereTables> sphere_tables_;
   double centrifugal_;
   double collocation_;
