@@ -1,13 +1,14 @@
 #include <pybind11/complex.h>
 #include <pybind11/native_enum.h>
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <memory>
 #include <stdexcept>
 
 #include "bindings.hpp"
-#include "viscoroll/influence.hpp"
 #include "viscoroll/materials.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace {
@@ -17,7 +18,7 @@ using cplx = std::complex<double>;
 
 /// A Python callable as a modulus. The library copies it on threads that do not hold the GIL, so that it is held by a
 /// pointer whose last owner takes the GIL.
-CustomModulus custom_modulus(const py::function& function) {
+CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<double>)>& function) {
   const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* held) {
     const py::gil_scoped_acquire gil;
     delete held;

@@ -16,8 +16,9 @@ from ._core import Compliance, Curvature
 from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
-from .result import SCALARS, SUFFIXES
+from .result import SUFFIXES
 from .rolling import solve as solve_rolling
+from .scalars import SCALARS
 
 with extra("cli"):
     import typer
@@ -317,7 +318,7 @@ def _result_table(result: Result) -> Table:
         value = getattr(result, name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
     table.add_row("mesh", str(result.mesh))
-    table.add_row("status", result.status.name, f"after {result.iterations} iterations")
+    table.add_row("status", result.status.name, "")
     return table
 
 

@@ -15,6 +15,7 @@ from ._extras import extra
 from .drive import Drive
 from .geometry import CoatedSphere
 from .mesh import Mesh
+from .scalars import SCALARS, ScalarFields, with_scalars
 
 if TYPE_CHECKING:
     import xarray
@@ -62,31 +63,6 @@ class Refinement:
         return cls(**values | {"mesh": Mesh._from_core(step.mesh)})
 
 
-#: Scalar results: name, unit, what it is.
-SCALARS = {
-    "rolling_resistance_coefficient": ("1", "rolling resistance coefficient, power lost / (P V)"),
-    "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
-    "driving_torque": ("N m", "driving torque T"),
-    "driving_force": ("N", "driving force Q"),
-    "lateral_force": ("N", "lateral force on the ball"),
-    "penetration": ("m", "penetration r_o - H"),
-    "strain": ("1", "strain, penetration per thickness of the coating"),
-    "model_error": ("1", "what linear theory leaves open, by that strain"),
-    "center_height": ("m", "height of the center H"),
-    "max_pressure": ("Pa", "largest contact pressure"),
-    "contact_area": ("m^2", "contact area"),
-    "semi_axis_x": ("m", "contact semi-axis along x"),
-    "semi_axis_z": ("m", "contact semi-axis along z"),
-    "linear_speed": ("m/s", "speed of the center V_s"),
-    "creepage": ("1", "creepage V_s / (Ω r_o) - 1"),
-    "bulk_power": ("W", "power lost in the coating"),
-    "slip_power": ("W", "power lost by slip"),
-    "dissipated_power": ("W", "power lost in all"),
-    "power_balance_error": ("1", "relative power-balance error"),
-    "error_estimate": ("1", "relative error estimate"),
-    "centrifugal_displacement": ("m", "centrifugal displacement"),
-}
-
 #: Fields on the mesh: name, unit, what it is.
 FIELDS = {
     "x": ("m", "forward coordinate of the undeformed node"),
@@ -106,8 +82,9 @@ VECTOR_FIELDS = {
 }
 
 
+@with_scalars
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
-class Result:
+class Result(ScalarFields):
     """Solution of one load case on the candidate window.
 
     Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
@@ -119,62 +96,9 @@ class Result:
         The input; load in [N], angular_speed in [rad/s].
     status : Status
         How the solve ended.
-    iterations : int
-        Linear systems solved on the last mesh.
-    products : int
-        Products with the influence tables that solved them.
-    residual : float
-        Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
-        norm of all violations, as forces, relative to the load.
-    rolling_resistance_coefficient : float
-        Power lost per load and way, dissipated_power / (P |V|), whatever drives the ball [-]. V is the speed of the
-        center, or Ω r_o where that is undetermined; infinite where the center stands still.
-    resisting_torque : float
-        T_r = Σ x p, the offset of the normal resultant times the load [N m]. It is what turns the ball where nothing
-        pulls it, and no friction or no force on the center acts.
-    penetration : float
-        r_o - H [m].
-    strain : float
-        Penetration per thickness of the coating [-]: the model's error grows with it.
-    model_error : float
-        What linear theory does not know, relative [-]: 0.75 times the strain. With the radial compliance it covers the
-        torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the
-        viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
-    center_height : float
-        H, center of the ball above the plane [m].
-    max_pressure : float
-        [Pa].
-    contact_area : float
-        [m²].
-    semi_axis_x, semi_axis_z : float
-        Semi-axes of the ellipse with the contact's second moments [m].
-    driving_torque : float
-        T, moment of the contact forces about the center [N m]: what turns the ball, and does the work of the model.
-        With the radial compliance Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one
-        Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
-    driving_force : float
-        Q = -Σ t_x, the force on the center [N].
-    lateral_force : float
-        Σ t_z, of the plane on the ball [N].
-    linear_speed : float or None
-        V_s, speed of the center [m/s]; None without friction, where it is undetermined, unless given.
-    creepage : float or None
-        V_s / (Ω r_o) - 1 [-].
-    bulk_power : float
-        Power lost in the coating [W], from the spectrum alone: not from the torque.
-    slip_power : float
-        Power lost by slip on the plane [W].
-    dissipated_power : float
-        bulk_power + slip_power [W].
-    power_balance_error : float
-        |T Ω + Q V_s - dissipated_power| relative to the larger [-].
-    centrifugal_displacement : float
-        d_R^(c) [m].
+    %(scalars)s
     mesh : Mesh
         The mesh of this solution.
-    error_estimate : float
-        Relative error estimate [-]: the power-balance error on a given mesh, else the largest of it and the changes,
-        from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
     refinements : tuple of Refinement
         The meshes tried, coarse to fine.
     warnings : dict of WarningKind to str
@@ -205,31 +129,7 @@ class Result:
     curvature: Curvature
     patch_load: PatchLoad
     status: Status
-    iterations: int
-    products: int
-    residual: float
-    resisting_torque: float
-    rolling_resistance_coefficient: float
-    penetration: float
-    strain: float
-    model_error: float
-    center_height: float
-    max_pressure: float
-    contact_area: float
-    semi_axis_x: float
-    semi_axis_z: float
-    driving_torque: float
-    driving_force: float
-    lateral_force: float
-    linear_speed: float | None
-    creepage: float | None
-    bulk_power: float
-    slip_power: float
-    dissipated_power: float
-    power_balance_error: float
-    centrifugal_displacement: float
     mesh: Mesh
-    error_estimate: float
     refinements: tuple[Refinement, ...]
     warnings: dict[WarningKind, str]
     x: NDArray[np.float64]
@@ -309,9 +209,6 @@ class Result:
             "angular_speed": self.angular_speed,
             "friction": self.friction,
             "status": self.status.name,
-            "iterations": self.iterations,
-            "products": self.products,
-            "residual": self.residual,
             "contact_nodes": int(self.contact.sum()),
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
             "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,

@@ -10,6 +10,7 @@
 #include "influence/coating_sum.hpp"
 #include "influence/patch.hpp"
 #include "surface/table_operator.hpp"
+#include "viscoroll/influence.hpp"
 
 namespace viscoroll::detail {
 namespace {

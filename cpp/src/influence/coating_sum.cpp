@@ -29,18 +29,18 @@ const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
 }  // namespace
 
 CoatingSum::CoatingSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
-                       Curvature curvature)
+                       Curvature curvature, double inertia_tolerance)
     : CoatingSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
-                 theta_bands(sphere, angular_speed, mesh), threads, watch, curvature) {}
+                 theta_bands(sphere, angular_speed, mesh), threads, watch, curvature, {}, inertia_tolerance) {}
 
 CoatingSum::CoatingSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                        std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands, int threads, Watch& watch,
-                       Curvature curvature, const LocalMetric& metric)
+                       Curvature curvature, const LocalMetric& metric, double inertia_tolerance)
     :  // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
       coating_(sphere, angular_speed * metric.sine, scaled(all_orders(phi_bands), 1.0 / metric.sine),
                measured_order(mesh) / metric.sine, curvature),
       sum_(mesh, coating_.outer_radius(), std::move(phi_bands), theta_bands,
-           make_spectrum(coating_, highest(theta_bands), threads, watch), metric) {}
+           make_spectrum(coating_, highest(theta_bands), threads, watch, inertia_tolerance), metric) {}
 
 CoatingSum::CoatingSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
                        int threads, Watch& watch)

@@ -12,8 +12,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/plane.hpp"
+#include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 

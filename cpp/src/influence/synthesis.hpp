@@ -14,7 +14,8 @@
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
 #include "parallel.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 

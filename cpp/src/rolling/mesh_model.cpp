@@ -55,9 +55,9 @@ double stable_collocation(const CoatedSphere& sphere, double angular_speed, cons
 }  // namespace
 
 MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     int threads, Watch& watch)
+                     int threads, Watch& watch, double inertia_tolerance)
     : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
-              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature),
+              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature, inertia_tolerance),
       centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
       collocation_(stable_collocation(coating().sphere(), angular_speed, mesh, coating().curvature())) {
   if (curvature == Curvature::exact) {

@@ -12,7 +12,7 @@
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
 
 namespace viscoroll::detail {
 
@@ -31,9 +31,10 @@ class MeshModel {
   /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
+  /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
   MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
-            Watch& watch);
+            Watch& watch, double inertia_tolerance = kInertiaTolerance);
 
   [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
   [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "parallel.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 

@@ -4,7 +4,10 @@
 
 #include "contact/contact_solution.hpp"
 #include "surface/surface_window.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 

@@ -13,7 +13,8 @@ import numpy as np
 
 from .._core import __commit__, __version__
 from .._extras import extra
-from ..result import FIELDS, SCALARS, VECTOR_FIELDS
+from ..result import FIELDS, VECTOR_FIELDS
+from ..scalars import SCALARS
 from .dimensions import LOAD_CASE, UNITS, label
 from .plan import LoadCase, Plan
 from .run import Outcome
@@ -26,9 +27,6 @@ __all__ = ["RESERVED", "build_dataset"]
 
 #: What a dataset holds besides `SCALARS` for each point: name, unit, what it is.
 _COUNTS = {
-    "iterations": ("1", "linear systems solved on the last mesh"),
-    "products": ("1", "products with influence tables that solved them"),
-    "residual": ("1", "largest violation of the contact conditions"),
     "contact_nodes": ("1", "nodes in contact"),
     "nodes_per_revolution": ("1", "nodes per revolution along phi"),
     "theta_nodes_per_revolution": ("1", "nodes per revolution along theta"),
