@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viscoroll/cores.hpp"      // IWYU pragma: export
+#include "viscoroll/cylinder.hpp"   // IWYU pragma: export
 #include "viscoroll/errors.hpp"     // IWYU pragma: export
 #include "viscoroll/influence.hpp"  // IWYU pragma: export
 #include "viscoroll/materials.hpp"  // IWYU pragma: export
