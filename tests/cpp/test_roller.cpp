@@ -7,9 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "cases.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/cylinder_compliance.hpp"
 #include "viscoroll/cylinder.hpp"
+#include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -156,6 +158,24 @@ TEST(CylinderCompliance, SwellsByItsWeightInTurning) {
   const std::array media{
       Medium<cplx>{.inner_radius = ri, .outer_radius = 1.0, .mu = mu, .b = ratio_of(nu), .inertia = inertia}};
   EXPECT_NEAR(cylinder_centrifugal_displacement(media) / (amplitude.sum() - f), 1.0, 1e-5);
+}
+
+/// Standard linear solid of 6 and 3 MPa and 0.125 s, incompressible, 10 mm on a core of 50 mm.
+CoatedCylinder rubber_roller() {
+  return {.core_radius = 50e-3,
+          .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5}}};
+}
+
+TEST(Roller, RollsAsComputedIndependently) {
+  // Moments per length by an independent code in NumPy, with 0.3 % of its own (docs/theory.md, section 9).
+  const std::array<std::array<double, 2>, 3> known{{{0.1, 2.806}, {1.0, 2.456}, {10.0, 0.2888}}};
+  for (const auto& [speed, moment] : known) {
+    const Result result = solve(rubber_roller(), {.load = 5e3, .angular_speed = speed}, {.accuracy = 1e-3});
+    EXPECT_EQ(result.status, Status::converged);
+    EXPECT_NEAR(result.resisting_torque / moment, 1.0, 0.003);
+    EXPECT_LT(result.power_balance_error, 1e-3);
+    EXPECT_EQ(result.theta_nodes, 1);
+  }
 }
 
 }  // namespace

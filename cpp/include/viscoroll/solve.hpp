@@ -12,11 +12,15 @@
 #include <variant>
 #include <vector>
 
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/influence.hpp"
 #include "viscoroll/observer.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll {
+
+/// @brief What rolls: a sphere, or a roller in line contact, whose loads, forces, torques and powers are per length.
+using RollingBody = std::variant<CoatedSphere, CoatedCylinder>;
 
 /// @brief A given horizontal force Q on the center, forward: 0 for a sphere that a torque alone drives.
 struct DriveForce {
@@ -171,7 +175,7 @@ struct Result {
 
 /// @brief Solve steady rolling of a coated sphere on a rigid plane: paper sections 11 to 13 with the solvers of
 /// theory.md sections 5 and 6.
-/// @param[in] sphere rigid core and layers
+/// @param[in] body rigid core and layers
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options how to solve
 /// @return the solution, with its status
@@ -179,20 +183,20 @@ struct Result {
 /// speeds at or above `critical_speed`, and drives with which the sphere slides without end
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped the solve
-[[nodiscard]] Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options = {});
+[[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
-/// @brief A coated sphere at one speed on one mesh, for many load cases: its spectrum and its influence tables are
+/// @brief A sphere or roller at one speed on one mesh, for many load cases: its spectrum and its influence tables are
 /// computed once. Threads may solve on it at the same time.
 class RollingModel {
  public:
-  /// @param[in] sphere rigid core and layers
+  /// @param[in] body rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
-  RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads = 0,
+  RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;

@@ -107,11 +107,6 @@ void require_subcritical(const std::vector<Medium<double>>& media, double angula
          text(angular_speed) + " rad/s");
 }
 
-/// Layers about an axis as if about a center: what counts here is the same.
-CoatedSphere layers_of(const CoatedCylinder& cylinder) {
-  return {.core_radius = cylinder.core_radius, .layers = cylinder.layers};
-}
-
 }  // namespace
 
 double rayleigh_ratio(double shear_ratio) {
@@ -134,7 +129,8 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
 }
 
 void require_subcritical(const CoatedCylinder& cylinder, double angular_speed, double highest_frequency) {
-  require_subcritical(short_time_media(layers_of(cylinder), highest_frequency), angular_speed, are_stiff_on_cylinder);
+  require_subcritical(short_time_media(layers_about_center(cylinder), highest_frequency), angular_speed,
+                      are_stiff_on_cylinder);
 }
 
 namespace {
@@ -180,7 +176,8 @@ void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std:
 
 void require_damped_waves(const CoatedCylinder& cylinder, double angular_speed, std::span<const double> orders,
                           const std::vector<std::vector<std::complex<double>>>& moduli) {
-  require_damped_waves(layers_of(cylinder), angular_speed, orders, moduli, Curvature::sphere, are_stiff_on_cylinder);
+  require_damped_waves(layers_about_center(cylinder), angular_speed, orders, moduli, Curvature::sphere,
+                       are_stiff_on_cylinder);
 }
 
 }  // namespace detail
@@ -193,7 +190,7 @@ double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curv
 
 double critical_speed(const CoatedCylinder& cylinder, double highest_frequency) {
   validate(cylinder);
-  return detail::critical_speed(detail::short_time_media(detail::layers_of(cylinder), highest_frequency),
+  return detail::critical_speed(detail::short_time_media(detail::layers_about_center(cylinder), highest_frequency),
                                 detail::are_stiff_on_cylinder);
 }
 

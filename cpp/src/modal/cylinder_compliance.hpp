@@ -31,6 +31,11 @@ template <class Scalar>
 /// @brief Whether an order's static stiffness stays positive through all layers.
 [[nodiscard]] bool is_subcritical(std::span<const Medium<double>> media, double m);
 
+/// @return the same layers about a center: what does not depend on the shape is the sphere's
+[[nodiscard]] inline CoatedSphere layers_about_center(const CoatedCylinder& cylinder) {
+  return {.core_radius = cylinder.core_radius, .layers = cylinder.layers};
+}
+
 /// @brief The layers of a cylinder at one order.
 /// @param[in] cylinder rigid core and layers, at least one
 /// @param[in] moduli complex shear moduli, [layer] [Pa]

@@ -8,7 +8,11 @@
 #include <numbers>
 #include <string>
 
+#include "influence/line_sum.hpp"
+#include "influence/synthesis.hpp"
 #include "modal/centrifugal.hpp"
+#include "modal/cylinder_compliance.hpp"
+#include "rolling/rolling_body.hpp"
 #include "validate.hpp"
 #include "viscoroll/modal.hpp"
 
@@ -44,25 +48,85 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
 /// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
 /// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
 /// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
-double stable_collocation(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature) {
-  const std::array m{mesh.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 compliance = surface_compliance(sphere, angular_speed, m, n, curvature).front();
-  const double phase = std::max(-std::arg(compliance[0]), -std::arg(compliance[4]));
+/// @param[in] normal,along compliance of that order
+double stable_collocation(std::complex<double> normal, std::complex<double> along) {
+  const double phase = std::max(-std::arg(normal), -std::arg(along));
   return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+}
+
+/// A row of nodes has no spacing sideways: its nodes bear forces per length.
+void require_line_mesh(const Mesh& mesh) {
+  if (mesh.theta_nodes_per_revolution) {
+    reject("mesh.theta_nodes_per_revolution", "left out with a cylinder, whose contact is a single row of nodes",
+           std::to_string(*mesh.theta_nodes_per_revolution));
+  }
+}
+
+void require_curvature_of_cylinder(Curvature curvature) {
+  if (curvature == Curvature::sphere) return;
+  reject("curvature", "left out with a cylinder, whose equations keep all of it",
+         curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     int threads, Watch& watch)
-    : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
-              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature),
-      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
-      collocation_(stable_collocation(coating().sphere(), angular_speed, mesh, coating().curvature())) {
-  if (curvature == Curvature::exact) {
-    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
+MeshModel::MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+                     Watch& watch)
+    : body_(body), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
+  if (const auto* sphere = std::get_if<CoatedSphere>(&body)) {
+    roll_sphere(*sphere, threads, watch);
+  } else {
+    roll_cylinder(std::get<CoatedCylinder>(body), threads, watch);
   }
+}
+
+void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch) {
+  const bool exact = curvature_ == Curvature::exact;
+  const Curvature curvature = exact ? Curvature::sphere : curvature_;
+  const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
+  auto orders = std::make_unique<const OrderSum>(rolling, angular_speed_, mesh_, threads, watch, curvature);
+  const HarmonicCoating& coating = orders->coating();
+  const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
+  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
+    stiffest_modulus_ =
+        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
+  }
+  orders_ = std::move(orders);
+  body_ = rolling;
+  centrifugal_ = centrifugal_displacement(coating_at_rest(rolling, angular_speed_, curvature));
+  const std::array m{mesh_.nodes_per_revolution / 2};
+  const std::array n{0};
+  const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
+  collocation_ = stable_collocation(alternating[0], alternating[4]);
+  if (exact) sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
+}
+
+void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
+  require_line_mesh(mesh_);
+  require_curvature_of_cylinder(curvature_);
+  std::vector<OrderBand> bands = phi_bands(layers_about_center(cylinder), angular_speed_, mesh_);
+  const std::vector<double> orders = all_orders(bands);
+  const double limit = measured_order(mesh_);
+  LineSpectrum spectrum = cylinder_spectrum(cylinder, angular_speed_, orders, limit, threads, watch);
+  const std::vector<double> few{0.0, 0.5 * mesh_.nodes_per_revolution, *std::ranges::max_element(orders)};
+  const auto alternating = cylinder_spectrum(cylinder, angular_speed_, few, limit, threads, watch)[1];
+  collocation_ = stable_collocation(alternating.normal, alternating.along);
+  std::vector<std::complex<double>> at_rest;
+  for (const auto& moduli : harmonic_moduli(cylinder.layers, angular_speed_, few, limit)) {
+    at_rest.push_back(moduli.front());
+    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(moduli.back()));
+  }
+  centrifugal_ = cylinder_centrifugal_displacement(cylinder_media(cylinder, at_rest, angular_speed_));
+  orders_ = std::make_unique<const LineSum>(std::move(bands), std::move(spectrum), viscoroll::outer_radius(cylinder),
+                                            phi_spacing(mesh_));
+}
+
+SurfaceGrid MeshModel::grid() const {
+  const double radius = outer_radius(body_);
+  // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
+  return {.radius = radius,
+          .phi_spacing = phi_spacing(mesh_),
+          .theta_spacing = is_roller(body_) ? 1.0 / radius : theta_spacing(mesh_)};
 }
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
@@ -89,7 +153,7 @@ void MeshModel::add(const Formulation& formulation, std::span<const TableKind> k
     const auto wanted = requests(formulation, kind);
     all.insert(all.end(), wanted.begin(), wanted.end());
   }
-  std::vector<Table> tables = orders_.tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
+  std::vector<Table> tables = orders_->tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
   auto next = std::make_move_iterator(tables.begin());
   for (const TableKind kind : kinds) {
     const auto end = next + static_cast<std::ptrdiff_t>(requests(formulation, kind).size());

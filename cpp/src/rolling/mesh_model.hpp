@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "influence/synthesis.hpp"
+#include "influence/table_sum.hpp"
 #include "parallel.hpp"
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
 
@@ -22,29 +22,29 @@ enum class TableKind {
   dissipation,   ///< those of `dissipation_tables`
 };
 
-/// @brief A coating at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
+/// @brief A coated body at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
 class MeshModel {
  public:
-  /// @param[in] sphere rigid core and layers
+  /// @param[in] body rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @throws std::invalid_argument for bad input and critical speeds
-  MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+  MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
             Watch& watch);
 
-  [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
-  [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }
-  [[nodiscard]] SurfaceGrid grid() const {
-    return {
-        .radius = coating().outer_radius(), .phi_spacing = phi_spacing(mesh()), .theta_spacing = theta_spacing(mesh())};
-  }
+  [[nodiscard]] const RollingBody& body() const { return body_; }
+  [[nodiscard]] double angular_speed() const { return angular_speed_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] SurfaceGrid grid() const;
+  /// @return the largest shear modulus of a layer at the highest harmonic [Pa]
+  [[nodiscard]] double stiffest_modulus() const { return stiffest_modulus_; }
   /// @return tables of the exact sphere, where that is what the model is of
   [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
   /// @return what was kept of the curvature
-  [[nodiscard]] Curvature curvature() const { return sphere_tables_ ? Curvature::exact : coating().curvature(); }
+  [[nodiscard]] Curvature curvature() const { return curvature_; }
   /// @return where displacements are taken, downstream of the nodes, see `SurfaceOperator::collocation` [spacings]
   [[nodiscard]] double collocation() const { return collocation_; }
   /// @return d_R^(c) [m]
@@ -73,10 +73,18 @@ class MeshModel {
            const Execution& execution) const;
   [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
 
-  OrderSum orders_;
+  void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch);
+  void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
+
+  RollingBody body_;
+  double angular_speed_;
+  Mesh mesh_;
+  Curvature curvature_;
+  std::unique_ptr<const TableSum> orders_;
   std::unique_ptr<const SphereTables> sphere_tables_;
-  double centrifugal_;
-  double collocation_;
+  double centrifugal_ = 0.0;
+  double collocation_ = 0.0;
+  double stiffest_modulus_ = 0.0;
   mutable std::timed_mutex mutex_;
   mutable std::vector<TableSet> sets_;  // the widest of each kind
 };

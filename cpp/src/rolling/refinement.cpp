@@ -13,6 +13,7 @@
 
 #include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -36,14 +37,14 @@ Mesh make_mesh(double nodes_per_revolution) {
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 /// Finest mesh whose tables can be kept: those of the exact sphere depend on both thetas.
-double most_nodes_per_revolution(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options,
+double most_nodes_per_revolution(const RollingBody& body, const LoadCase& load_case, const Options& options,
                                  double contact_radius) {
   if (options.curvature != Curvature::exact) return kMostNodesPerRevolution;
   const bool tangential = options.compliance == Compliance::vertical || load_case.friction > 0.0;
   const int count = SphereRequest{.tangential = tangential, .power = false}.count();
   const double nodes_across = std::cbrt(0.5 * kMostTableValues / count);
   constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
-  return std::numbers::pi * nodes_across / kMargin * outer_radius(sphere) / contact_radius;
+  return std::numbers::pi * nodes_across / kMargin * outer_radius(body) / contact_radius;
 }
 
 /// Whether the next mesh would ask for more than is at hand.
@@ -99,12 +100,12 @@ double largest_change(const std::vector<Answer>& now, const std::vector<Answer>&
 /// Meshes of twice the nodes each, until two of them agree.
 class Refiner {
  public:
-  Refiner(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch)
-      : sphere_(sphere), load_case_(load_case), options_(options), watch_(watch) {
-    const double radius = estimate_contact_radius(sphere, load_case.angular_speed, load_case.load);
-    most_nodes_ = most_nodes_per_revolution(sphere, load_case, options, radius);
+  Refiner(const RollingBody& body, const LoadCase& load_case, const Options& options, Watch& watch)
+      : body_(body), load_case_(load_case), options_(options), watch_(watch) {
+    const double radius = estimate_contact_radius(body, load_case.angular_speed, load_case.load);
+    most_nodes_ = most_nodes_per_revolution(body, load_case, options, radius);
     // The first mesh is to show the error of the second, which should do.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius;
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(body) / radius;
     mesh_ = make_mesh(std::min(nodes, most_nodes_));
   }
 
@@ -123,7 +124,7 @@ class Refiner {
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model(sphere_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_);
+      const MeshModel model(body_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_);
       note(solve_load_case(model, load_case_, options_, watch_));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
@@ -156,7 +157,7 @@ class Refiner {
     best_ = std::move(result);
   }
 
-  const CoatedSphere& sphere_;
+  const RollingBody& body_;
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
@@ -170,8 +171,8 @@ class Refiner {
 
 }  // namespace
 
-Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch) {
-  return Refiner(sphere, load_case, options, watch).solve();
+Result solve_to_accuracy(const RollingBody& body, const LoadCase& load_case, const Options& options, Watch& watch) {
+  return Refiner(body, load_case, options, watch).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -68,9 +68,11 @@ class Summary {
     r.strain = r.penetration / given_.coating_thickness;
     r.model_error = kErrorPerStrain * std::abs(r.strain);
     r.centrifugal_displacement = given_.centrifugal;
-    r.semi_axis_x = semi_axis(window_.x(), touching * area_);
-    r.semi_axis_z = semi_axis(window_.z(), touching * area_);
     r.contact_area = (touching * area_).sum();
+    // A strip is as wide as its area per length.
+    const bool line = window_.window().is_line();
+    r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
+    r.semi_axis_z = line ? 0.0 : semi_axis(window_.z(), touching * area_);
   }
 
   void add_forces(Result& r) const {

@@ -13,6 +13,7 @@
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
+#include "rolling/rolling_body.hpp"
 #include "surface/sphere_operator.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
@@ -41,13 +42,16 @@ class LoadCaseSolver {
         swelling_(1.0 + model.centrifugal() / grid_.radius) {}
 
   [[nodiscard]] Result solve() const {
-    if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
-    const double estimate =
-        estimate_contact_radius(model_.coating().sphere(), load_case_.angular_speed, load_case_.load);
+    if (is_roller(model_.body()) && options_.patch_load != PatchLoad::flat) {
+      reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
+    }
+    if (load_case_.load > unbearable_load(model_.body(), model_.stiffest_modulus()))
+      reject_load("would be pressed through any such coating");
+    const double estimate = estimate_contact_radius(model_.body(), load_case_.angular_speed, load_case_.load);
     require_lasting_stiffness(estimate);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
-    const int theta_limit = theta_nodes_per_revolution(model_.mesh()) / 6;
+    const int theta_limit = is_roller(model_.body()) ? 0 : theta_nodes_per_revolution(model_.mesh()) / 6;
     const auto half_width = [&](double spacing) {
       return static_cast<int>(std::ceil(1.1 * estimate / (grid_.radius * spacing))) + 2;
     };
@@ -177,7 +181,7 @@ class LoadCaseSolver {
                         .compliance = options_.compliance,
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
-                        .coating_thickness = coating_thickness(model_.coating().sphere()),
+                        .coating_thickness = coating_thickness(model_.body()),
                         .centrifugal = model_.centrifugal(),
                         .height = displaced_points(nodes).height(),
                         .dissipation = dissipation});
@@ -215,7 +219,9 @@ class LoadCaseSolver {
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
-    reject("load", "small enough for the coating", text(load_case_.load) + " N (the sphere " + reason + ")");
+    reject("load", "small enough for the coating",
+           text(load_case_.load) + " " + std::string(load_unit(model_.body())) + " (the " +
+               std::string(name(model_.body())) + " " + reason + ")");
   }
 
   /// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
@@ -226,7 +232,7 @@ class LoadCaseSolver {
   };
 
   [[nodiscard]] Relaxation strongest_relaxation(double contact_radius) const {
-    const std::vector<Layer>& layers = model_.coating().sphere().layers;
+    const std::vector<Layer>& layers = detail::layers(model_.body());
     const std::array frequencies{0.0, load_case_.angular_speed * std::max(1.0, grid_.radius / contact_radius)};
     Relaxation strongest{.layer = 0, .modulus = 0.0, .share = 2.0};
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -249,7 +255,7 @@ class LoadCaseSolver {
   }
 
   void require_clear_of_core(double penetration) const {
-    const double thickness = coating_thickness(model_.coating().sphere());
+    const double thickness = coating_thickness(model_.body());
     if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
     if (penetration >= thickness) {
       reject_load("is pressed " + text(penetration) + " m into a coating of " + text(thickness) + " m");

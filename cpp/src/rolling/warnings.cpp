@@ -22,8 +22,9 @@ int nodes_across(const Result& result) {
     rows_touched[node / columns] = true;
     columns_touched[node % columns] = true;
   }
-  return static_cast<int>(std::min(std::count(rows_touched.begin(), rows_touched.end(), true),
-                                   std::count(columns_touched.begin(), columns_touched.end(), true)));
+  const auto along = std::count(rows_touched.begin(), rows_touched.end(), true);
+  if (columns == 1) return static_cast<int>(along);  // line contact
+  return static_cast<int>(std::min(along, std::count(columns_touched.begin(), columns_touched.end(), true)));
 }
 
 std::string coarse_mesh_text(int across, double estimate) {
