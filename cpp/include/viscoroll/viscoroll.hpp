@@ -9,5 +9,6 @@
 #include "viscoroll/materials.hpp"  // IWYU pragma: export
 #include "viscoroll/modal.hpp"      // IWYU pragma: export
 #include "viscoroll/observer.hpp"   // IWYU pragma: export
+#include "viscoroll/plane.hpp"      // IWYU pragma: export
 #include "viscoroll/solve.hpp"      // IWYU pragma: export
 #include "viscoroll/sphere.hpp"     // IWYU pragma: export

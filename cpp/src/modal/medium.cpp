@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "modal/compliance_recursion.hpp"
 #include "modal/critical_speed.hpp"
 #include "validate.hpp"
 
@@ -11,14 +13,15 @@ namespace viscoroll::detail {
 
 namespace {
 
+using cplx = std::complex<double>;
+
+}  // namespace
+
 bool is_measured(const ShearModulus& modulus) {
   return std::holds_alternative<MasterCurve>(modulus) || std::holds_alternative<CustomModulus>(modulus);
 }
 
-/// Orders that approach a limit smoothly: series over them stay smooth.
 double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
-
-}  // namespace
 
 std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers, double angular_speed,
                                                                const std::vector<double>& orders,
@@ -83,6 +86,18 @@ std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) 
   }
   media.front().within = sphere_.inner_boundary;
   return media;
+}
+
+void HarmonicCoating::compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const {
+  std::map<std::size_t, std::vector<Medium<cplx>>> layers;
+  std::vector<OrderInLayers<cplx>> in_layers;
+  in_layers.reserve(orders.size());
+  for (const auto& [i, n] : orders) {
+    const auto place = layers.try_emplace(i).first;
+    if (place->second.empty()) place->second = media(i);
+    in_layers.push_back({.media = place->second, .m = orders_[i], .n = n});
+  }
+  surface_compliances<cplx>(in_layers, compliances);
 }
 
 HarmonicCoating coating_at_rest(const CoatedSphere& sphere, double angular_speed, Curvature curvature) {

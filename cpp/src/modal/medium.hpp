@@ -4,8 +4,12 @@
 
 #include <complex>
 #include <limits>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "modal/layered_surface.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -66,8 +70,14 @@ template <class Scalar>
 /// @return the highest frequency at which measured materials are asked for theirs [rad/s]
 [[nodiscard]] double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order);
 
+/// @return whether a modulus was measured, and so may have kinks
+[[nodiscard]] bool is_measured(const ShearModulus& modulus);
+
+/// @return an order that approaches a limit smoothly: series over such orders stay smooth
+[[nodiscard]] double limited(double order, double limit);
+
 /// @brief The layers of a coating at a list of orders m, whose material sees the frequencies m Omega.
-class HarmonicCoating {
+class HarmonicCoating final : public LayeredSurface {
  public:
   /// @param[in] sphere rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
@@ -92,8 +102,12 @@ class HarmonicCoating {
   /// @return complex shear modulus of a layer at the i-th order [Pa]
   [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
 
-  /// @return the orders m
-  [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
+  [[nodiscard]] const std::vector<double>& orders() const override { return orders_; }
+  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders) const override {
+    return std::make_unique<HarmonicCoating>(at(std::move(orders)));
+  }
+  [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const override { return moduli_.back()[i]; }
+  void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const override;
 
   [[nodiscard]] const CoatedSphere& sphere() const { return sphere_; }
   [[nodiscard]] double outer_radius() const { return radii_.back(); }

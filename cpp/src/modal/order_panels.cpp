@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "modal/compliance_recursion.hpp"
-
 namespace viscoroll::detail {
 namespace {
 
@@ -16,7 +14,6 @@ using Cell = OrderPanels::Cell;
 using CellTerms = decltype(Cell::series);
 constexpr int kOrderNodes = OrderPanels::kOrderNodes;
 
-constexpr double kLowestOrder = 2.0;        // orders below are few
 constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
 constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
 
@@ -29,13 +26,11 @@ auto m_transform() { return chebyshev_transform<kOrderNodes>().transpose().cast<
 /// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
 class CellSamples {
  public:
-  CellSamples(const HarmonicCoating& coating, const Cell& cell)
+  CellSamples(const LayeredSurface& surface, const Cell& cell)
       : m_(panel_nodes<kOrderNodes>(cell.lowest_m, cell.highest_m)),
         ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
-        highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)) {
-    const HarmonicCoating at_nodes = coating.at({m_.begin(), m_.end()});
-    for (std::size_t i = 0; i < m_.size(); ++i) media_.push_back(at_nodes.media(i));
-  }
+        highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)),
+        surface_(surface.resampled({m_.begin(), m_.end()})) {}
 
   /// Whether the last terms along k are negligible at the outermost m.
   [[nodiscard]] bool is_resolved_along_k() {
@@ -104,22 +99,22 @@ class CellSamples {
 
   void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
     // Side by side are orders of like k.
-    std::vector<OrderInLayers<cplx>> orders;
+    std::vector<OrderAt> orders;
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
-        const double m = m_[static_cast<std::size_t>(i)];
-        const double n = m * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0);
-        orders.push_back({.media = media_[static_cast<std::size_t>(i)], .m = m, .n = n});
+        const auto place = static_cast<std::size_t>(i);
+        orders.push_back({.i = place, .n = m_[place] * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0)});
       }
     }
-    std::vector<Matrix3<cplx>> solved(orders.size());
-    surface_compliances<cplx>(orders, solved);
+    std::vector<Eigen::Matrix3cd> solved(orders.size());
+    surface_->compliances(orders, solved);
     auto order = orders.begin();
     auto compliance = solved.begin();
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
-        const Matrix3<cplx> y = *compliance++ * (order->m * order->media.back().mu);
-        const double n_ratio = order->n / order->m;
+        const double m = m_[order->i];
+        const Eigen::Matrix3cd y = *compliance++ * (m * surface_->outer_modulus(order->i));
+        const double n_ratio = order->n / m;
         ++order;
         const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1),           y(0, 2) / n_ratio,
                                                  y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
@@ -131,26 +126,26 @@ class CellSamples {
   std::array<double, kOrderNodes> m_;
   std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
   double highest_n_ratio_;
-  std::vector<std::vector<Medium<cplx>>> media_;  // at each m
+  std::unique_ptr<LayeredSurface> surface_;  // at each m
   CellTerms values_;
 };
 
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
-void append_cells(const HarmonicCoating& coating, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
+void append_cells(const LayeredSurface& surface, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
   worker.checkpoint();
   const bool is_wide_along_k = cell.highest_ratio / cell.lowest_ratio > kSmallestRatio;
   const bool is_wide_along_m = cell.highest_m / cell.lowest_m > kSmallestRatio;
   const auto halve_along_k = [&] {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
-    append_cells(coating, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
-    append_cells(coating, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
+    append_cells(surface, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
+    append_cells(surface, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
   };
   const auto halve_along_m = [&] {
     const double middle = std::sqrt(cell.lowest_m * cell.highest_m);
-    append_cells(coating, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
-    append_cells(coating, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
+    append_cells(surface, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
+    append_cells(surface, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
   };
-  CellSamples samples(coating, cell);
+  CellSamples samples(surface, cell);
   if (!samples.is_resolved_along_k() && is_wide_along_k) return halve_along_k();
   if (!samples.is_resolved_along_m() && is_wide_along_m) return halve_along_m();
   samples.complete();
@@ -172,11 +167,12 @@ Eigen::Matrix<double, 1, kOrderNodes> chebyshev_polynomials(const Cell& cell, do
 
 }  // namespace
 
-OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch)
-    : coating_(coating), one_by_one_(coating, highest_n) {
-  std::vector<double> orders = coating.orders();
+OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
+                         Watch& watch)
+    : surface_(std::move(surface)), one_by_one_(surface_, highest_n) {
+  std::vector<double> orders = surface_->orders();
   std::sort(orders.begin(), orders.end());
-  for (auto first = std::lower_bound(orders.begin(), orders.end(), kLowestOrder); first != orders.end();) {
+  for (auto first = std::lower_bound(orders.begin(), orders.end(), lowest_m); first != orders.end();) {
     const auto end = std::upper_bound(first, orders.end(), kLargestOrderRatio * *first);
     if (end - first > kOrderNodes) {
       ranges_.push_back({.lowest_m = *first, .highest_m = *(end - 1), .cells = {}});
@@ -204,7 +200,7 @@ OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int t
     }
   }
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_cells(coating_, parts[p].cell, worker, parts[p].cells);
+    append_cells(*surface_, parts[p].cell, worker, parts[p].cells);
   });
   for (Part& part : parts) {
     auto& cells = ranges_[part.range].cells;
@@ -218,12 +214,11 @@ const OrderPanels::Range* OrderPanels::range_of(double m) const {
 }
 
 void OrderPanels::series(std::size_t i, OrderSeries& series) const {
-  const double m = coating_.orders()[i];
+  const double m = surface_->orders()[i];
   const Range* range = range_of(m);
   if (!range) return one_by_one_.series(i, series);
 
-  const std::size_t outermost = coating_.sphere().layers.size() - 1;
-  const cplx unit = 1.0 / (m * coating_.modulus(outermost, i));
+  const cplx unit = 1.0 / (m * surface_->outer_modulus(i));
   std::size_t used = 0;
   for (const Cell& cell : range->cells) {
     const bool is_last = cell.highest_m == range->highest_m;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spectrum of any coating whose moduli are smooth: sampled in both directions of order.
+/// @brief Spectrum of any surface whose moduli are smooth: sampled in both directions of order.
 #pragma once
 
 #include <memory>
@@ -17,11 +17,13 @@ namespace viscoroll::detail {
 /// many orders m as there are in three octaves. Orders that lie less closely are solved one by one.
 class OrderPanels final : public Spectrum {
  public:
-  /// @param[in] coating layers at the orders m, with smooth moduli
+  /// @param[in] surface layers at the orders m, with smooth moduli
+  /// @param[in] lowest_m from which on series stand for orders
   /// @param[in] highest_n largest order n that is asked for
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  OrderPanels(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch);
+  OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
+              Watch& watch);
 
   void series(std::size_t i, OrderSeries& series) const override;
 
@@ -47,7 +49,7 @@ class OrderPanels final : public Spectrum {
 
   [[nodiscard]] const Range* range_of(double m) const;
 
-  HarmonicCoating coating_;
+  std::shared_ptr<const LayeredSurface> surface_;
   OrderByOrderSpectrum one_by_one_;
   std::vector<Range> ranges_;
 };

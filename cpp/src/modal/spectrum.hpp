@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "modal/chebyshev_panels.hpp"
+#include "modal/harmonic_plane.hpp"
 #include "modal/medium.hpp"
 #include "parallel.hpp"
 
@@ -79,6 +80,10 @@ class Spectrum {
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
 [[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads,
+                                                      Watch& watch);
+
+/// @brief The same of a plane, whose orders are not whole: none is 0.
+[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads,
                                                       Watch& watch);
 
 /// @brief Sums the series of one order m at a list of orders n. Several entries share the work on the coordinates.

@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "modal/flat_layers.hpp"
+#include "modal/harmonic_plane.hpp"
+#include "modal/order_by_order.hpp"
+#include "modal/spectrum.hpp"
+#include "viscoroll/modal.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+const cplx kRubber(3e6, 1e6);
+const cplx kStiff(2e7, 3e5);
+
+cplx ratio(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
+
+FlatMedium<cplx> medium(double thickness, cplx mu, double nu, double inertia = 0.0) {
+  return {.thickness = thickness, .mu = mu, .b = ratio(nu), .inertia = inertia};
+}
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+double difference(const FlatCompliance<cplx>& a, const FlatCompliance<cplx>& b) {
+  const double normal = std::abs(a.uu);
+  const double along = std::abs(a.kk);
+  return std::max({std::abs(a.uu - b.uu) / normal, std::abs(a.uk - b.uk) / std::sqrt(normal * along),
+                   std::abs(a.kk - b.kk) / along, std::abs(a.pp - b.pp) / std::abs(a.pp)});
+}
+
+/// K. L. Johnson, Contact Mechanics (1985), section 5.8, and the like for forces along the surface: a layer bonded to a
+/// rigid base, with x = exp(-2 k h). Independent of the recursion.
+FlatCompliance<cplx> bonded_layer(double h, cplx mu, double nu, double k) {
+  const double s = k * h;
+  const double x = std::exp(-2.0 * s);
+  const double kappa = 3.0 - 4.0 * nu;
+  const double n = kappa * (1.0 + x * x) + (1.0 + kappa * kappa + 4.0 * s * s) * x;
+  const cplx unit = 1.0 / (mu * k * n);
+  return {.uu = unit * (1.0 - nu) * (kappa * (1.0 - x * x) - 4.0 * s * x),
+          .uk = unit * (2.0 * s * s * x - (1.0 - 2.0 * nu) * kappa * (1.0 - x) * (1.0 - x) / 2.0),
+          .kk = unit * (1.0 - nu) * (kappa * (1.0 - x * x) + 4.0 * s * x),
+          .pp = std::tanh(s) / (mu * k)};
+}
+
+/// D. M. Burmister, Journal of Applied Physics 16 (1945) 89: the normal compliance of a layer on a half-space.
+cplx layer_on_half_space(double h, cplx mu_1, double nu_1, cplx mu_2, double nu_2, double k) {
+  const double s = k * h;
+  const double x = std::exp(-2.0 * s);
+  const double kappa_1 = 3.0 - 4.0 * nu_1;
+  const double kappa_2 = 3.0 - 4.0 * nu_2;
+  const cplx r = mu_2 / mu_1;
+  const cplx big_k = (1.0 - r) / (1.0 + r * kappa_1);
+  const cplx big_l = (kappa_2 - r * kappa_1) / (kappa_2 + r);
+  return (1.0 - nu_1) * (1.0 + 4.0 * big_k * s * x - big_l * big_k * x * x) /
+         (mu_1 * k * (1.0 - (big_l + big_k + 4.0 * big_k * s * s) * x + big_l * big_k * x * x));
+}
+
+TEST(FlatLayers, LayerOnARigidBase) {
+  for (const double nu : {-0.5, 0.0, 0.3, 0.5}) {
+    for (const double kh : {1e-3, 0.1, 0.7, 2.5, 9.0, 35.0, 60.0, 1e4}) {
+      const std::array layers{medium(1e-3, kRubber, nu)};
+      const double k = kh / 1e-3;
+      // At kh = 1e-3 the closed form of an incompressible layer is left with six digits fewer than it has.
+      const double tolerance = kh < 0.1 ? 1e-6 : 1e-11;
+      EXPECT_LT(difference(flat_compliance<cplx>(layers, k, 0.6), bonded_layer(1e-3, kRubber, nu, k)), tolerance)
+          << nu << ' ' << kh;
+    }
+  }
+}
+
+TEST(FlatLayers, ThinLayerOnARigidBase) {
+  const double h = 1e-3;
+  const double k = 1e-4 / h;
+  const std::array incompressible{medium(h, kRubber, 0.5)};
+  const cplx thin = k * k * h * h * h / (3.0 * kRubber);
+  EXPECT_LT(std::abs(flat_compliance<cplx>(incompressible, k, 1.0).uu / thin - 1.0), 1e-7);  // 1 + O((kh)^2)
+  const std::array compressible{medium(h, kRubber, 0.3)};
+  const cplx confined = 2.0 * kRubber * 0.7 / 0.4;
+  EXPECT_LT(std::abs(flat_compliance<cplx>(compressible, k, 1.0).uu * confined / h - 1.0), 1e-7);
+}
+
+TEST(FlatLayers, LayerOnAHalfSpace) {
+  for (const double kh : {1e-4, 0.01, 0.3, 1.0, 4.0, 15.0, 50.0}) {
+    const std::array layers{medium(kEndless, kStiff, 0.3), medium(2e-3, kRubber, 0.45)};
+    const double k = kh / 2e-3;
+    const cplx exact = layer_on_half_space(2e-3, kRubber, 0.45, kStiff, 0.3, k);
+    EXPECT_LT(std::abs(flat_compliance<cplx>(layers, k, 0.3).uu / exact - 1.0), 1e-12) << kh;
+  }
+}
+
+TEST(FlatLayers, LayersOnAHalfSpaceOfTheirOwnMaterialAreThatHalfSpace) {
+  // With memory and inertia: the one exact test of where the recursion starts.
+  for (const double nu : {0.2, 0.5}) {
+    for (const double inertia : {0.0, 0.4e6, 2e6}) {
+      for (const double k : {1.0, 100.0, 2e3, 1e5}) {
+        for (const double cosine : {0.0, 0.7, 1.0}) {
+          const std::array half_space{medium(kEndless, kRubber, nu, inertia)};
+          const std::array layers{half_space.front(), medium(3e-4, kRubber, nu, inertia),
+                                  medium(2e-2, kRubber, nu, inertia)};
+          EXPECT_LT(difference(flat_compliance<cplx>(half_space, k, cosine), flat_compliance<cplx>(layers, k, cosine)),
+                    1e-12)
+              << nu << ' ' << inertia << ' ' << k << ' ' << cosine;
+        }
+      }
+    }
+  }
+}
+
+TEST(FlatLayers, StaticHalfSpace) {
+  const double nu = 0.3;
+  const std::array half_space{medium(kEndless, kRubber, nu)};
+  const double k = 250.0;
+  const cplx unit = 1.0 / (kRubber * k);
+  const FlatCompliance<cplx> exact{
+      .uu = (1.0 - nu) * unit, .uk = -(1.0 - 2.0 * nu) / 2.0 * unit, .kk = (1.0 - nu) * unit, .pp = unit};
+  EXPECT_LT(difference(flat_compliance<cplx>(half_space, k, 0.5), exact), 1e-15);
+}
+
+Layer layer(double thickness, double density) {
+  return {.thickness = thickness,
+          .shear_modulus = standard_linear_solid(6e6, 3e6, 0.125),
+          .poisson_ratio = 0.5,
+          .density = density};
+}
+
+TEST(PlaneCompliance, CrossTermsAreOpposite) {
+  const CoatedPlane plane{.layers = {layer(1e-3, 1000.0)},
+                          .base = HalfSpace{.shear_modulus = Elastic{1e7}, .poisson_ratio = 0.3, .density = 2000.0}};
+  const std::array xi{300.0, -300.0};
+  const std::array zeta{200.0, -200.0};
+  const auto c = surface_compliance(plane, 0.5, xi, zeta);
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const double sign = (p == 0) != (q == 0) ? -1.0 : 1.0;
+      EXPECT_LT(std::abs(c[0][3 * p + q] - sign * c[0][3 * q + p]), 1e-20);
+      EXPECT_EQ(c[1][3 * p + q], std::conj(c[0][3 * p + q]));  // real fields
+    }
+  }
+  EXPECT_LT(c[0][0].imag(), 0.0);  // displacement lags behind where material crosses towards growing xi
+}
+
+TEST(PlaneCompliance, CriticalSpeedIsThatOfRayleighWaves) {
+  const double shear_wave = std::sqrt(6e6 / 1000.0);
+  EXPECT_NEAR(critical_speed(CoatedPlane{.layers = {layer(1e-3, 1000.0)}}), 0.95531 * shear_wave, 1e-4 * shear_wave);
+  // A soft half-space below a stiff layer without mass to speak of.
+  const CoatedPlane road{.layers = {{.thickness = 1e-3, .shear_modulus = Elastic{1e9}, .poisson_ratio = 0.3}},
+                         .base = HalfSpace{.shear_modulus = Elastic{6e6}, .poisson_ratio = 0.5, .density = 1000.0}};
+  EXPECT_NEAR(critical_speed(road), 0.95531 * shear_wave, 1e-4 * shear_wave);
+  EXPECT_TRUE(std::isinf(critical_speed(CoatedPlane{.layers = {layer(1e-3, 0.0)}})));
+  const std::array k{100.0};
+  const std::array zero{0.0};
+  try {
+    std::ignore = surface_compliance(CoatedPlane{.layers = {layer(1e-3, 1000.0)}}, 80.0, k, zero);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("critical speed 73.99"), std::string::npos) << error.what();
+  }
+}
+
+/// Largest difference between a spectrum and the recursion, relative as in test_modal.cpp.
+double spectrum_error(const CoatedPlane& plane) {
+  std::vector<double> orders;
+  for (double m = 1e-4; m < 4e3; m *= 1.3) orders.push_back(m);
+  const HarmonicPlane harmonics(plane, 0.05, 0.021, orders);
+  Watch watch(Observer{});
+  const double highest_n = 4e3;
+  const auto spectrum = make_spectrum(harmonics, highest_n, 1, watch);
+  double error = 0.0;
+  OrderSeries series;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    spectrum->series(i, series);
+    for (const double n : {1e-5, 0.03, 1.0, 7.7, 60.0, 900.0, highest_n}) {
+      const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, n);
+      const OrderValues values(orders[i], one, series);
+      const OrderAt at{.i = i, .n = n};
+      Eigen::Matrix3cd exact;
+      harmonics.compliances(std::span(&at, 1), std::span(&exact, 1));
+      exact = to_physical(exact).eval();
+      Eigen::ArrayXcd value;
+      for (std::size_t p = 0; p < 3; ++p) {
+        for (std::size_t q = p; q < 3; ++q) {
+          values.evaluate(entry_of(p, q).entry, value);
+          const auto [row, column] = std::pair{static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)};
+          const double size = std::sqrt(std::abs(exact(row, row)) * std::abs(exact(column, column)));
+          error = std::max(error, std::abs(value[0] - exact(row, column)) / size);
+        }
+      }
+    }
+  }
+  return error;
+}
+
+TEST(PlaneSpectrum, OneRelaxationFunction) { EXPECT_LT(spectrum_error({.layers = {layer(1e-3, 0.0)}}), 1e-10); }
+
+TEST(PlaneSpectrum, UnlikeLayersWithInertia) {
+  const CoatedPlane plane{
+      .layers = {{.thickness = 2e-3, .shear_modulus = Elastic{2e6}, .bulk_modulus = 2e8}, layer(1e-3, 1000.0)},
+      .base =
+          HalfSpace{.shear_modulus = standard_linear_solid(3e7, 1e7, 1e-3), .poisson_ratio = 0.3, .density = 2000.0}};
+  EXPECT_LT(spectrum_error(plane), 1e-10);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail
