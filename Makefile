@@ -13,13 +13,14 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format stubs bench deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
 	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
 	@echo "make lint      check formatting, C++ by clang-tidy, types and stubs"
 	@echo "make format    format all sources"
+	@echo "make stubs     write python/viscoroll/_core.pyi from the compiled module"
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
 	@echo "               under the thread sanitizer"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
@@ -77,6 +78,7 @@ lint: $(VENV)/lint.stamp
 	$(BIN)/gersemi --check $(CMAKE_FILES)
 	cmake --preset tidy -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -Dpybind11_DIR=$$($(BIN)/python -m pybind11 --cmakedir)
 	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/tidy -j $(JOBS) -quiet -hide-progress
+	$(BIN)/python python/bindings/make_stub.py --check
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
 
@@ -85,6 +87,10 @@ format: $(VENV)/lint.stamp
 	$(BIN)/ruff format python tests bench
 	$(BIN)/clang-format -i $(CXX_FILES)
 	$(BIN)/gersemi --in-place $(CMAKE_FILES)
+
+# The module is built from the sources; its stub is a source again, so that a wheel needs nothing to make it.
+stubs: $(VENV)/lint.stamp
+	$(BIN)/python python/bindings/make_stub.py
 
 bench: deps-bench $(VENV)/bench.stamp
 	cmake --preset bench

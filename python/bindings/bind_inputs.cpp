@@ -1,13 +1,15 @@
 #include <pybind11/complex.h>
 #include <pybind11/native_enum.h>
 #include <pybind11/stl.h>
+#include <pybind11/typing.h>
 
 #include <memory>
 #include <stdexcept>
 
 #include "bindings.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/materials.hpp"
+#include "viscoroll/mesh.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace {
@@ -17,7 +19,7 @@ using cplx = std::complex<double>;
 
 /// A Python callable as a modulus. The library copies it on threads that do not hold the GIL, so that it is held by a
 /// pointer whose last owner takes the GIL.
-CustomModulus custom_modulus(const py::function& function) {
+CustomModulus custom_modulus(const py::typing::Callable<py::object(py::array_t<double>)>& function) {
   const std::shared_ptr<py::function> callable(new py::function(function), [](py::function* held) {
     const py::gil_scoped_acquire gil;
     delete held;
@@ -106,6 +108,13 @@ void bind_inputs(py::module_& m) {
              return sphere;
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
+  py::classh<CoatedCylinder>(m, "CoatedCylinder")
+      .def(py::init([](double core_radius, std::vector<Layer> layers) {
+             CoatedCylinder cylinder{core_radius, std::move(layers)};
+             validate(cylinder);
+             return cylinder;
+           }),
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
   py::classh<Mesh>(m, "Mesh")
       .def(py::init([](int nodes_per_revolution, std::optional<int> max_order,
                        std::optional<int> theta_nodes_per_revolution) {

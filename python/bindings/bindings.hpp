@@ -14,6 +14,7 @@ namespace py = pybind11;
 
 void bind_inputs(py::module_& m);
 void bind_modal(py::module_& m);
+void bind_result(py::module_& m);
 void bind_solve(py::module_& m);
 
 /// One-dimensional C-contiguous array; other types and layouts are refused, not copied.

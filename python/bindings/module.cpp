@@ -12,5 +12,6 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");
   bind_inputs(m);
   bind_modal(m);
+  bind_result(m);
   bind_solve(m);
 }

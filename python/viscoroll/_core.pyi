@@ -1,112 +1,343 @@
-"""Types of the C++ core."""
+# Made by python/bindings/make_stub.py from the compiled module: `make stubs` renews it.
+# ruff: noqa
+"""
+C++ core of viscoroll; use the package viscoroll instead.
+"""
 
+from __future__ import annotations
+import collections.abc
 import enum
-from collections.abc import Callable, Sequence
-from typing import Any, Final, TypeAlias
+import numpy
+import numpy.typing
+import typing
 
-import numpy as np
-from numpy.typing import NDArray
-
-__version__: Final[str]
-__commit__: Final[str]
-
-class ConvergenceError(RuntimeError): ...
-
-class Compliance(enum.Enum):
-    RADIAL = ...
-    VERTICAL = ...
-
-class Curvature(enum.Enum):
-    SPHERE = ...
-    PAPER = ...
-    EXACT = ...
-
-class PatchLoad(enum.Enum):
-    FLAT = ...
-    SPHERICAL = ...
-
-class SlipKinematics(enum.Enum):
-    EXACT = ...
-    FLAT = ...
-
-class Status(enum.Enum):
-    CONVERGED = ...
-    MAX_ITERATIONS = ...
-    ACCURACY_NOT_REACHED = ...
+class ConvergenceError(RuntimeError):
+    pass
 
 class Extrapolation(enum.Enum):
+    """What a master curve does outside its table."""
+
     ERROR = ...
     HOLD = ...
 
-class InnerBoundary(enum.Enum):
-    RIGID = ...
-    HOLLOW = ...
-    SOLID = ...
-
 class Elastic:
-    def __init__(self, *, modulus: float) -> None: ...
+    def __init__(self, *, modulus: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
 
 class Prony:
     def __init__(
-        self, *, instantaneous_modulus: float, weights: Sequence[float], relaxation_times: Sequence[float]
+        self,
+        *,
+        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
+        weights: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        relaxation_times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     ) -> None: ...
 
 class KelvinVoigt:
-    def __init__(self, *, modulus: float, viscosity: float) -> None: ...
+    def __init__(
+        self,
+        *,
+        modulus: typing.SupportsFloat | typing.SupportsIndex,
+        viscosity: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
 
 class FractionalZener:
     def __init__(
-        self, *, instantaneous_modulus: float, relaxed_modulus: float, relaxation_time: float, order: float
+        self,
+        *,
+        instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
+        relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
+        relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
+        order: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
 class MasterCurve:
     def __init__(
         self,
         *,
-        frequency: Sequence[float],
-        storage: Sequence[float],
-        loss: Sequence[float],
+        frequency: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        storage: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        loss: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         extrapolation: Extrapolation,
     ) -> None: ...
 
 class CustomModulus:
-    def __init__(self, function: Callable[[Any], Any]) -> None: ...
-
-_ShearModulus: TypeAlias = Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus
+    def __init__(
+        self, function: collections.abc.Callable[[numpy.typing.NDArray[numpy.float64]], typing.Any]
+    ) -> None: ...
 
 class Layer:
     def __init__(
         self,
         *,
-        thickness: float,
-        shear_modulus: _ShearModulus,
-        poisson_ratio: float | None,
-        bulk_modulus: float | None,
-        density: float,
+        thickness: typing.SupportsFloat | typing.SupportsIndex,
+        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
+        bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
+        density: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
+class InnerBoundary(enum.Enum):
+    """What lies within the innermost layer."""
+
+    RIGID = ...
+    HOLLOW = ...
+    SOLID = ...
+
+class Curvature(enum.Enum):
+    """How much of the sphere's curvature the equations keep."""
+
+    SPHERE = ...
+    PAPER = ...
+    EXACT = ...
+
 class CoatedSphere:
-    def __init__(self, *, core_radius: float, layers: Sequence[Layer], inner_boundary: InnerBoundary) -> None: ...
+    def __init__(
+        self,
+        *,
+        core_radius: typing.SupportsFloat | typing.SupportsIndex,
+        layers: collections.abc.Sequence[Layer],
+        inner_boundary: InnerBoundary,
+    ) -> None: ...
 
 class Mesh:
     def __init__(
-        self, *, nodes_per_revolution: int, max_order: int | None, theta_nodes_per_revolution: int | None
+        self,
+        *,
+        nodes_per_revolution: typing.SupportsInt | typing.SupportsIndex,
+        max_order: typing.SupportsInt | typing.SupportsIndex | None,
+        theta_nodes_per_revolution: typing.SupportsInt | typing.SupportsIndex | None,
     ) -> None: ...
-    @property
-    def nodes_per_revolution(self) -> int: ...
     @property
     def max_order(self) -> int | None: ...
     @property
+    def nodes_per_revolution(self) -> int: ...
+    @property
     def theta_nodes_per_revolution(self) -> int | None: ...
 
+class Status(enum.Enum):
+    """How a solve ended."""
+
+    CONVERGED = ...
+    MAX_ITERATIONS = ...
+    ACCURACY_NOT_REACHED = ...
+
+class WarningKind(enum.Enum):
+    """What a user should know before relying on a result."""
+
+    MAX_ITERATIONS = ...
+    ACCURACY_NOT_REACHED = ...
+    COARSE_MESH = ...
+    LARGE_STRAIN = ...
+
+class Refinement:
+    @property
+    def contact_nodes(self) -> int: ...
+    @property
+    def error_estimate(self) -> float: ...
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def penetration(self) -> float: ...
+    @property
+    def power_balance_error(self) -> float: ...
+    @property
+    def resisting_torque(self) -> float: ...
+
+class ScalarDescription:
+    @property
+    def details(self) -> str: ...
+    @property
+    def label(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def type(self) -> str: ...
+    @property
+    def unit(self) -> str: ...
+
+class ResultScalars:
+    @property
+    def bulk_power(self) -> float:
+        """
+        power lost in the coating [W]. From the spectrum alone: not from the torque.
+        """
+    @property
+    def center_height(self) -> float:
+        """
+        height of the center H [m]. Above the plane.
+        """
+    @property
+    def centrifugal_displacement(self) -> float:
+        """
+        centrifugal displacement [m]. d_R^(c) in the contact condition.
+        """
+    @property
+    def contact_area(self) -> float:
+        """
+        contact area [m^2].
+        """
+    @property
+    def creepage(self) -> float | None:
+        """
+        creepage V_s / (Ω r_o) - 1 [1]. As determined as the speed.
+        """
+    @property
+    def dissipated_power(self) -> float:
+        """
+        power lost in all [W]. bulk_power + slip_power.
+        """
+    @property
+    def driving_force(self) -> float:
+        """
+        driving force Q [N]. Force on the center, Q = -Σ t_x.
+        """
+    @property
+    def driving_torque(self) -> float:
+        """
+        driving torque T [N m]. Moment of the contact forces about the center: what turns the ball, and does the work of the model. With the radial compliance Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one, whose pressure does work along the plane too, Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
+        """
+    @property
+    def error_estimate(self) -> float:
+        """
+        relative error estimate [1]. The power-balance error on a given mesh, else the largest of it and the changes, from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
+        """
+    @property
+    def iterations(self) -> int:
+        """
+        linear systems solved on the last mesh [1].
+        """
+    @property
+    def lateral_force(self) -> float:
+        """
+        lateral force on the ball [N]. Σ t_z, of the plane on the ball.
+        """
+    @property
+    def linear_speed(self) -> float | None:
+        """
+        speed of the center V_s [m/s]. Undetermined without friction, unless given.
+        """
+    @property
+    def max_pressure(self) -> float:
+        """
+        largest contact pressure [Pa].
+        """
+    @property
+    def model_error(self) -> float:
+        """
+        what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
+        """
+    @property
+    def penetration(self) -> float:
+        """
+        penetration r_o - H [m].
+        """
+    @property
+    def power_balance_error(self) -> float:
+        """
+        relative power-balance error [1]. |T Ω + Q V_s - dissipated_power| relative to the larger, with the lateral force's work where there is some.
+        """
+    @property
+    def products(self) -> int:
+        """
+        products with influence tables that solved them [1].
+        """
+    @property
+    def residual(self) -> float:
+        """
+        largest violation of the contact conditions [1]. Without friction a gap relative to the penetration, with it the norm of all violations, as forces, relative to the load.
+        """
+    @property
+    def resisting_torque(self) -> float:
+        """
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p. It is what turns the ball where nothing pulls it, and no friction or no force on the center acts.
+        """
+    @property
+    def rolling_resistance_coefficient(self) -> float:
+        """
+        rolling resistance coefficient, power lost / (P V) [1]. dissipated_power / (P |V|), whatever drives the ball. V is the speed of the center, or Ω r_o where that is undetermined; infinite where the center stands still.
+        """
+    @property
+    def semi_axis_x(self) -> float:
+        """
+        contact semi-axis along x [m]. Of the ellipse with the contact's second moments.
+        """
+    @property
+    def semi_axis_z(self) -> float:
+        """
+        contact semi-axis along z [m]. Of the ellipse with the contact's second moments.
+        """
+    @property
+    def slip_power(self) -> float:
+        """
+        power lost by slip [W]. On the plane.
+        """
+    @property
+    def strain(self) -> float:
+        """
+        strain, penetration per thickness of the coating [1]. The model's error grows with it.
+        """
+
+class Result(ResultScalars):
+    @property
+    def contact(self) -> numpy.typing.NDArray[numpy.uint8]: ...
+    @property
+    def displacement(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def gap(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def refinements(self) -> list[Refinement]: ...
+    @property
+    def shear_traction(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def slip(self) -> numpy.typing.NDArray[numpy.uint8]: ...
+    @property
+    def slip_velocity(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def status(self) -> Status: ...
+    @property
+    def stick(self) -> numpy.typing.NDArray[numpy.uint8]: ...
+    @property
+    def warnings(self) -> dict[WarningKind, str]: ...
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def z(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class Compliance(enum.Enum):
+    """The compliance in the contact condition."""
+
+    RADIAL = ...
+    VERTICAL = ...
+
+class PatchLoad(enum.Enum):
+    """Traction on the patch of a node."""
+
+    FLAT = ...
+    SPHERICAL = ...
+
+class SlipKinematics(enum.Enum):
+    """How far material travels between nodes of an undeformed sphere."""
+
+    EXACT = ...
+    FLAT = ...
+
 class DriveForce:
-    def __init__(self, force: float) -> None: ...
+    def __init__(self, force: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
 
 class DriveTorque:
-    def __init__(self, torque: float) -> None: ...
+    def __init__(self, torque: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
 
 class DriveCreepage:
-    def __init__(self, *, creepage: float, lateral_creepage: float) -> None: ...
+    def __init__(
+        self,
+        *,
+        creepage: typing.SupportsFloat | typing.SupportsIndex,
+        lateral_creepage: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
 
 class Options:
     def __init__(self) -> None: ...
@@ -117,179 +348,121 @@ class Options:
     @property
     def curvature(self) -> Curvature: ...
     @property
+    def max_iterations(self) -> int: ...
+    @property
     def patch_load(self) -> PatchLoad: ...
     @property
     def slip_kinematics(self) -> SlipKinematics: ...
     @property
-    def max_iterations(self) -> int: ...
-    @property
     def threads(self) -> int: ...
-
-class WarningKind(enum.Enum):
-    MAX_ITERATIONS = ...
-    ACCURACY_NOT_REACHED = ...
-    COARSE_MESH = ...
-    LARGE_STRAIN = ...
-
-class Refinement:
-    @property
-    def mesh(self) -> Mesh: ...
-    @property
-    def contact_nodes(self) -> int: ...
-    @property
-    def resisting_torque(self) -> float: ...
-    @property
-    def penetration(self) -> float: ...
-    @property
-    def power_balance_error(self) -> float: ...
-    @property
-    def error_estimate(self) -> float: ...
-
-class Result:
-    @property
-    def status(self) -> Status: ...
-    @property
-    def iterations(self) -> int: ...
-    @property
-    def products(self) -> int: ...
-    @property
-    def residual(self) -> float: ...
-    @property
-    def resisting_torque(self) -> float: ...
-    @property
-    def rolling_resistance_coefficient(self) -> float: ...
-    @property
-    def center_height(self) -> float: ...
-    @property
-    def penetration(self) -> float: ...
-    @property
-    def strain(self) -> float: ...
-    @property
-    def model_error(self) -> float: ...
-    @property
-    def semi_axis_x(self) -> float: ...
-    @property
-    def semi_axis_z(self) -> float: ...
-    @property
-    def contact_area(self) -> float: ...
-    @property
-    def max_pressure(self) -> float: ...
-    @property
-    def driving_torque(self) -> float: ...
-    @property
-    def driving_force(self) -> float: ...
-    @property
-    def lateral_force(self) -> float: ...
-    @property
-    def linear_speed(self) -> float | None: ...
-    @property
-    def creepage(self) -> float | None: ...
-    @property
-    def bulk_power(self) -> float: ...
-    @property
-    def slip_power(self) -> float: ...
-    @property
-    def dissipated_power(self) -> float: ...
-    @property
-    def power_balance_error(self) -> float: ...
-    @property
-    def centrifugal_displacement(self) -> float: ...
-    @property
-    def mesh(self) -> Mesh: ...
-    @property
-    def error_estimate(self) -> float: ...
-    @property
-    def refinements(self) -> list[Refinement]: ...
-    @property
-    def warnings(self) -> dict[WarningKind, str]: ...
-    @property
-    def x(self) -> NDArray[np.float64]: ...
-    @property
-    def z(self) -> NDArray[np.float64]: ...
-    @property
-    def pressure(self) -> NDArray[np.float64]: ...
-    @property
-    def displacement(self) -> NDArray[np.float64]: ...
-    @property
-    def gap(self) -> NDArray[np.float64]: ...
-    @property
-    def contact(self) -> NDArray[np.uint8]: ...
-    @property
-    def stick(self) -> NDArray[np.uint8]: ...
-    @property
-    def slip(self) -> NDArray[np.uint8]: ...
-    @property
-    def shear_traction(self) -> NDArray[np.float64]: ...
-    @property
-    def slip_velocity(self) -> NDArray[np.float64]: ...
-
-def core_count() -> int: ...
-def standard_linear_solid(*, instantaneous_modulus: float, relaxed_modulus: float, relaxation_time: float) -> Prony: ...
-def validate_modulus(modulus: _ShearModulus) -> None: ...
-def complex_modulus(modulus: _ShearModulus, omega: NDArray[np.float64]) -> NDArray[np.complex128]: ...
-def surface_compliance(
-    sphere: CoatedSphere, m: NDArray[np.int32], n: NDArray[np.int32], *, angular_speed: float, curvature: Curvature
-) -> NDArray[np.complex128]: ...
-def degree_compliance(
-    sphere: CoatedSphere, degree: NDArray[np.int32], order: NDArray[np.int32], *, angular_speed: float
-) -> NDArray[np.complex128]: ...
-def state_matrix(
-    layer: Layer, *, angular_speed: float, radius: float, m: int, n: int, curvature: Curvature
-) -> NDArray[np.complex128]: ...
-def centrifugal_displacement(sphere: CoatedSphere, *, angular_speed: float) -> float: ...
-def critical_speed(sphere: CoatedSphere, *, highest_frequency: float, curvature: Curvature) -> float: ...
-def influence_tables(
-    sphere: CoatedSphere,
-    mesh: Mesh,
-    *,
-    angular_speed: float,
-    phi_reach: int,
-    theta_reach: int,
-    threads: int,
-    curvature: Curvature,
-    progress: Callable[[str, float], object] | None,
-) -> NDArray[np.float64]: ...
 
 class RollingModel:
     def __init__(
         self,
         sphere: CoatedSphere,
         *,
-        angular_speed: float,
+        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
         curvature: Curvature,
-        threads: int,
-        progress: Callable[[str, float], object] | None,
+        threads: typing.SupportsInt | typing.SupportsIndex,
+        progress: typing.Any,
     ) -> None: ...
     def solve(
         self,
         *,
-        load: float,
-        angular_speed: float,
-        friction: float,
+        load: typing.SupportsFloat | typing.SupportsIndex,
+        angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+        friction: typing.SupportsFloat | typing.SupportsIndex,
         drive: DriveForce | DriveTorque | DriveCreepage,
         compliance: Compliance,
         patch_load: PatchLoad,
         slip_kinematics: SlipKinematics,
-        max_iterations: int,
-        threads: int,
-        progress: Callable[[str, float], object] | None,
+        max_iterations: typing.SupportsInt | typing.SupportsIndex,
+        threads: typing.SupportsInt | typing.SupportsIndex,
+        progress: typing.Any,
     ) -> Result: ...
+
+def centrifugal_displacement(
+    sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
+) -> float: ...
+def complex_modulus(
+    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+    omega: numpy.typing.NDArray[numpy.float64],
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def core_count() -> int:
+    """
+    Cores that this process may use.
+    """
+
+def critical_speed(
+    sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature
+) -> float: ...
+def degree_compliance(
+    sphere: CoatedSphere,
+    degree: numpy.typing.NDArray[numpy.int32],
+    order: numpy.typing.NDArray[numpy.int32],
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def influence_tables(
+    sphere: CoatedSphere,
+    mesh: Mesh,
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    phi_reach: typing.SupportsInt | typing.SupportsIndex,
+    theta_reach: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    curvature: Curvature,
+    progress: typing.Any,
+) -> numpy.typing.NDArray[numpy.float64]: ...
+def result_scalars() -> list[ScalarDescription]:
+    """
+    What the scalar results are, in SI units.
+    """
 
 def solve(
     sphere: CoatedSphere,
     *,
-    load: float,
-    angular_speed: float,
+    load: typing.SupportsFloat | typing.SupportsIndex,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     mesh: Mesh | None,
-    accuracy: float,
-    friction: float,
+    accuracy: typing.SupportsFloat | typing.SupportsIndex,
+    friction: typing.SupportsFloat | typing.SupportsIndex,
     drive: DriveForce | DriveTorque | DriveCreepage,
     compliance: Compliance,
     curvature: Curvature,
     patch_load: PatchLoad,
     slip_kinematics: SlipKinematics,
-    max_iterations: int,
-    threads: int,
-    progress: Callable[[str, float], object] | None,
+    max_iterations: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
 ) -> Result: ...
+def standard_linear_solid(
+    *,
+    instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,
+    relaxed_modulus: typing.SupportsFloat | typing.SupportsIndex,
+    relaxation_time: typing.SupportsFloat | typing.SupportsIndex,
+) -> Prony: ...
+def state_matrix(
+    layer: Layer,
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    radius: typing.SupportsFloat | typing.SupportsIndex,
+    m: typing.SupportsInt | typing.SupportsIndex,
+    n: typing.SupportsInt | typing.SupportsIndex,
+    curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def surface_compliance(
+    sphere: CoatedSphere,
+    m: numpy.typing.NDArray[numpy.int32],
+    n: numpy.typing.NDArray[numpy.int32],
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def validate_modulus(
+    modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+) -> None: ...
+
+__commit__: str
+__version__: str

@@ -21,6 +21,15 @@ from ._text import shown
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+    _CoreModulus: TypeAlias = (
+        _core.Elastic
+        | _core.Prony
+        | _core.KelvinVoigt
+        | _core.FractionalZener
+        | _core.MasterCurve
+        | _core.CustomModulus
+    )
+
 __all__ = [
     "Elastic",
     "FractionalZener",
@@ -44,7 +53,7 @@ class ShearModulus(ABC):
         _core.validate_modulus(self._to_core())
 
     @abstractmethod
-    def _to_core(self) -> _core._ShearModulus:
+    def _to_core(self) -> _CoreModulus:
         """Return the modulus as the core knows it."""
 
     def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
@@ -288,7 +297,7 @@ class MasterCurve(ShearModulus):
         )
 
 
-def to_core(modulus: ShearModulusLike) -> _core._ShearModulus:
+def to_core(modulus: ShearModulusLike) -> _CoreModulus:
     """Return any accepted modulus as the core knows it.
 
     Raises

@@ -13,8 +13,9 @@ import numpy as np
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
 from .drive import Drive
-from .geometry import CoatedSphere
+from .geometry import CoatedCylinder, RollingBody
 from .mesh import Mesh
+from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
 if TYPE_CHECKING:
     import xarray
@@ -41,8 +42,8 @@ class Refinement:
         Nodes in contact.
     resisting_torque : float
         T_r [N m].
-    penetration : float
-        r_o - H [m].
+    penetration : float or None
+        r_o - H [m]; None where it is undetermined.
     power_balance_error : float
         Relative [-].
     error_estimate : float
@@ -52,7 +53,7 @@ class Refinement:
     mesh: Mesh
     contact_nodes: int
     resisting_torque: float
-    penetration: float
+    penetration: float | None
     power_balance_error: float
     error_estimate: float
 
@@ -61,31 +62,6 @@ class Refinement:
         values = {field.name: getattr(step, field.name) for field in fields(cls)}
         return cls(**values | {"mesh": Mesh._from_core(step.mesh)})
 
-
-#: Scalar results: name, unit, what it is.
-SCALARS = {
-    "rolling_resistance_coefficient": ("1", "rolling resistance coefficient, power lost / (P V)"),
-    "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
-    "driving_torque": ("N m", "driving torque T"),
-    "driving_force": ("N", "driving force Q"),
-    "lateral_force": ("N", "lateral force on the ball"),
-    "penetration": ("m", "penetration r_o - H"),
-    "strain": ("1", "strain, penetration per thickness of the coating"),
-    "model_error": ("1", "what linear theory leaves open, by that strain"),
-    "center_height": ("m", "height of the center H"),
-    "max_pressure": ("Pa", "largest contact pressure"),
-    "contact_area": ("m^2", "contact area"),
-    "semi_axis_x": ("m", "contact semi-axis along x"),
-    "semi_axis_z": ("m", "contact semi-axis along z"),
-    "linear_speed": ("m/s", "speed of the center V_s"),
-    "creepage": ("1", "creepage V_s / (Ω r_o) - 1"),
-    "bulk_power": ("W", "power lost in the coating"),
-    "slip_power": ("W", "power lost by slip"),
-    "dissipated_power": ("W", "power lost in all"),
-    "power_balance_error": ("1", "relative power-balance error"),
-    "error_estimate": ("1", "relative error estimate"),
-    "centrifugal_displacement": ("m", "centrifugal displacement"),
-}
 
 #: Fields on the mesh: name, unit, what it is.
 FIELDS = {
@@ -106,9 +82,13 @@ VECTOR_FIELDS = {
 }
 
 
+@with_scalars
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
-class Result:
+class Result(ScalarFields):
     """Solution of one load case on the candidate window.
+
+    Of a roller (`CoatedCylinder`), whose fields have one column, forces are per length [N/m], and so are torques [N],
+    powers [W/m] and the contact area [m]; `unit` tells.
 
     Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
     the leading edge (x > 0) to the trailing edge.
@@ -116,65 +96,12 @@ class Result:
     Attributes
     ----------
     ball, load, angular_speed, friction, drive, compliance, curvature, patch_load
-        The input; load in [N], angular_speed in [rad/s].
+        The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
     status : Status
         How the solve ended.
-    iterations : int
-        Linear systems solved on the last mesh.
-    products : int
-        Products with the influence tables that solved them.
-    residual : float
-        Largest violation of the contact conditions [-]: without friction a gap relative to the penetration, with it the
-        norm of all violations, as forces, relative to the load.
-    rolling_resistance_coefficient : float
-        Power lost per load and way, dissipated_power / (P |V|), whatever drives the ball [-]. V is the speed of the
-        center, or Ω r_o where that is undetermined; infinite where the center stands still.
-    resisting_torque : float
-        T_r = Σ x p, the offset of the normal resultant times the load [N m]. It is what turns the ball where nothing
-        pulls it, and no friction or no force on the center acts.
-    penetration : float
-        r_o - H [m].
-    strain : float
-        Penetration per thickness of the coating [-]: the model's error grows with it.
-    model_error : float
-        What linear theory does not know, relative [-]: 0.75 times the strain. With the radial compliance it covers the
-        torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the
-        viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
-    center_height : float
-        H, center of the ball above the plane [m].
-    max_pressure : float
-        [Pa].
-    contact_area : float
-        [m²].
-    semi_axis_x, semi_axis_z : float
-        Semi-axes of the ellipse with the contact's second moments [m].
-    driving_torque : float
-        T, moment of the contact forces about the center [N m]: what turns the ball, and does the work of the model.
-        With the radial compliance Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one
-        Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
-    driving_force : float
-        Q = -Σ t_x, the force on the center [N].
-    lateral_force : float
-        Σ t_z, of the plane on the ball [N].
-    linear_speed : float or None
-        V_s, speed of the center [m/s]; None without friction, where it is undetermined, unless given.
-    creepage : float or None
-        V_s / (Ω r_o) - 1 [-].
-    bulk_power : float
-        Power lost in the coating [W], from the spectrum alone: not from the torque.
-    slip_power : float
-        Power lost by slip on the plane [W].
-    dissipated_power : float
-        bulk_power + slip_power [W].
-    power_balance_error : float
-        |T Ω + Q V_s - dissipated_power| relative to the larger [-].
-    centrifugal_displacement : float
-        d_R^(c) [m].
+    %(scalars)s
     mesh : Mesh
         The mesh of this solution.
-    error_estimate : float
-        Relative error estimate [-]: the power-balance error on a given mesh, else the largest of it and the changes,
-        from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
     refinements : tuple of Refinement
         The meshes tried, coarse to fine.
     warnings : dict of WarningKind to str
@@ -184,7 +111,8 @@ class Result:
     pressure : ndarray
         Contact pressure, positive [Pa].
     displacement : ndarray
-        Vertical displacement of the surface, positive upwards [m].
+        Vertical displacement of the surface, positive upwards [m]; where the penetration is undetermined, counted from
+        that of the lowest point.
     gap : ndarray
         Height of the surface above the plane [m].
     contact, stick, slip : ndarray of bool
@@ -196,7 +124,7 @@ class Result:
         Velocity of the coating over the plane along x and z [m/s]; zero out of contact, and without friction.
     """
 
-    ball: CoatedSphere
+    ball: RollingBody
     load: float
     angular_speed: float
     friction: float
@@ -205,31 +133,7 @@ class Result:
     curvature: Curvature
     patch_load: PatchLoad
     status: Status
-    iterations: int
-    products: int
-    residual: float
-    resisting_torque: float
-    rolling_resistance_coefficient: float
-    penetration: float
-    strain: float
-    model_error: float
-    center_height: float
-    max_pressure: float
-    contact_area: float
-    semi_axis_x: float
-    semi_axis_z: float
-    driving_torque: float
-    driving_force: float
-    lateral_force: float
-    linear_speed: float | None
-    creepage: float | None
-    bulk_power: float
-    slip_power: float
-    dissipated_power: float
-    power_balance_error: float
-    centrifugal_displacement: float
     mesh: Mesh
-    error_estimate: float
     refinements: tuple[Refinement, ...]
     warnings: dict[WarningKind, str]
     x: NDArray[np.float64]
@@ -266,18 +170,17 @@ class Result:
         """Return a summary of one screen."""
         rows = [
             ("rolling resistance coefficient", f"{self.rolling_resistance_coefficient:.6g}"),
-            ("driving torque T", f"{self.driving_torque:.6g} N m"),
+            ("driving torque T", self._quantity("driving_torque")),
             (
                 "driving force Q, lateral force",
-                f"{self.driving_force:.6g} N, {self.lateral_force:.6g} N",
+                f"{self._quantity('driving_force')}, {self._quantity('lateral_force')}",
             ),
-            ("resisting torque T_r", f"{self.resisting_torque:.6g} N m"),
-            ("penetration", f"{self.penetration:.6g} m, {self.strain:.1%} of the coating"),
-            ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m"),
+            ("resisting torque T_r", self._quantity("resisting_torque")),
+            *self._shape_rows(),
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
-            ("power lost in the coating", f"{self.bulk_power:.6g} W"),
-            ("error of the mesh, of linear theory", f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"),
+            ("power lost in the coating", self._quantity("bulk_power")),
+            *self._error_rows(),
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
             ("status", f"{self.status.name}, {self._effort()}, residual {self.residual:.1e}"),
@@ -285,8 +188,43 @@ class Result:
         ]
         width = max(len(label) for label, _ in rows)
         model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
-        head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({model})"
+        head = f"Result of P = {self.load:g} {self.unit('load')} at Ω = {self.angular_speed:g} rad/s ({model})"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a scalar result, or of ``"load"``: of a roller per length.
+
+        Raises
+        ------
+        KeyError
+            For another name.
+
+        Examples
+        --------
+        >>> from viscoroll import paper, solve
+        >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
+        'W'
+        """
+        line_contact = isinstance(self.ball, CoatedCylinder)
+        return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
+
+    def _quantity(self, name: str) -> str:
+        return f"{getattr(self, name):.6g} {self.unit(name)}"
+
+    def _shape_rows(self) -> list[tuple[str, str]]:
+        penetration = "undetermined"
+        if self.penetration is not None:
+            penetration = f"{self.penetration:.6g} m, {self.strain:.1%} of the coating"
+        shape = ("contact's half width", f"{self.semi_axis_x:.4g} m")
+        if self.semi_axis_z is not None:
+            shape = ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m")
+        return [("penetration", penetration), shape]
+
+    def _error_rows(self) -> list[tuple[str, str]]:
+        if self.model_error is None:
+            return [("error of the mesh", f"{self.error_estimate:.2g} (estimate)")]
+        errors = f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"
+        return [("error of the mesh, of linear theory", errors)]
 
     def _effort(self) -> str:
         return f"{self.iterations} iterations" + (f" with {self.products} products" if self.products else "")
@@ -298,7 +236,7 @@ class Result:
         return [
             ("friction", f"{self.friction:g}, {sticking:.0%} of the nodes in contact stick"),
             ("creepage", f"{self.creepage:.6g}"),
-            ("power lost by slip", f"{self.slip_power:.6g} W"),
+            ("power lost by slip", self._quantity("slip_power")),
         ]
 
     def scalars(self) -> dict[str, float | int | str | None]:
@@ -309,9 +247,6 @@ class Result:
             "angular_speed": self.angular_speed,
             "friction": self.friction,
             "status": self.status.name,
-            "iterations": self.iterations,
-            "products": self.products,
-            "residual": self.residual,
             "contact_nodes": int(self.contact.sum()),
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
             "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,
@@ -399,12 +334,16 @@ class Result:
 
         rows, columns = self.x.shape
         node = np.arange(rows * columns).reshape(rows, columns)
-        corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
+        if columns == 1:
+            cells = ("line", np.stack([node[:-1, 0], node[1:, 0]], axis=-1))
+        else:
+            corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
+            cells = ("quad", np.stack(corners, axis=-1).reshape(-1, 4))
         # The plane is at height 0; VTK readers expect the third axis to point up.
         points = np.stack([self.x, self.z, self.gap], axis=-1).reshape(-1, 3)
         meshio.Mesh(
             points,
-            [("quad", np.stack(corners, axis=-1).reshape(-1, 4))],
+            [cells],
             point_data={
                 "pressure": self.pressure.ravel(),
                 "displacement": self.displacement.ravel(),

@@ -10,6 +10,7 @@
 #include "influence/patch.hpp"
 #include "influence/synthesis.hpp"
 #include "surface/table_operator.hpp"
+#include "viscoroll/influence.hpp"
 
 namespace viscoroll::detail {
 namespace {

@@ -22,7 +22,8 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import _core, paper
-from viscoroll.result import FIELDS, SCALARS, VECTOR_FIELDS
+from viscoroll.result import FIELDS, VECTOR_FIELDS
+from viscoroll.scalars import SCALARS
 
 MESH = vr.Mesh(nodes_per_revolution=300, max_order=300)
 
@@ -189,6 +190,14 @@ def test_all_scalars_are_attributes(result):
     undetermined = {name for name, value in result.scalars().items() if value is None}
     assert undetermined == {"linear_speed", "creepage"}
     assert all(isinstance(value, (float, int, str, type(None))) for value in result.scalars().values())
+
+
+def test_every_field_is_documented():
+    """Scalars by the core's table, which no other text repeats."""
+    names = set(re.findall(r"^    (\w[\w, ]*?)(?: : .*)?$", vr.Result.__doc__, flags=re.MULTILINE))
+    documented = {name for entry in names for name in entry.split(", ")}
+    assert {field.name for field in dataclasses.fields(vr.Result)} <= documented
+    assert "linear_speed : float or None\n        Speed of the center V_s [m/s]. Undetermined" in vr.Result.__doc__
 
 
 def test_a_model_gives_what_single_solves_give():

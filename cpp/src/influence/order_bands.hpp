@@ -12,7 +12,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 

@@ -12,7 +12,7 @@
 #include "influence/synthesis.hpp"
 #include "modal/degree_compliance.hpp"
 #include "parallel.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
 
 namespace viscoroll::detail {
 

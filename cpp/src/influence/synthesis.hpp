@@ -13,7 +13,8 @@
 #include "influence/table_sum.hpp"
 #include "modal/spectrum.hpp"
 #include "parallel.hpp"
-#include "viscoroll/influence.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 

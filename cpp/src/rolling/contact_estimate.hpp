@@ -2,7 +2,7 @@
 /// @brief Size of the contact before anything is solved.
 #pragma once
 
-#include "viscoroll/solve.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 

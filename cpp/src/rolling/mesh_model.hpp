@@ -12,7 +12,8 @@
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 

@@ -62,12 +62,12 @@ struct Answer {
 };
 
 /// What a user may read first: always in the same order for the same load case.
-std::vector<Answer> answers(const Result& result, const LoadCase& load_case) {
+std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
   const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
-  const double force = torque / (result.center_height + result.penetration);
-  std::vector<Answer> answers{{result.penetration, std::abs(result.penetration)},
-                              {result.resisting_torque, std::max(torque, negligible)}};
+  const double force = torque / radius;
+  std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
+  if (result.penetration) answers.push_back({*result.penetration, std::abs(*result.penetration)});
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
@@ -148,7 +148,7 @@ class Refiner {
 
   void note(Result&& result) {
     Refinement& step = result.refinements.back();
-    std::vector<Answer> found = answers(result, load_case_);
+    std::vector<Answer> found = answers(result, load_case_, outer_radius(body_));
     // There is nothing to compare the first mesh with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "parallel.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 

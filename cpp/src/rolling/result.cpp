@@ -63,16 +63,19 @@ class Summary {
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
-    r.penetration = contact_.penetration - given_.centrifugal;
-    r.center_height = radius() - r.penetration;
-    r.strain = r.penetration / given_.coating_thickness;
-    r.model_error = kErrorPerStrain * std::abs(r.strain);
+    if (given_.approach_exists) {
+      const double penetration = contact_.penetration - given_.centrifugal;
+      r.penetration = penetration;
+      r.center_height = radius() - penetration;
+      r.strain = penetration / given_.coating_thickness;
+      r.model_error = kErrorPerStrain * std::abs(*r.strain);
+    }
     r.centrifugal_displacement = given_.centrifugal;
     r.contact_area = (touching * area_).sum();
     // A strip is as wide as its area per length.
     const bool line = window_.window().is_line();
     r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
-    r.semi_axis_z = line ? 0.0 : semi_axis(window_.z(), touching * area_);
+    if (!line) r.semi_axis_z = semi_axis(window_.z(), touching * area_);
   }
 
   void add_forces(Result& r) const {
@@ -136,7 +139,8 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    r.displacement = to_vector(contact_.gap - given_.height + r.penetration);
+    const ArrayXd rise = contact_.gap - given_.height;
+    r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;

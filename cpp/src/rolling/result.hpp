@@ -4,7 +4,10 @@
 
 #include "contact/contact_solution.hpp"
 #include "surface/surface_window.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 
@@ -17,6 +20,7 @@ struct ContactConditions {
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]
   double centrifugal;        ///< d_R^(c) [m]
+  bool approach_exists;      ///< whether displacements are those from a place that rests
   Eigen::ArrayXd height;     ///< above the lowest point of where displacements are taken, undeformed [m]
   double dissipation;        ///< in the coating, per radian [N m]
 };

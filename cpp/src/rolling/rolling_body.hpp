@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viscoroll/solve.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 

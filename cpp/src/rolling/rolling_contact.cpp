@@ -183,6 +183,7 @@ class LoadCaseSolver {
                         .patch_load = options_.patch_load,
                         .coating_thickness = coating_thickness(model_.body()),
                         .centrifugal = model_.centrifugal(),
+                        .approach_exists = true,
                         .height = displaced_points(nodes).height(),
                         .dissipation = dissipation});
   }

@@ -6,7 +6,9 @@
 
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 

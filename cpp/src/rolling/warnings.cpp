@@ -51,11 +51,11 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
   if (mesh_given && (across < kFewestNodesAcross || !(result.error_estimate <= kLargestEstimate))) {
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
   }
-  if (result.strain > kLargestStrain) {
+  if (result.strain && *result.strain > kLargestStrain) {
     warnings.push_back({WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
-                                                       rounded(result.strain) + " (good up to " +
+                                                       rounded(*result.strain) + " (good up to " +
                                                        rounded(kLargestStrain) + "): linear theory may be off by " +
-                                                       rounded(result.model_error) + " of the torque"});
+                                                       rounded(*result.model_error) + " of the torque"});
   }
   return warnings;
 }

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "viscoroll/solve.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
 

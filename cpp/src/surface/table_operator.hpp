@@ -12,7 +12,7 @@
 #include "influence/synthesis.hpp"
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
-#include "viscoroll/solve.hpp"
+#include "viscoroll/formulation.hpp"
 
 namespace viscoroll::detail {
 

@@ -1,0 +1,17 @@
+/// @file
+/// @brief What presses a rolling body on another, turns it and drives it.
+#pragma once
+
+#include "viscoroll/drive.hpp"
+
+namespace viscoroll {
+
+/// @brief What presses the sphere and turns it.
+struct LoadCase {
+  double load = 0.0;           ///< P, force on the plane [N], > 0
+  double angular_speed = 0.0;  ///< Omega [rad/s], > 0
+  double friction = 0.0;       ///< Coulomb's coefficient mu between coating and plane [-], >= 0
+  Drive drive;                 ///< without friction, a force of 0 or a creepage
+};
+
+}  // namespace viscoroll

@@ -1,0 +1,78 @@
+/// @file
+/// @brief What a solve returns.
+///
+/// Frame: y points down, x forward (the sense of rolling), phi from x towards y, theta from z; the lowest point is
+/// phi = theta = pi/2. Material crosses the contact towards growing phi, so the leading edge has x > 0. Contact
+/// tractions on the coating point up (F_W < 0); the pressure -F_W per area is positive outwards to the user.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viscoroll/mesh.hpp"
+
+namespace viscoroll {
+
+/// @brief How a solve ended.
+enum class Status {
+  converged,             ///< every condition holds, and the wanted accuracy where one was asked for
+  max_iterations,        ///< the active set still changed when the iterations ran out
+  accuracy_not_reached,  ///< solved on the finest mesh allowed, with an error estimate above the wanted accuracy
+};
+
+/// @brief What a user should know before relying on a result.
+enum class WarningKind {
+  max_iterations,        ///< the active set still changed when the iterations ran out
+  accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
+  coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh, or a large error estimate there
+  large_strain,          ///< beyond what linear theory is good for
+};
+
+/// @brief A warning and its text for people.
+struct Warning {
+  WarningKind kind;
+  std::string message;
+};
+
+/// @brief One mesh of a solve that chooses its own.
+struct Refinement {
+  Mesh mesh;                          ///< the mesh
+  int contact_nodes = 0;              ///< nodes in contact
+  double resisting_torque = 0.0;      ///< [N m]
+  std::optional<double> penetration;  ///< [m], none where it is undetermined
+  double power_balance_error = 0.0;   ///< [-]
+  double error_estimate = 0.0;        ///< largest of power balance and changes from the mesh before [-]
+};
+
+/// @brief The scalar results; `result_scalars.def` says what they are, in SI units.
+struct ResultScalars {
+#define VISCOROLL_SCALAR(type, name, unit, label, details) type name{};
+#include "viscoroll/result_scalars.def"
+#undef VISCOROLL_SCALAR
+};
+
+/// @brief Solution on the candidate window. Fields are row-major [phi][theta].
+struct Result : ResultScalars {
+  Status status = Status::converged;  ///< how the solve ended
+
+  Mesh mesh;                           ///< the mesh of this solution
+  int phi_nodes = 0;                   ///< rows of the fields
+  int theta_nodes = 0;                 ///< columns of the fields
+  std::vector<double> x;               ///< forward coordinate of the undeformed nodes [m]
+  std::vector<double> z;               ///< lateral coordinate of the undeformed nodes [m]
+  std::vector<double> pressure;        ///< contact pressure, positive [Pa]
+  std::vector<double> displacement;    ///< vertical displacement of the surface, positive upwards [m]; where the
+                                       ///< penetration is undetermined counted from that of the lowest point
+  std::vector<double> gap;             ///< height of the surface above the plane [m]
+  std::vector<unsigned char> contact;  ///< 1 where the node is in contact
+  std::vector<unsigned char> stick;    ///< 1 where it sticks
+  std::vector<unsigned char> slip;     ///< 1 where it is in contact and slips
+  std::vector<double> shear_traction;  ///< on the coating, along x and z [Pa], [2][phi][theta]
+  std::vector<double> slip_velocity;   ///< of the coating over the plane, along x and z, in contact [m/s], likewise
+
+  std::vector<Refinement> refinements;  ///< the meshes tried, coarse to fine; one entry with a mesh given
+  std::vector<Warning> warnings;        ///< what to know before relying on this
+};
+
+}  // namespace viscoroll

@@ -1,0 +1,120 @@
+#include <pybind11/native_enum.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings.hpp"
+#include "viscoroll/result.hpp"
+
+namespace {
+
+using namespace viscoroll;
+
+/// A field of the result as a read-only array over its memory, [phi][theta].
+template <class T>
+auto field(std::vector<T> Result::* member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const Result&>();
+    return read_only(result.*member, {result.phi_nodes, result.theta_nodes}, self);
+  };
+}
+
+/// Vectors along x and z, [component][phi][theta].
+auto vector_field(std::vector<double> Result::* member) {
+  return [member](const py::object& self) {
+    const auto& result = self.cast<const Result&>();
+    return read_only(result.*member, {2, result.phi_nodes, result.theta_nodes}, self);
+  };
+}
+
+std::map<WarningKind, std::string> warnings_by_kind(const Result& result) {
+  std::map<WarningKind, std::string> texts;
+  for (const Warning& warning : result.warnings) texts.emplace(warning.kind, warning.message);
+  return texts;
+}
+
+/// A line of result_scalars.def.
+struct ScalarDescription {
+  std::string name;
+  std::string type;  ///< as Python's documentation names it
+  std::string unit;
+  std::string label;
+  std::string details;
+};
+
+template <class T>
+constexpr const char* kTypeName = "float";
+template <>
+constexpr const char* kTypeName<std::optional<double>> = "float or None";
+template <>
+constexpr const char* kTypeName<int> = "int";
+
+void bind_scalars(py::module_& m) {
+  py::classh<ScalarDescription>(m, "ScalarDescription")
+      .def_readonly("name", &ScalarDescription::name)
+      .def_readonly("type", &ScalarDescription::type)
+      .def_readonly("unit", &ScalarDescription::unit)
+      .def_readonly("label", &ScalarDescription::label)
+      .def_readonly("details", &ScalarDescription::details);
+  const auto descriptions = [] {
+    return std::vector<ScalarDescription>{
+#define VISCOROLL_SCALAR(type, name, unit, label, details) {#name, kTypeName<type>, unit, label, details},
+#include "viscoroll/result_scalars.def"
+#undef VISCOROLL_SCALAR
+    };
+  };
+  m.def("result_scalars", descriptions, "What the scalar results are, in SI units.");
+
+  py::classh<ResultScalars>(m, "ResultScalars")
+#define VISCOROLL_SCALAR(type, name, unit, label, details) \
+  .def_readonly(#name, &ResultScalars::name, label " [" unit "]. " details)
+#include "viscoroll/result_scalars.def"
+#undef VISCOROLL_SCALAR
+      ;
+}
+
+}  // namespace
+
+void bind_result(py::module_& m) {
+  py::native_enum<Status>(m, "Status", "enum.Enum", "How a solve ended.")
+      .value("CONVERGED", Status::converged, "every condition holds")
+      .value("MAX_ITERATIONS", Status::max_iterations, "the iterations ran out")
+      .value("ACCURACY_NOT_REACHED", Status::accuracy_not_reached, "the finest mesh allowed is not accurate enough")
+      .finalize();
+
+  py::native_enum<WarningKind>(m, "WarningKind", "enum.Enum", "What a user should know before relying on a result.")
+      .value("MAX_ITERATIONS", WarningKind::max_iterations, "the contact still changed when the iterations ran out")
+      .value("ACCURACY_NOT_REACHED", WarningKind::accuracy_not_reached,
+             "the error estimate is above what was asked for")
+      .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
+      .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
+      .finalize();
+
+  py::classh<Refinement>(m, "Refinement")
+      .def_readonly("mesh", &Refinement::mesh)
+      .def_readonly("contact_nodes", &Refinement::contact_nodes)
+      .def_readonly("resisting_torque", &Refinement::resisting_torque)
+      .def_readonly("penetration", &Refinement::penetration)
+      .def_readonly("power_balance_error", &Refinement::power_balance_error)
+      .def_readonly("error_estimate", &Refinement::error_estimate);
+
+  bind_scalars(m);
+  py::classh<Result, ResultScalars>(m, "Result")
+      .def_readonly("status", &Result::status)
+      .def_readonly("mesh", &Result::mesh)
+      .def_readonly("refinements", &Result::refinements)
+      .def_property_readonly("warnings", &warnings_by_kind)
+      .def_property_readonly("x", field(&Result::x))
+      .def_property_readonly("z", field(&Result::z))
+      .def_property_readonly("pressure", field(&Result::pressure))
+      .def_property_readonly("displacement", field(&Result::displacement))
+      .def_property_readonly("gap", field(&Result::gap))
+      .def_property_readonly("contact", field(&Result::contact))
+      .def_property_readonly("stick", field(&Result::stick))
+      .def_property_readonly("slip", field(&Result::slip))
+      .def_property_readonly("shear_traction", vector_field(&Result::shear_traction))
+      .def_property_readonly("slip_velocity", vector_field(&Result::slip_velocity));
+}
