@@ -307,7 +307,8 @@ def _progress_bar() -> Progress:
 def _result_table(result: Result) -> Table:
     table = Table(
         title=f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, "
-        f"friction {result.friction:g}, {result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature",
+        f"friction {result.friction:g}, "
+        f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature",
         title_justify="left",
         show_header=False,
     )

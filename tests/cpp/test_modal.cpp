@@ -88,7 +88,7 @@ class SpectrumTest : public testing::TestWithParam<SpectrumCase> {
 
 TEST_P(SpectrumTest, SharedResponseAgreesWithTheRecursion) {
   const HarmonicCoating coating = this->coating();
-  const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, 2, watch_);
+  const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 2, watch_);
   ASSERT_TRUE(spectrum);
   // Series are cut at 1e-13 and the inertia series at 1e-12; sums of a few such errors.
   EXPECT_LT(worst_spectrum_error(*spectrum, coating), 1e-11);
@@ -127,7 +127,7 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
   Watch watch(observer);
   const auto is_shared = [&](const CoatedSphere& sphere, double speed) {
     const HarmonicCoating coating(sphere, speed, some_orders());
-    return SelfSimilarSpectrum::try_make(coating, kHighestN, 1, watch) != nullptr;
+    return SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 1, watch) != nullptr;
   };
   CoatedSphere two = cases::paper_sphere();
   two.layers.push_back({.thickness = 2e-3,
@@ -137,6 +137,17 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
   EXPECT_TRUE(is_shared(two, 2.5));
   EXPECT_FALSE(is_shared(cases::unlike_layers(), 2.5));
   EXPECT_FALSE(is_shared(cases::paper_sphere(), 1000.0)) << "inertia beyond its series";
+}
+
+TEST(Spectrum, InertiaMayMissWhatIsLeftToIt) {
+  const Observer observer;
+  Watch watch(observer);
+  const HarmonicCoating coating(cases::paper_sphere(), 100.0, some_orders());
+  EXPECT_EQ(SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 1, watch), nullptr);
+  constexpr double kTolerance = 1e-5;
+  const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kTolerance, 1, watch);
+  ASSERT_TRUE(spectrum);
+  EXPECT_LT(worst_spectrum_error(*spectrum, coating), kTolerance);
 }
 
 TEST(CriticalSpeed, OfOneLayerIsItsRayleighWave) {

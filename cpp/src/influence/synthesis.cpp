@@ -219,13 +219,13 @@ const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
 }  // namespace
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
-                   Curvature curvature)
+                   Curvature curvature, double inertia_tolerance)
     : OrderSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
-               theta_bands(sphere, angular_speed, mesh), threads, watch, curvature) {}
+               theta_bands(sphere, angular_speed, mesh), threads, watch, curvature, {}, inertia_tolerance) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
                    std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature,
-                   const LocalMetric& metric)
+                   const LocalMetric& metric, double inertia_tolerance)
     : mesh_(mesh),
       phi_bands_(std::move(phi_bands)),
       theta_bands_(std::move(theta_bands)),
@@ -233,7 +233,7 @@ OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh&
       // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
       coating_(sphere, angular_speed * metric.sine, scaled(all_orders(phi_bands_), 1.0 / metric.sine),
                measured_order(mesh) / metric.sine, curvature),
-      spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch)) {}
+      spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch, inertia_tolerance)) {}
 
 OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
                    int threads, Watch& watch)

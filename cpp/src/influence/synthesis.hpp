@@ -34,14 +34,15 @@ class OrderSum : public TableSum {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @param[in] curvature how much of it the equations keep
+  /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
   OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
-           Curvature curvature = Curvature::sphere);
+           Curvature curvature = Curvature::sphere, double inertia_tolerance = kInertiaTolerance);
 
   /// @brief The same with other orders than those of the mesh.
   OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
            std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature = Curvature::sphere,
-           const LocalMetric& metric = {});
+           const LocalMetric& metric = {}, double inertia_tolerance = kInertiaTolerance);
 
   /// @brief The high orders in another metric, with the membrane stiffness of a sphere. Forces are per area of the
   /// equator's metric.

@@ -14,8 +14,7 @@ namespace {
 
 using cplx = std::complex<double>;
 
-constexpr double kInertiaTolerance = 1e-12;  // of the terms of the inertia series that are left out
-constexpr double kInertiaGrowth = 8.0;       // |f_{j+1}| / |f_j| stays below this in coatings of a rigid core
+constexpr double kInertiaGrowth = 8.0;  // |f_{j+1}| / |f_j| stays below this in coatings of a rigid core
 constexpr int kMaxInertiaOrder = 3;
 
 /// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
@@ -92,10 +91,10 @@ double inertia_growth(const std::vector<Medium<double>>& media, double highest_e
 
 /// Smallest order of the inertia series that leaves out less than the tolerance, if it is small enough.
 /// @param[in] ratio of its terms
-std::optional<int> inertia_order(double ratio) {
+std::optional<int> inertia_order(double ratio, double tolerance) {
   double remainder = ratio;
   for (int order = 0; order <= kMaxInertiaOrder; ++order, remainder *= ratio) {
-    if (remainder <= kInertiaTolerance) return order;
+    if (remainder <= tolerance) return order;
   }
   return std::nullopt;
 }
@@ -249,7 +248,8 @@ class InertiaSeries {
 }  // namespace
 
 std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicCoating& coating, double highest_n,
-                                                                   int threads, Watch& watch) {
+                                                                   double inertia_tolerance, int threads,
+                                                                   Watch& watch) {
   const auto& layers = coating.sphere().layers;
   const double density = std::max_element(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) {
                            return a.density < b.density;
@@ -267,7 +267,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
   }
   const double growth = highest_eta > 0.0 ? inertia_growth(*media, highest_eta) : 0.0;
-  const std::optional<int> order = inertia_order(growth * highest_eta);
+  const std::optional<int> order = inertia_order(growth * highest_eta, inertia_tolerance);
   if (!order) return nullptr;
   spectrum->inertia_order_ = *order;
   for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;

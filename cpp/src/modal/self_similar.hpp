@@ -19,9 +19,15 @@ namespace viscoroll::detail {
 ///     C_mn = 1/g(m Omega) sum_j eta^j sum_i m^(2i) f_ji(k^2).
 class SelfSimilarSpectrum final : public Spectrum {
  public:
+  /// @param[in] coating layers at the orders m
+  /// @param[in] highest_n largest order n that is asked for
+  /// @param[in] inertia_tolerance relative size of the terms of the inertia series that are left out
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
   /// @return nothing for a coating that is not self-similar, or too fast for a few terms of the series
   [[nodiscard]] static std::unique_ptr<SelfSimilarSpectrum> try_make(const HarmonicCoating& coating, double highest_n,
-                                                                     int threads, Watch& watch);
+                                                                     double inertia_tolerance, int threads,
+                                                                     Watch& watch);
 
   void series(std::size_t i, OrderSeries& series) const override;
 

@@ -37,8 +37,9 @@ void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* 
 
 }  // namespace
 
-std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch) {
-  if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, threads, watch)) return shared;
+std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch,
+                                        double inertia_tolerance) {
+  if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, inertia_tolerance, threads, watch)) return shared;
   constexpr double kLowestOrder = 2.0;  // orders below are few
   auto surface = std::make_shared<const HarmonicCoating>(coating);
   if (coating.has_measured_moduli()) return std::make_unique<OrderByOrderSpectrum>(std::move(surface), highest_n);

@@ -74,13 +74,18 @@ class Spectrum {
   virtual void series(std::size_t i, OrderSeries& series) const = 0;
 };
 
+/// @brief Relative error of a compliance that inertia may leave where nothing else is asked for: next to round-off.
+constexpr double kInertiaTolerance = 1e-12;
+
 /// @brief Choose how to obtain the spectrum of a coating, and prepare it.
 /// @param[in] coating layers at the orders m; (0, 0) is the only order below 1/2
 /// @param[in] highest_n largest order n that is asked for
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
+/// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia: small inertia then takes
+/// a term or two, or none
 [[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads,
-                                                      Watch& watch);
+                                                      Watch& watch, double inertia_tolerance = kInertiaTolerance);
 
 /// @brief The same of a plane, whose orders are not whole: none is 0.
 [[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads,

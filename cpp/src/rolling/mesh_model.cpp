@@ -71,20 +71,21 @@ void require_curvature_of_cylinder(Curvature curvature) {
 }  // namespace
 
 MeshModel::MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
-                     Watch& watch)
+                     Watch& watch, double inertia_tolerance)
     : body_(body), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
   if (const auto* sphere = std::get_if<CoatedSphere>(&body)) {
-    roll_sphere(*sphere, threads, watch);
+    roll_sphere(*sphere, threads, watch, inertia_tolerance);
   } else {
     roll_cylinder(std::get<CoatedCylinder>(body), threads, watch);
   }
 }
 
-void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch) {
+void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance) {
   const bool exact = curvature_ == Curvature::exact;
   const Curvature curvature = exact ? Curvature::sphere : curvature_;
   const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  auto orders = std::make_unique<const OrderSum>(rolling, angular_speed_, mesh_, threads, watch, curvature);
+  auto orders = std::make_unique<const OrderSum>(rolling, angular_speed_, mesh_, threads, watch, curvature,
+                                                 inertia_tolerance);
   const HarmonicCoating& coating = orders->coating();
   const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
   for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
@@ -93,7 +94,7 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
   }
   orders_ = std::move(orders);
   body_ = rolling;
-  centrifugal_ = centrifugal_displacement(coating_at_rest(rolling, angular_speed_, curvature));
+  centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
   const std::array m{mesh_.nodes_per_revolution / 2};
   const std::array n{0};
   const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();

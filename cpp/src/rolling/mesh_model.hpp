@@ -32,9 +32,10 @@ class MeshModel {
   /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
+  /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
   MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
-            Watch& watch);
+            Watch& watch, double inertia_tolerance = kInertiaTolerance);
 
   [[nodiscard]] const RollingBody& body() const { return body_; }
   [[nodiscard]] double angular_speed() const { return angular_speed_; }
@@ -74,7 +75,7 @@ class MeshModel {
            const Execution& execution) const;
   [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
 
-  void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch);
+  void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance);
   void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
 
   RollingBody body_;

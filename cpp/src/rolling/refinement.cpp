@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kFewestNodesPerRevolution = 64;
 constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of fields
+constexpr double kInertiaShare = 1e-3;               // of the accuracy, that inertia may miss
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 
 Mesh make_mesh(double nodes_per_revolution) {
@@ -124,7 +125,8 @@ class Refiner {
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model(body_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_);
+      const MeshModel model(body_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_,
+                            kInertiaShare * options_.accuracy);
       note(solve_load_case(model, load_case_, options_, watch_));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();

@@ -45,7 +45,7 @@ def hunter(
     shear_modulus: StandardLinearSolid,
     poisson_ratio: float,
 ) -> HunterContact:
-    """Solve rolling of a rigid cylinder on a half-plane of a standard linear solid, or of such a roller on a rigid plane.
+    """Solve rolling of a rigid cylinder on a half-plane of a standard linear solid, or the other way around.
 
     With ξ = -x the way of the material, l = V τ, f = G₀/G_∞ and the slope of the surface w', the solid's law turns the
     half-plane's integral equation into one for g = p + l p',
