@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/materials.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/sphere.hpp"
@@ -107,6 +108,13 @@ void bind_inputs(py::module_& m) {
              return sphere;
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
+  py::classh<CoatedCylinder>(m, "CoatedCylinder")
+      .def(py::init([](double core_radius, std::vector<Layer> layers) {
+             CoatedCylinder cylinder{core_radius, std::move(layers)};
+             validate(cylinder);
+             return cylinder;
+           }),
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
   py::classh<Mesh>(m, "Mesh")
       .def(py::init([](int nodes_per_revolution, std::optional<int> max_order,
                        std::optional<int> theta_nodes_per_revolution) {

@@ -26,7 +26,7 @@ from ._core import (
 )
 from .caution import ResultWarning
 from .drive import Drive
-from .geometry import CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedSphere, Layer
 from .materials import (
     Elastic,
     FractionalZener,
@@ -50,6 +50,7 @@ from .rolling import RollingModel, solve
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
+    "CoatedCylinder",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",

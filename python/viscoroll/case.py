@@ -16,7 +16,7 @@ from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoa
 from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
-from .geometry import CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
 from .mesh import Mesh
 from .result import Result
 from .rolling import solve
@@ -64,6 +64,11 @@ class _Ball(_Table):
     layers: list[_Layer]
 
 
+class _Cylinder(_Table):
+    core_radius: float
+    layers: list[_Layer]
+
+
 class _Drive(_Table):
     force: float | None = None
     torque: float | None = None
@@ -90,7 +95,8 @@ class _Numerics(_Table):
 
 
 class _File(_Table):
-    ball: _Ball
+    ball: _Ball | None = None
+    cylinder: _Cylinder | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
 
@@ -99,7 +105,7 @@ class _File(_Table):
 class Case:
     """One load case, as a file describes it. Parameters as of `viscoroll.solve`."""
 
-    ball: CoatedSphere
+    ball: RollingBody
     load: float
     angular_speed: float
     friction: float
@@ -209,11 +215,7 @@ def _build(file: _File, folder: Path) -> Case:
     elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
-        ball=CoatedSphere(
-            core_radius=file.ball.core_radius,
-            inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
-            layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(file.ball.layers)],
-        ),
+        ball=_rolling_body(file, folder),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
@@ -225,6 +227,25 @@ def _build(file: _File, folder: Path) -> Case:
         patch_load=PatchLoad[numerics.patch_load.upper()],
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
     )
+
+
+def _rolling_body(file: _File, folder: Path) -> RollingBody:
+    if (file.ball is None) == (file.cylinder is None):
+        raise ValueError(f"ball or cylinder must be given, and not both, got {'none' if file.ball is None else 'both'}")
+    if file.cylinder is not None:
+        return CoatedCylinder(
+            core_radius=file.cylinder.core_radius, layers=_layers(file.cylinder.layers, "cylinder", folder)
+        )
+    assert file.ball is not None
+    return CoatedSphere(
+        core_radius=file.ball.core_radius,
+        inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
+        layers=_layers(file.ball.layers, "ball", folder),
+    )
+
+
+def _layers(layers: list[_Layer], name: str, folder: Path) -> list[Layer]:
+    return [_layer(layer, f"{name}.layers[{j}]", folder) for j, layer in enumerate(layers)]
 
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:

@@ -1,9 +1,10 @@
-"""The rolling body: a rigid core covered by bonded viscoelastic layers."""
+"""What rolls: a rigid core covered by bonded viscoelastic layers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from . import _core
 from ._arrays import require_type, store_floats
@@ -11,7 +12,7 @@ from ._core import InnerBoundary
 from ._text import shown
 from .materials import ShearModulusLike, to_core
 
-__all__ = ["CoatedSphere", "Layer"]
+__all__ = ["CoatedCylinder", "CoatedSphere", "Layer", "RollingBody"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,14 +91,8 @@ class CoatedSphere:
 
     def __post_init__(self) -> None:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""
-        layers = (self.layers,) if isinstance(self.layers, Layer) else self.layers
-        if not isinstance(layers, Iterable):
-            raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
-        layers = tuple(layers)
-        for j, layer in enumerate(layers):
-            require_type(f"layers[{j}]", layer, Layer)
         store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", layers)
+        object.__setattr__(self, "layers", _as_layers(self.layers))
         require_type("inner_boundary", self.inner_boundary, InnerBoundary)
         self._to_core()
 
@@ -117,3 +112,63 @@ class CoatedSphere:
             layers=[layer._to_core() for layer in self.layers],
             inner_boundary=self.inner_boundary,
         )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedCylinder:
+    """A roller: layers bonded to one another and to a rigid core, in line contact.
+
+    It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
+    load would have no finite compliance.
+
+    Parameters
+    ----------
+    core_radius : float
+        Radius of the core [m], > 0.
+    layers : sequence of Layer
+        From the core outwards.
+
+    Examples
+    --------
+    >>> from viscoroll import StandardLinearSolid
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> layer = Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)
+    >>> CoatedCylinder(core_radius=50e-3, layers=[layer]).outer_radius
+    0.060000000000000005
+    """
+
+    core_radius: float
+    layers: Sequence[Layer]
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers, store the radius as a float, and check the parameters."""
+        store_floats(self, ("core_radius",))
+        object.__setattr__(self, "layers", _as_layers(self.layers))
+        self._to_core()
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def outer_radius(self) -> float:
+        """Outer radius r_o [m]."""
+        return self.core_radius + self.thickness
+
+    def _to_core(self) -> _core.CoatedCylinder:
+        return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
+
+
+#: What rolls: a ball, or a roller, whose load and results are per length.
+RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+
+
+def _as_layers(layers: object) -> tuple[Layer, ...]:
+    layers = (layers,) if isinstance(layers, Layer) else layers
+    if not isinstance(layers, Iterable):
+        raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
+    layers = tuple(layers)
+    for j, layer in enumerate(layers):
+        require_type(f"layers[{j}]", layer, Layer)
+    return layers

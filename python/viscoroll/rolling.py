@@ -1,4 +1,4 @@
-"""Steady rolling contact of a coated sphere on a rigid plane."""
+"""Steady rolling contact of a coated sphere or cylinder on a rigid plane."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
 from .drive import Drive
-from .geometry import CoatedSphere
+from .geometry import CoatedCylinder, CoatedSphere, RollingBody
 from .mesh import Mesh
 from .result import Result
 
@@ -21,7 +21,7 @@ __all__ = ["RollingModel", "solve"]
 
 
 def solve(
-    ball: CoatedSphere,
+    ball: RollingBody,
     *,
     load: float,
     angular_speed: float,
@@ -43,10 +43,10 @@ def solve(
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Rigid core and layers.
+    ball : CoatedSphere or CoatedCylinder
+        What rolls: rigid core and layers.
     load : float
-        P, force that presses the ball on the plane [N], > 0.
+        P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh, optional
@@ -117,7 +117,7 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    require_type("ball", ball, CoatedSphere)
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
     require_type("mesh", mesh, Mesh, optional=True)
     require_type("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
@@ -143,8 +143,8 @@ class RollingModel:
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Rigid core and layers.
+    ball : CoatedSphere or CoatedCylinder
+        What rolls: rigid core and layers.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
@@ -171,7 +171,7 @@ class RollingModel:
 
     def __init__(
         self,
-        ball: CoatedSphere,
+        ball: RollingBody,
         *,
         angular_speed: float,
         mesh: Mesh,
@@ -179,7 +179,7 @@ class RollingModel:
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
     ) -> None:
-        require_type("ball", ball, CoatedSphere)
+        require_type("ball", ball, CoatedSphere, CoatedCylinder)
         require_type("mesh", mesh, Mesh)
         require_type("curvature", curvature, Curvature)
         require_callable("progress", progress)
@@ -203,7 +203,7 @@ class RollingModel:
             f"curvature=Curvature.{self.curvature.name})"
         )
 
-    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[CoatedSphere, float, Mesh, Curvature]]:
+    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[RollingBody, float, Mesh, Curvature]]:
         """Pickle the input; the tables are computed again."""
         return _make_model, (self.ball, self.angular_speed, self.mesh, self.curvature)
 
@@ -228,7 +228,7 @@ class RollingModel:
         return _result(solution, self.ball, self.angular_speed, drive, self.curvature, case)
 
 
-def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh, curvature: Curvature) -> RollingModel:
+def _make_model(ball: RollingBody, angular_speed: float, mesh: Mesh, curvature: Curvature) -> RollingModel:
     return RollingModel(ball, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
 
 
@@ -264,7 +264,7 @@ def _core_case(
 
 def _result(
     solution: _core.Result,
-    ball: CoatedSphere,
+    ball: RollingBody,
     angular_speed: float,
     drive: Drive,
     curvature: Curvature,

@@ -13,7 +13,7 @@
 namespace viscoroll::detail {
 
 /// @brief What the tables of a coated sphere on a mesh are summed from.
-class CoatingSum {
+class CoatingSum : public TableSum {
  public:
   /// @param[in] sphere core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
@@ -41,7 +41,7 @@ class CoatingSum {
 
   /// @brief As `OrderSum::tables`.
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
-                                          int threads, Watch& watch) const {
+                                          int threads, Watch& watch) const override {
     return sum_.tables(requests, phi_reach, theta_reach, threads, watch);
   }
 

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "influence/patch.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 using cplx = std::complex<double>;
 using Eigen::Index;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMajor = RowMajorMatrix;
 
 /// A request with what its summands are multiplied by. A coefficient is even or odd in n, by its entry and its patches.
 struct Kernel {
@@ -48,27 +49,6 @@ Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double 
     const cplx shift = std::polar(1.0, m * spacing * kernel.request.phi_shift);
     return scale * (kernel.request.power ? cplx(0.0, m) * patch * patch : patch * shift);
   });
-}
-
-/// Cosines and sines of order times offset, a row for each order and a column for each offset from 0.
-struct Waves {
-  RowMajor cosines;
-  RowMajor sines;
-};
-
-Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
-  constexpr int kStride = 32;  // products in a row before round-off is shed
-  Waves waves{RowMajor(orders.size(), reach + 1), RowMajor(orders.size(), reach + 1)};
-  for (Index i = 0; i < orders.size(); ++i) {
-    const cplx step = std::polar(1.0, orders[i] * spacing);
-    cplx wave;
-    for (Index l = 0; l <= reach; ++l) {
-      wave = l % kStride == 0 ? std::polar(1.0, orders[i] * spacing * static_cast<double>(l)) : wave * step;
-      waves.cosines(i, l) = wave.real();
-      waves.sines(i, l) = wave.imag();
-    }
-  }
-  return waves;
 }
 
 /// Share of the orders that is not summed by degrees.

@@ -11,26 +11,13 @@
 #include <vector>
 
 #include "influence/order_bands.hpp"
-#include "influence/table.hpp"
+#include "influence/table_sum.hpp"
 #include "modal/spectrum.hpp"
 #include "parallel.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief What a table holds.
-struct TableRequest {
-  Entry entry = Entry::rr;  ///< direction of displacement and load
-  int source_shape = 0;     ///< Legendre degree of the loaded patch
-  /// Displacement at the node where false; where true, its derivative in phi, averaged over a patch of Legendre
-  /// degree `receiver_shape`: with nodal forces on both sides, the power lost per radian.
-  bool power = false;
-  int receiver_shape = 0;
-  double phi_shift = 0.0;  ///< where displacement is taken, downstream of the node [spacings], in [0, 1/2]
-
-  friend bool operator==(const TableRequest&, const TableRequest&) = default;
-};
 
 /// @brief Orders as they are seen from another place than the equator of a sphere, above the degrees that
 /// `sphere_sum.hpp` sums by themselves.
@@ -40,7 +27,7 @@ struct LocalMetric {
 };
 
 /// @brief What the tables of a surface on a mesh are summed from, whatever body it is of.
-class OrderSum {
+class OrderSum : public TableSum {
  public:
   /// @param[in] mesh spacings
   /// @param[in] radius that makes wave numbers orders [m]
@@ -58,14 +45,8 @@ class OrderSum {
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
-  /// @brief Sum all orders into tables.
-  /// @param[in] requests what to sum
-  /// @param[in] phi_reach,theta_reach largest offsets, at most half of the nodes per revolution
-  /// @param[in] threads number of threads, 0 for all cores
-  /// @param[in] watch progress and cancellation
-  /// @return one table for each request
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
-                                          int threads, Watch& watch) const;
+                                          int threads, Watch& watch) const override;
 
  private:
   Mesh mesh_;

@@ -33,15 +33,8 @@ HarmonicPlane::HarmonicPlane(const CoatedPlane& plane, double speed, double radi
   if (is_rigid(plane)) reject("plane.layers", "a list of at least one layer, or plane.base given", "neither");
   layers_ = layers_from_base(plane);
   const double rate = speed / radius;
-  std::vector<double> omega(orders_.size());
-  for (const Layer& layer : layers_) {
-    const bool measured = is_measured(layer.shear_modulus);
-    std::ranges::transform(orders_, omega.begin(),
-                           [&](double m) { return rate * (measured ? limited(m, measured_order) : m); });
-    moduli_.push_back(complex_modulus(layer.shear_modulus, omega));
-  }
-  const double highest = orders_.empty() ? 0.0 : *std::ranges::max_element(orders_);
-  require_subcritical(plane, speed, rate * std::max(1.0, limited(highest, measured_order)));
+  moduli_ = harmonic_moduli(layers_, rate, orders_, measured_order);
+  require_subcritical(plane, speed, highest_frequency(rate, orders_, measured_order));
 }
 
 bool HarmonicPlane::has_measured_moduli() const {

@@ -23,6 +23,25 @@ bool is_measured(const ShearModulus& modulus) {
 
 double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
 
+std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers, double angular_speed,
+                                                               const std::vector<double>& orders,
+                                                               double measured_order) {
+  std::vector<std::vector<std::complex<double>>> moduli;
+  std::vector<double> omega(orders.size());
+  for (const Layer& layer : layers) {
+    const bool measured = is_measured(layer.shear_modulus);
+    std::transform(orders.begin(), orders.end(), omega.begin(),
+                   [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
+    moduli.push_back(complex_modulus(layer.shear_modulus, omega));
+  }
+  return moduli;
+}
+
+double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order) {
+  const double highest = orders.empty() ? 0.0 : *std::max_element(orders.begin(), orders.end());
+  return angular_speed * std::max(1.0, limited(highest, measured_order));
+}
+
 HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_speed, std::vector<double> orders,
                                  double measured_order, Curvature curvature)
     : sphere_(sphere), angular_speed_(angular_speed), orders_(std::move(orders)), curvature_(curvature) {
@@ -30,17 +49,9 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   require_positive("angular_speed", angular_speed, "rad/s");
 
   radii_.push_back(sphere.core_radius);
-  std::vector<double> omega(orders_.size());
-  for (const Layer& layer : sphere.layers) {
-    radii_.push_back(radii_.back() + layer.thickness);
-    const bool measured = is_measured(layer.shear_modulus);
-    std::transform(orders_.begin(), orders_.end(), omega.begin(),
-                   [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
-    moduli_.push_back(complex_modulus(layer.shear_modulus, omega));
-  }
-  const double highest = orders_.empty() ? 0.0 : *std::max_element(orders_.begin(), orders_.end());
-  require_subcritical(sphere, angular_speed, angular_speed * std::max(1.0, limited(highest, measured_order)),
-                      curvature);
+  for (const Layer& layer : sphere.layers) radii_.push_back(radii_.back() + layer.thickness);
+  moduli_ = harmonic_moduli(sphere.layers, angular_speed, orders_, measured_order);
+  require_subcritical(sphere, angular_speed, highest_frequency(angular_speed, orders_, measured_order), curvature);
   require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
 }
 

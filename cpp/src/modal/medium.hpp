@@ -55,6 +55,21 @@ template <class Scalar>
   return Scalar((1.0 - 2.0 * *layer.poisson_ratio) / (2.0 * (1.0 - *layer.poisson_ratio)));
 }
 
+/// @brief Complex shear moduli of layers at the frequencies m Omega.
+/// @param[in] layers of a coating
+/// @param[in] angular_speed Omega [rad/s]
+/// @param[in] orders m >= 0, not necessarily whole
+/// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
+/// frequencies beyond this order's: from about half of it on they are taken at lower ones
+/// @return [layer][order] [Pa]
+[[nodiscard]] std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers,
+                                                                             double angular_speed,
+                                                                             const std::vector<double>& orders,
+                                                                             double measured_order);
+
+/// @return the highest frequency at which measured materials are asked for theirs [rad/s]
+[[nodiscard]] double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order);
+
 /// @return whether a modulus was measured, and so may have kinks
 [[nodiscard]] bool is_measured(const ShearModulus& modulus);
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "influence/coating_sum.hpp"
 #include "modal/centrifugal.hpp"
 #include "validate.hpp"
 #include "viscoroll/modal.hpp"
@@ -44,25 +45,84 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
 /// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
 /// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
 /// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
-double stable_collocation(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature) {
-  const std::array m{mesh.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 compliance = surface_compliance(sphere, angular_speed, m, n, curvature).front();
-  const double phase = std::max(-std::arg(compliance[0]), -std::arg(compliance[4]));
+/// @param[in] normal,along compliance of that order
+double stable_collocation(std::complex<double> normal, std::complex<double> along) {
+  const double phase = std::max(-std::arg(normal), -std::arg(along));
   return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+}
+
+/// A row of nodes has no spacing sideways: its nodes bear forces per length.
+void require_line_mesh(const Mesh& mesh) {
+  if (mesh.theta_nodes_per_revolution) {
+    reject("mesh.theta_nodes_per_revolution", "left out with a cylinder, whose contact is a single row of nodes",
+           std::to_string(*mesh.theta_nodes_per_revolution));
+  }
+}
+
+void require_curvature_of_cylinder(Curvature curvature) {
+  if (curvature == Curvature::sphere) return;
+  reject("curvature", "left out with a cylinder, whose equations keep all of it",
+         curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     int threads, Watch& watch, double inertia_tolerance)
-    : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
-              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature, inertia_tolerance),
-      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
-      collocation_(stable_collocation(coating().sphere(), angular_speed, mesh, coating().curvature())) {
-  if (curvature == Curvature::exact) {
-    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
+MeshModel::MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+                     Watch& watch, double inertia_tolerance)
+    : pair_(pair), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
+  if (const auto* sphere = std::get_if<CoatedSphere>(&pair.body)) {
+    roll_sphere(*sphere, threads, watch, inertia_tolerance);
+  } else {
+    roll_cylinder(std::get<CoatedCylinder>(pair.body), threads, watch);
   }
+}
+
+void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance) {
+  const bool exact = curvature_ == Curvature::exact;
+  const Curvature curvature = exact ? Curvature::sphere : curvature_;
+  const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
+  auto orders =
+      std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads, watch, curvature, inertia_tolerance);
+  const HarmonicCoating& coating = orders->coating();
+  const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
+  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
+    stiffest_modulus_ =
+        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
+  }
+  orders_ = std::move(orders);
+  pair_.body = rolling;
+  centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
+  const std::array m{mesh_.nodes_per_revolution / 2};
+  const std::array n{0};
+  const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
+  collocation_ = stable_collocation(alternating[0], alternating[4]);
+  if (exact) sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
+}
+
+void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
+  require_line_mesh(mesh_);
+  require_curvature_of_cylinder(curvature_);
+  const double radius = viscoroll::outer_radius(cylinder);
+  const double speed = angular_speed_ * radius;
+  const double arc = radius * phi_spacing(mesh_);
+  roller_ = roller_surface(cylinder, speed, arc, mesh_, threads, watch);
+  if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
+    counterpart_ = plane_surface(*plane, speed, radius, mesh_);
+  } else {
+    counterpart_ = roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch);
+  }
+  orders_ = std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get());
+  collocation_ = stable_collocation(roller_.normal + counterpart_.normal, roller_.along + counterpart_.along);
+  stiffest_modulus_ = std::max(roller_.stiffest_modulus, counterpart_.stiffest_modulus);
+  centrifugal_ = roller_.centrifugal + counterpart_.centrifugal;
+}
+
+SurfaceGrid MeshModel::grid() const {
+  const double radius = outer_radius(body());
+  // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
+  return {.radius = radius,
+          .phi_spacing = phi_spacing(mesh_),
+          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_)};
 }
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
@@ -89,7 +149,7 @@ void MeshModel::add(const Formulation& formulation, std::span<const TableKind> k
     const auto wanted = requests(formulation, kind);
     all.insert(all.end(), wanted.begin(), wanted.end());
   }
-  std::vector<Table> tables = orders_.tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
+  std::vector<Table> tables = orders_->tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
   auto next = std::make_move_iterator(tables.begin());
   for (const TableKind kind : kinds) {
     const auto end = next + static_cast<std::ptrdiff_t>(requests(formulation, kind).size());

@@ -63,21 +63,26 @@ class Summary {
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
-    r.penetration = contact_.penetration - given_.centrifugal;
-    r.center_height = radius() - r.penetration;
-    r.strain = r.penetration / given_.coating_thickness;
-    r.model_error = kErrorPerStrain * std::abs(r.strain);
+    if (given_.approach_exists) {
+      const double penetration = contact_.penetration - given_.centrifugal;
+      r.penetration = penetration;
+      r.center_height = radius() - penetration;
+      r.strain = penetration / given_.coating_thickness;
+      r.model_error = kErrorPerStrain * std::abs(*r.strain);
+    }
     r.centrifugal_displacement = given_.centrifugal;
-    r.semi_axis_x = semi_axis(window_.x(), touching * area_);
-    r.semi_axis_z = semi_axis(window_.z(), touching * area_);
     r.contact_area = (touching * area_).sum();
+    // A strip is as wide as its area per length.
+    const bool line = window_.window().is_line();
+    r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
+    if (!line) r.semi_axis_z = semi_axis(window_.z(), touching * area_);
   }
 
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
-    r.resisting_torque = (window_.x() * pressing_).sum();
+    r.resisting_torque = (given_.lever * pressing_).sum();
     const double load = given_.load_case.load;
-    r.driving_force = settled(-forward.sum(), load);
+    r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
     r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
 
     const double swelling = 1.0 + given_.centrifugal / radius();
@@ -87,7 +92,9 @@ class Summary {
       x += contact_.displacement.col(kForward);
     }
     y += contact_.displacement.col(kDown);
-    r.driving_torque = settled((x * pressing_ + y * forward).sum(), load * radius());
+    // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
+    const double torque = (x * pressing_ + y * forward).sum() - radius() * counterpart_force(r);
+    r.driving_torque = settled(torque, load * radius());
   }
 
   void add_powers(Result& r) const {
@@ -106,7 +113,9 @@ class Summary {
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
-    double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    const double counterpart = counterpart_force(r);
+    double work = r.driving_torque * load_case.angular_speed +
+                  (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
     if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
       work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();
     }
@@ -134,7 +143,8 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    r.displacement = to_vector(contact_.gap - given_.height + r.penetration);
+    const ArrayXd rise = contact_.gap - given_.height;
+    r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;
@@ -145,6 +155,14 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
+  [[nodiscard]] double counterpart_force(const Result& r) const {
+    return given_.drag - r.resisting_torque * (1.0 / given_.relative_radius - 1.0 / radius());
+  }
+
+  /// Power that the counterpart takes from what drives the two.
+  [[nodiscard]] double counterpart_power() const { return given_.drag * given_.load_case.angular_speed * radius(); }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
   [[nodiscard]] ArrayX2d slip_velocity() const {

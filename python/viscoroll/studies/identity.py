@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..geometry import CoatedCylinder
 from ..materials import ShearModulus
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
-    from ..geometry import CoatedSphere
+    from ..geometry import RollingBody
     from ..mesh import Mesh
 
 __all__ = ["PointKeys", "digest"]
@@ -38,12 +39,12 @@ class PointKeys:
     def __init__(self) -> None:
         self._balls: dict[tuple[int, float, int], str] = {}
 
-    def key(self, ball: CoatedSphere, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
+    def key(self, ball: RollingBody, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
         """Return the key of a point.
 
         Parameters
         ----------
-        ball : CoatedSphere
+        ball : CoatedSphere or CoatedCylinder
             Its ball, which must outlive this object.
         arguments : mapping
             Arguments of `viscoroll.solve`; what is left out has its default.
@@ -70,9 +71,10 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
     return mesh.max_order or 2 * mesh.nodes_per_revolution
 
 
-def _ball_text(ball: CoatedSphere, speed: float, highest: int) -> str:
+def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
     frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
-    texts = [f"{ball.inner_boundary.name} {ball.core_radius!r}"]
+    kind = "cylinder" if isinstance(ball, CoatedCylinder) else ball.inner_boundary.name
+    texts = [f"{kind} {ball.core_radius!r}"]
     for layer in ball.layers:
         properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
         modulus = layer.shear_modulus
