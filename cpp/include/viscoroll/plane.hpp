@@ -25,14 +25,27 @@ struct CoatedPlane {
   std::optional<HalfSpace> base;  ///< none: rigid
 };
 
+/// @brief What a ball rolls in or along: a surface with radii of curvature, > 0 where it is hollow, < 0 where it bulges.
+/// Its layers and its base are taken to be flat, as good as they are thin beside the radii.
+struct Groove {
+  std::optional<double> radius;       ///< across the path [m], larger than the ball's where > 0; none: straight
+  std::optional<double> path_radius;  ///< along the path, in its plane [m], likewise: a dish, or the race of a bearing
+  CoatedPlane surface;                ///< rigid without layers and base
+};
+
 /// @return thickness of all layers together [m]
 [[nodiscard]] double coating_thickness(const CoatedPlane& plane);
 
 /// @return whether nothing of the plane deforms
 [[nodiscard]] bool is_rigid(const CoatedPlane& plane);
+[[nodiscard]] bool is_rigid(const Groove& groove);
 
 /// @brief Check a plane, its layers and its base.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const CoatedPlane& plane);
+
+/// @brief Check a groove; whether a ball fits is checked with the ball.
+/// @throws std::invalid_argument naming parameter, value, unit and range
+void validate(const Groove& groove);
 
 }  // namespace viscoroll

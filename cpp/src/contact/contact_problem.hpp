@@ -17,6 +17,7 @@ namespace viscoroll::detail {
 struct Friction {
   double coefficient;          ///< mu [-], > 0
   Eigen::ArrayX2d rigid_slip;  ///< of undeformed bodies without speed, from row to row along x and z [m]; 0 in row 0
+  Eigen::ArrayX2d guided_slip;  ///< what of it a guide brings about: lateral creepage and spin [m]
   double step;                 ///< what a speed ratio of 1 adds to it along x [m]
   LeverArms arms;
   std::shared_ptr<const Drive> drive;

@@ -22,6 +22,7 @@ std::vector<double> scaled(std::vector<double> orders, double factor) {
 /// Bands are made of what has been checked alone.
 const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
   validate(sphere);
+  if (sphere.layers.empty()) reject("layers", "a list of at least one layer", "none");
   require_positive("angular_speed", angular_speed, "rad/s");
   return sphere;
 }

@@ -184,6 +184,7 @@ void require_damped_waves(const CoatedCylinder& cylinder, double angular_speed, 
 
 double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curvature curvature) {
   validate(sphere);
+  if (sphere.layers.empty()) return std::numeric_limits<double>::infinity();
   return detail::critical_speed(detail::short_time_media(sphere, highest_frequency, curvature),
                                 detail::are_stiff_on_sphere);
 }

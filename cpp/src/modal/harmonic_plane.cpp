@@ -30,7 +30,7 @@ HarmonicPlane::HarmonicPlane(const CoatedPlane& plane, double speed, double radi
   validate(plane);
   require_positive("speed", speed, "m/s");
   require_positive("radius", radius, "m");
-  if (is_rigid(plane)) reject("plane.layers", "a list of at least one layer, or plane.base given", "neither");
+  if (is_rigid(plane)) reject("layers", "a list of at least one layer, or base given", "neither");
   layers_ = layers_from_base(plane);
   const double rate = speed / radius;
   moduli_ = harmonic_moduli(layers_, rate, orders_, measured_order);

@@ -46,6 +46,7 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
                                  double measured_order, Curvature curvature)
     : sphere_(sphere), angular_speed_(angular_speed), orders_(std::move(orders)), curvature_(curvature) {
   validate(sphere);
+  if (sphere.layers.empty()) reject("layers", "a list of at least one layer", "none");
   require_positive("angular_speed", angular_speed, "rad/s");
 
   radii_.push_back(sphere.core_radius);

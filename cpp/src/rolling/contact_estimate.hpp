@@ -14,7 +14,8 @@ namespace viscoroll::detail {
 /// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
 /// but not in so short a time, is as stiff as it rolls.
 /// Of a roller: P = pi G a^2 / (2 (1 - nu) R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
-/// Of two bodies: as if one had all layers, and all of them the softest modulus.
+/// Of two bodies, and of layers on a half-space: the compliances, a load's inverse at a given a, add up. Of a groove:
+/// the circle with the mean of both curvatures.
 /// @param[in] pair what rolls, and what it rolls on
 /// @param[in] angular_speed Omega [rad/s]
 /// @param[in] load P [N]

@@ -63,19 +63,21 @@ class Summary {
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
-    if (given_.approach_exists) {
-      const double penetration = contact_.penetration - given_.centrifugal;
-      r.penetration = penetration;
-      r.center_height = radius() - penetration;
-      r.strain = penetration / given_.coating_thickness;
-      r.model_error = kErrorPerStrain * std::abs(*r.strain);
-    }
     r.centrifugal_displacement = given_.centrifugal;
     r.contact_area = (touching * area_).sum();
     // A strip is as wide as its area per length.
     const bool line = window_.window().is_line();
     r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
     if (!line) r.semi_axis_z = semi_axis(window_.z(), touching * area_);
+    if (!given_.approach_exists) return;
+    const double penetration = contact_.penetration - given_.centrifugal;
+    r.penetration = penetration;
+    r.center_height = radius() - penetration;
+    // A half-space by itself is strained as deep as the contact is wide.
+    const double depth =
+        given_.thickness > 0.0 ? given_.thickness : std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
+    r.strain = penetration / depth;
+    r.model_error = kErrorPerStrain * std::abs(*r.strain);
   }
 
   void add_forces(Result& r) const {
@@ -83,15 +85,17 @@ class Summary {
     r.resisting_torque = (given_.lever * pressing_).sum();
     const double load = given_.load_case.load;
     r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
-    r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
+    const ArrayXd sideways = contact_.force.col(kSideways);
+    r.lateral_force = settled(sideways.sum(), load);
+    r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
 
     const double swelling = 1.0 + given_.centrifugal / radius();
     ArrayXd x = swelling * window_.x();
     ArrayXd y = swelling * window_.y();
     if (given_.compliance == Compliance::vertical) {
-      x += contact_.displacement.col(kForward);
+      x += given_.own_displacement.col(kForward);
     }
-    y += contact_.displacement.col(kDown);
+    y += given_.own_displacement.col(kDown);
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
     const double torque = (x * pressing_ + y * forward).sum() - radius() * counterpart_force(r);
     r.driving_torque = settled(torque, load * radius());
@@ -105,7 +109,9 @@ class Summary {
       r.creepage = *speed_ratio - 1.0;
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
-    r.bulk_power = load_case.angular_speed * given_.dissipation;
+    r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
+    r.counterpart_bulk_power = load_case.angular_speed * given_.losses.counterpart;
+    r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
@@ -117,7 +123,8 @@ class Summary {
     double work = r.driving_torque * load_case.angular_speed +
                   (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
     if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-      work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();
+      const double speed_given = load_case.angular_speed * radius();
+      work -= (r.lateral_force * given->lateral_creepage + r.spin_moment * given->spin) * speed_given;
     }
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
     const double negligible =

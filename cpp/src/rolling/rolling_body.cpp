@@ -1,5 +1,6 @@
 #include "rolling/rolling_body.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "modal/harmonic_plane.hpp"
@@ -7,6 +8,9 @@
 
 namespace viscoroll::detail {
 namespace {
+
+/// Of a ball in a groove, radius by radius: in a closer one contact is no longer shallow.
+constexpr double kClosestFit = 1.0 / 1.02;
 
 const std::vector<Layer>& layers_of(const RollingBody& body) {
   return std::visit([](const auto& shape) -> const std::vector<Layer>& { return shape.layers; }, body);
@@ -33,8 +37,20 @@ std::string_view load_unit(const RollingBody& body) { return is_roller(body) ? "
 bool is_rigid(const RollingBody& body) { return layers_of(body).empty(); }
 
 bool is_rigid(const Counterpart& on) {
-  if (const auto* plane = std::get_if<CoatedPlane>(&on)) return viscoroll::is_rigid(*plane);
-  return std::get<CoatedCylinder>(on).layers.empty();
+  if (const auto* roller = std::get_if<CoatedCylinder>(&on)) return roller->layers.empty();
+  return viscoroll::is_rigid(plane_of(on));
+}
+
+const CoatedPlane& plane_of(const Counterpart& on) {
+  const auto* groove = std::get_if<Groove>(&on);
+  return groove == nullptr ? std::get<CoatedPlane>(on) : groove->surface;
+}
+
+TrackCurvature track_curvature(const Counterpart& on) {
+  const auto* groove = std::get_if<Groove>(&on);
+  if (groove == nullptr) return {};
+  const auto curvature = [](const std::optional<double>& radius) { return radius ? 1.0 / *radius : 0.0; };
+  return {.along = curvature(groove->path_radius), .across = curvature(groove->radius)};
 }
 
 double radius_of(const Counterpart& on) {
@@ -44,7 +60,7 @@ double radius_of(const Counterpart& on) {
 
 double relative_radius(const RollingPair& pair) {
   const double radius = outer_radius(pair.body);
-  return radius / (1.0 + radius / radius_of(pair.on));
+  return radius / (1.0 + radius / radius_of(pair.on) - radius * track_curvature(pair.on).along);
 }
 
 std::vector<NamedLayer> layers(const RollingPair& pair) {
@@ -54,7 +70,7 @@ std::vector<NamedLayer> layers(const RollingPair& pair) {
     append(named, roller->layers, "on.");
     return named;
   }
-  const auto& plane = std::get<CoatedPlane>(pair.on);
+  const CoatedPlane& plane = plane_of(pair.on);
   if (plane.base) named.push_back({.name = "on.base", .layer = layers_from_base(plane).front()});
   append(named, plane.layers, "on.");
   return named;
@@ -66,15 +82,35 @@ double thickness(const RollingPair& pair) {
   return sum;
 }
 
+double layer_thickness(const RollingPair& pair) {
+  double sum = 0.0;
+  for (const NamedLayer& named : layers(pair)) {
+    if (std::isfinite(named.layer.thickness)) sum += named.layer.thickness;
+  }
+  return sum;
+}
+
 void validate(const RollingPair& pair) {
   std::visit([](const auto& shape) { viscoroll::validate(shape); }, pair.body);
   std::visit([](const auto& shape) { viscoroll::validate(shape); }, pair.on);
-  if (!is_roller(pair.body) && (std::holds_alternative<CoatedCylinder>(pair.on) || !is_rigid(pair.on))) {
-    reject("on", "a rigid plane for a sphere", "something else");
+  if (!is_roller(pair.body) && std::holds_alternative<CoatedCylinder>(pair.on)) {
+    reject("on", "a CoatedPlane or a Groove for a CoatedSphere", "a CoatedCylinder");
+  }
+  if (is_roller(pair.body) && std::holds_alternative<Groove>(pair.on)) {
+    reject("on", "a CoatedPlane or a CoatedCylinder for a CoatedCylinder", "a Groove");
   }
   if (layers(pair).empty()) {
-    reject("layers", "at least one, of what rolls or of what it rolls on", "none: two rigid bodies");
+    reject("layers", "a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base given",
+           "none: two rigid bodies");
   }
+  const TrackCurvature track = track_curvature(pair.on);
+  const double radius = outer_radius(pair.body);
+  const auto require_room = [radius](const char* name, double curvature) {
+    if (radius * curvature < kClosestFit) return;
+    reject(name, "larger than the ball's radius, " + text(radius) + " m, by 2 % at the least", text(1.0 / curvature) + " m");
+  };
+  require_room("on.radius", track.across);
+  require_room("on.path_radius", track.along);
 }
 
 }  // namespace viscoroll::detail

@@ -42,11 +42,24 @@ struct NamedLayer {
 /// @return R of 1/R = 1/R_1 + 1/R_2 [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);
 
+/// @return the plane, or the groove's surface, that a ball rolls on
+[[nodiscard]] const CoatedPlane& plane_of(const Counterpart& on);
+
+/// @brief Curvature of what a ball rolls on, > 0 where it is hollow [1/m].
+struct TrackCurvature {
+  double along = 0.0;
+  double across = 0.0;
+};
+[[nodiscard]] TrackCurvature track_curvature(const Counterpart& on);
+
 /// @return all layers of both; a half-space is one of infinite thickness
 [[nodiscard]] std::vector<NamedLayer> layers(const RollingPair& pair);
 
 /// @return thickness of all of them together [m], maybe infinite
 [[nodiscard]] double thickness(const RollingPair& pair);
+
+/// @return the same without half-spaces [m]
+[[nodiscard]] double layer_thickness(const RollingPair& pair);
 
 /// @brief Check both bodies, and that they can roll on one another.
 /// @throws std::invalid_argument naming parameter, value, unit and range

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,9 +13,12 @@
 #include "contact/multilevel.hpp"
 #include "influence/convolution.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/initial_gap.hpp"
 #include "rolling/result.hpp"
+#include "rolling/rigid_slip.hpp"
 #include "rolling/rolling_body.hpp"
 #include "surface/sphere_operator.hpp"
+#include "surface/sum_operator.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -48,6 +50,10 @@ class LoadCaseSolver {
       reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
     }
     if (model_.counterpart() != nullptr) require_frictionless();
+    if (model_.track() != nullptr) require_plain_formulation();
+    if (track_curvature(model_.pair().on).along != 0.0 && load_case_.friction > 0.0) {
+      reject("friction", "0 where the path is curved (on.path_radius)", text(load_case_.friction));
+    }
     if (load_case_.load > unbearable_load(model_.pair(), model_.stiffest_modulus())) {
       reject_load("would be pressed through any such coating");
     }
@@ -85,7 +91,7 @@ class LoadCaseSolver {
       const ContactSolution whole = extended(located, problem);
       const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
       if (!boxed || !(at_edge || overclosed)) {
-        return result(nodes, whole, located.problem.surface->dissipation(located.contact.force), drag(whole));
+        return result(nodes, problem, whole, located.problem.surface->dissipation(located.contact.force));
       }
       // The box that was thought to hold the contact does not.
       located = solve_on_window(problem, whole, limits_);
@@ -93,22 +99,39 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
-    const WindowShape shape = nodes.shape();
-    const auto tables = [this](TableKind kind) {
-      return [this, kind](int phi_reach, int theta_reach) {
-        return model_.tables(formulation_, kind, phi_reach, theta_reach, execution_);
-      };
-    };
-    std::shared_ptr<const SurfaceOperator> surface = std::make_shared<TableOperator>(
-        formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
-        tables(TableKind::dissipation), execution_);
-    if (model_.sphere_tables()) surface = on_exact_sphere(std::move(surface));
-    ContactProblem problem{.surface = std::move(surface),
-                           .initial_gap = swelling_ * displaced_points(nodes).height() + counterpart_height(nodes),
+    const SurfaceWindow points = displaced_points(nodes);
+    ContactProblem problem{.surface = make_surface(nodes),
+                           .initial_gap = swelling_ * points.height() + counterpart_drop(points, model_.pair().on),
                            .normal_force = load_case_.load,
                            .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
     return problem;
+  }
+
+  /// Of what rolls, of what it rolls on, or the sum of both.
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> make_surface(const SurfaceWindow& nodes) const {
+    std::shared_ptr<const SurfaceOperator> own;
+    if (model_.own() != nullptr) own = operator_of(*model_.own(), formulation_, nodes);
+    if (model_.sphere_tables() != nullptr) own = on_exact_sphere(std::move(own));
+    if (model_.track() == nullptr) return own;
+    Formulation formulation = formulation_;
+    formulation.is_counterpart = true;
+    auto track = operator_of(*model_.track(), formulation, nodes);
+    return own ? std::make_shared<SumOperator>(std::move(own), std::move(track)) : track;
+  }
+
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_of(const TableStore& store,
+                                                                   const Formulation& formulation,
+                                                                   const SurfaceWindow& nodes) const {
+    const auto tables = [&store, formulation, this](TableKind kind) {
+      return [&store, formulation, kind, this](int phi_reach, int theta_reach) {
+        return store.tables(formulation, kind, phi_reach, theta_reach, execution_);
+      };
+    };
+    const WindowShape shape = nodes.shape();
+    return std::make_shared<TableOperator>(
+        formulation, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
+        tables(TableKind::dissipation), execution_);
   }
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
@@ -132,37 +155,37 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
+    const RigidSlip slip =
+        rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
     return {.coefficient = load_case_.friction,
-            .rigid_slip = rigid_slip(nodes),
+            .rigid_slip = slip.own + slip.guided,
+            .guided_slip = slip.guided,
             .step = grid_.radius * grid_.phi_spacing,
-            .arms = {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()},
+            .arms = arms(nodes),
             .drive = make_drive()};
   }
 
-  /// Of the counterpart's undeformed surface below its summit, at the same arcs.
-  [[nodiscard]] Eigen::ArrayXd counterpart_height(const SurfaceWindow& nodes) const {
-    const double radius = radius_of(model_.pair().on);
-    if (std::isinf(radius)) return Eigen::ArrayXd::Zero(nodes.shape().size());
-    const Eigen::ArrayXd angle = counterpart_angle(displaced_points(nodes), radius);
-    return 2.0 * radius * (0.5 * angle).sin().square();
-  }
-
-  /// From the summit of a counterpart, forward [rad].
-  [[nodiscard]] Eigen::ArrayXd counterpart_angle(const SurfaceWindow& nodes, double radius) const {
-    return (std::numbers::pi / 2.0 - nodes.phi()) * (grid_.radius / radius);
-  }
-
-  /// What the moment of the pressure is made of: the relative radius times the slope of the undeformed gap.
-  [[nodiscard]] Eigen::ArrayXd lever(const SurfaceWindow& nodes) const {
-    const double radius = radius_of(model_.pair().on);
-    if (std::isinf(radius)) return nodes.x();
-    return relative_radius(model_.pair()) * (nodes.x() / grid_.radius + counterpart_angle(nodes, radius).sin());
+  [[nodiscard]] LeverArms arms(const SurfaceWindow& nodes) const {
+    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
   }
 
   /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
-  /// surface.
-  [[nodiscard]] double drag(const ContactSolution& contact) const {
-    if (model_.counterpart() == nullptr) return 0.0;
+  /// surface; under a rigid ball that is the ball's.
+  [[nodiscard]] double drag(const SurfaceWindow& nodes, const ContactProblem& problem,
+                            const ContactSolution& contact) const {
+    if (model_.counterpart() != nullptr) return roller_drag(contact);
+    switch (problem.surface->bodies()) {
+      case Bodies::rolling:
+        return 0.0;
+      case Bodies::counterpart:
+        return (pressing_force(contact) * pressure_lever(nodes, model_.pair())).sum() / relative_radius(model_.pair());
+      default:
+        return problem.surface->pushback(contact.force);
+    }
+  }
+
+  /// By central differences.
+  [[nodiscard]] double roller_drag(const ContactSolution& contact) const {
     const Eigen::ArrayXd pressing = pressing_force(contact);
     const auto count = static_cast<int>(pressing.size());
     const std::vector<Table> table =
@@ -184,30 +207,21 @@ class LoadCaseSolver {
     }
   }
 
+  /// What the tables of a plane are made for.
+  void require_plain_formulation() const {
+    const std::string why = " where what the ball rolls on deforms";
+    if (options_.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
+    if (options_.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
+  }
+
   /// A half-space under a line load has no place that rests: each octave of longer waves adds as much to displacements.
-  [[nodiscard]] bool approach_exists() const { return std::isfinite(thickness(model_.pair())); }
+  [[nodiscard]] bool approach_exists() const {
+    return !is_roller(model_.body()) || std::isfinite(thickness(model_.pair()));
+  }
 
   /// Where displacements are taken.
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
     return {grid_, nodes.window(), formulation_.collocation};
-  }
-
-  /// Of material over the plane, from row to row, were the speed 0.
-  [[nodiscard]] Eigen::ArrayX2d rigid_slip(const SurfaceWindow& nodes) const {
-    const double step = grid_.radius * grid_.phi_spacing;
-    const Eigen::Index stride = nodes.shape().theta_nodes;
-    const Eigen::Index rest = nodes.shape().size() - stride;
-    Eigen::ArrayX2d slip = Eigen::ArrayX2d::Zero(nodes.shape().size(), 2);
-    if (options_.slip_kinematics == SlipKinematics::exact) {
-      const Eigen::ArrayXd x = swelling_ * displaced_points(nodes).x();
-      slip.col(0).tail(rest) = x.tail(rest) - x.head(rest);
-    } else {
-      slip.col(0).tail(rest).setConstant(-step);
-    }
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-      slip.col(1).tail(rest).setConstant(given->lateral_creepage * step);
-    }
-    return slip;
   }
 
   [[nodiscard]] std::shared_ptr<const Drive> make_drive() const {
@@ -221,27 +235,31 @@ class LoadCaseSolver {
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
-  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation,
-                              double drag) const {
+  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactProblem& problem, const ContactSolution& contact,
+                              const Losses& losses) const {
     if (approach_exists() && !(contact.penetration > 0.0)) {
       reject("friction", "so small that the forces along the plane do not lift the sphere out of its own contact",
              text(load_case_.friction));
     }
     require_clear_of_core(contact.penetration - model_.centrifugal());
+    const SurfaceWindow points = displaced_points(nodes);
     return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
                         .compliance = options_.compliance,
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
-                        .coating_thickness = thickness(model_.pair()),
+                        .thickness = layer_thickness(model_.pair()),
                         .centrifugal = model_.centrifugal(),
                         .approach_exists = approach_exists(),
-                        .height = displaced_points(nodes).height(),
-                        .dissipation = dissipation,
-                        .lever = lever(nodes),
+                        .height = points.height() + counterpart_drop(points, model_.pair().on),
+                        .losses = losses,
+                        .own_displacement = problem.surface->bodies() == Bodies::rolling
+                                                ? contact.displacement
+                                                : problem.surface->rolling_displacement(contact.force),
+                        .lever = pressure_lever(nodes, model_.pair()),
                         .relative_radius = relative_radius(model_.pair()),
-                        .drag = drag});
+                        .drag = drag(nodes, problem, contact)});
   }
 
   [[nodiscard]] LocatedContact solve_contact(const ContactProblem& problem, double likely_depth) const {
@@ -261,8 +279,9 @@ class LoadCaseSolver {
     for (const std::size_t side : {0, 1}) {
       problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
-      limits[side] = moment(sliding.problem.friction->arms, sliding.contact.force) +
-                     displaced_moment(sliding.contact.displacement, sliding.contact.force, pressure_share());
+      limits[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
+                                          sliding.contact.force, sliding.contact.displacement},
+                                         pressure_share());
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject("drive.torque",

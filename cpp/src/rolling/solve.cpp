@@ -48,6 +48,7 @@ void validate(const LoadCase& load_case, const RollingBody& body) {
   if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
     detail::require_finite("drive.creepage", given->creepage);
     detail::require_finite("drive.lateral_creepage", given->lateral_creepage);
+    detail::require_finite("drive.spin", given->spin);
   }
 }
 

@@ -99,9 +99,9 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
     const std::array<Axis, 3> axis_of{kDown, kForward, kSideways};
     for (std::size_t p = 0; p < directions.size(); ++p) {
       directions[p].fill(ArrayXd::Zero(count));
-      directions[p][axis_of[p]].setConstant(p == 0 ? 1.0 : -1.0);
+      directions[p][axis_of[p]].setConstant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
     }
-    if (formulation.tangential) {
+    if (formulation.tangential && !formulation.is_counterpart) {
       directions[0][kForward] = window.x() / window.grid().radius;
       directions[0][kSideways] = window.z() / window.grid().radius;
     }
@@ -221,6 +221,19 @@ VectorField TableOperator::displacement(const VectorField& force) const {
   return result;
 }
 
+VectorField TableOperator::rolling_displacement(const VectorField& force) const {
+  return formulation_.is_counterpart ? VectorField(VectorField::Zero(force.rows(), 3)) : displacement(force);
+}
+
+double TableOperator::pushback(const VectorField& force) const {
+  if (!formulation_.is_counterpart) return 0.0;
+  const Eigen::ArrayXd depth = -displacement(force).col(kDown);
+  const Eigen::Index stride = shape().theta_nodes;
+  const Eigen::Index inner = force.rows() - 2 * stride;  // at the rim nothing presses
+  const double way = 2.0 * grid_.radius * grid_.phi_spacing;
+  return -(force.col(kDown).segment(stride, inner) * (depth.tail(inner) - depth.head(inner))).sum() / way;
+}
+
 Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
   const auto& directions = local_.directions;
   Eigen::VectorXd result(pressing.size());
@@ -277,12 +290,13 @@ std::shared_ptr<const SurfaceOperator> TableOperator::within(const Window& windo
                                          execution_);
 }
 
-double TableOperator::dissipation(const VectorField& force) const {
+Losses TableOperator::dissipation(const VectorField& force) const {
   const WindowShape shape = window_.shape();
   const Tables tables = dissipation_source_(shape.phi_nodes - 1, shape.theta_nodes - 1);
   const Convolution product(shape, *tables, Terms(formulation_).dissipation(), execution_.threads, execution_.watch);
   const Eigen::ArrayXXd loads = this->loads(force);
-  return (loads * product.apply(loads, execution_.threads, execution_.watch)).sum();
+  const double lost = (loads * product.apply(loads, execution_.threads, execution_.watch)).sum();
+  return formulation_.is_counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
 }
 
 }  // namespace viscoroll::detail
