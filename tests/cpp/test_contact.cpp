@@ -10,7 +10,7 @@
 #include "contact/normal_contact.hpp"
 #include "contact/transfer.hpp"
 #include "dense_oracle.hpp"
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {
@@ -45,7 +45,7 @@ struct Model {
   Observer observer;
   Watch watch{observer};
   Mesh mesh;
-  OrderSum orders;
+  CoatingSum orders;
   SurfaceWindow nodes;
   std::shared_ptr<const SurfaceOperator> surface;
 };

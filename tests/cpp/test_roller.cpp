@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "cases.hpp"
@@ -175,6 +176,68 @@ TEST(Roller, RollsAsComputedIndependently) {
     EXPECT_NEAR(result.resisting_torque / moment, 1.0, 0.003);
     EXPECT_LT(result.power_balance_error, 1e-3);
     EXPECT_EQ(result.theta_nodes, 1);
+  }
+}
+
+/// Hertz: a^2 = 2 (1 - nu) P R / (pi G), p_0 = 2 P / (pi a) (Johnson, Contact Mechanics, section 4.2).
+TEST(Roller, PressesAnElasticHalfPlaneAsHertzHasIt) {
+  const CoatedCylinder rigid{.core_radius = 0.1, .layers = {}};
+  const CoatedPlane floor{.layers = {}, .base = HalfSpace{.shear_modulus = Elastic{1e8}, .poisson_ratio = 0.3}};
+  const double load = 1e4;
+  const double a = std::sqrt(2.0 * 0.7 * load * 0.1 / (std::numbers::pi * 1e8));
+  const Result result = solve(rigid, floor, {.load = load, .angular_speed = 1.0}, {.mesh = Mesh{150000}});
+  double second_moment = 0.0;  // a^2 / 4 of the load
+  for (std::size_t i = 0; i < result.x.size(); ++i) second_moment += std::pow(result.x[i], 2) * result.pressure[i];
+  second_moment *= 0.1 * phi_spacing(result.mesh) / load;
+  EXPECT_NEAR(2.0 * std::sqrt(second_moment) / a, 1.0, 1e-4);
+  EXPECT_NEAR(result.max_pressure / (2.0 * load / (std::numbers::pi * a)), 1.0, 1e-4);
+  EXPECT_FALSE(result.penetration);
+  EXPECT_FALSE(result.model_error);
+  EXPECT_NEAR(result.resisting_torque, 0.0, 1e-9 * load * a);
+}
+
+TEST(Roller, LosesNothingItselfWhereItIsRigid) {
+  const CoatedCylinder rigid{.core_radius = 0.05, .layers = {}};
+  const CoatedPlane floor{.layers = {}, .base = HalfSpace{.shear_modulus = cases::rubber(), .poisson_ratio = 0.5}};
+  const Result result = solve(rigid, floor, {.load = 5e3, .angular_speed = 1.0}, {.accuracy = 1e-3});
+  EXPECT_NEAR(result.driving_force * 0.05 / result.resisting_torque, 1.0, 1e-3);  // Q = M / R
+  EXPECT_NEAR(result.driving_torque, 0.0, 1e-3 * result.resisting_torque);
+  EXPECT_LT(result.power_balance_error, 1e-3);
+  // Hunter's closed form, in the Python tests set beside an independent computation: 4.26712 N.
+  EXPECT_NEAR(result.resisting_torque / 4.26712, 1.0, 1e-3);
+}
+
+TEST(Roller, OnItsLikeTurnsAsOnARigidPlane) {
+  const Result plane = solve(rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
+  const Result pair =
+      solve(rubber_roller(), rubber_roller(), {.load = 5e3, .angular_speed = 1.0}, {.mesh = Mesh{6000}});
+  // A gap of twice the height over twice the compliance: the same forces, and twice the approach.
+  EXPECT_NEAR(pair.resisting_torque / plane.resisting_torque, 1.0, 1e-9);
+  EXPECT_NEAR(pair.driving_torque / plane.driving_torque, 1.0, 1e-3);  // by a difference quotient on the mesh
+  EXPECT_NEAR(*pair.penetration / *plane.penetration, 2.0, 1e-9);
+  EXPECT_NEAR(pair.bulk_power / plane.bulk_power, 2.0, 1e-9);
+  EXPECT_LT(pair.power_balance_error, 2e-3);
+}
+
+TEST(Roller, FollowsCartersCurve) {
+  // Incompressible on a rigid plane, so that pressure causes no slip on a thick coating; a = R / 1000, so that the
+  // creepage of free rolling, of the order (a/R)^2, is small beside the mu a / R at which all slides.
+  const double radius = 0.1;
+  const double shear = 1e7;
+  const double a = 1e-3 * radius;
+  const double load = std::numbers::pi * shear * a * a / radius;
+  const double friction = 0.3;
+  const CoatedCylinder roller{
+      .core_radius = 0.4 * radius,
+      .layers = {{.thickness = 0.6 * radius, .shear_modulus = Elastic{shear}, .poisson_ratio = 0.5}}};
+  const RollingModel model(roller, 1.0, Mesh{static_cast<int>(100.0 * std::numbers::pi * radius / a)});
+  for (const double share : {-0.2, 0.1, 0.2, 0.5, 0.8}) {
+    const double creepage = share * friction * a / radius;
+    const Result result = model.solve(
+        {.load = load, .angular_speed = 1.0, .friction = friction, .drive = DriveCreepage{.creepage = creepage}});
+    const double carter = std::copysign(friction * load * (1.0 - std::pow(1.0 - std::abs(share), 2)), share);
+    EXPECT_NEAR(result.driving_force / (friction * load), carter / (friction * load), 0.01);
+    EXPECT_NEAR(result.driving_force / carter, 1.0, 0.015);
   }
 }
 

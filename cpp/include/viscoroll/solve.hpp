@@ -25,6 +25,15 @@ namespace viscoroll {
 /// @throws Cancelled where the observer stopped the solve
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
+/// @brief The same on something that deforms, without friction: a roller on a coated plane, a half-space or another
+/// roller (theory.md section 10).
+/// @param[in] body a cylinder, rigid if it has no layers, unless `on` is a rigid plane
+/// @param[in] on what it rolls on; not both may be rigid
+/// @param[in] load_case without friction; the surface of both passes the contact at Omega times the outer radius
+/// @param[in] options how to solve
+[[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
+                           const Options& options = {});
+
 /// @brief A sphere or roller at one speed on one mesh, for many load cases: its spectrum and its influence tables are
 /// computed once. Threads may solve on it at the same time.
 class RollingModel {
@@ -37,6 +46,10 @@ class RollingModel {
   /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
   RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
+               Curvature curvature = Curvature::sphere, const Observer& observer = {});
+
+  /// @brief The same on something that deforms.
+  RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;

@@ -107,11 +107,10 @@ bool carry(const FlatMedium<Scalar>& medium, Scalar e, double k, Reduced<Scalar>
       positive = positive && y.along(0, 0) > 0.0 && y.along.determinant() > 0.0;
     }
   }
-  using std::exp;
   using std::sqrt;
+  using std::tanh;
   const Scalar p = sqrt(Scalar(1.0) - e);
-  const Scalar decayed = exp(-2.0 * depth * p);
-  const Scalar tangent = (1.0 - decayed) / ((1.0 + decayed) * p);
+  const Scalar tangent = tanh(depth * p) / p;
   y.across = (y.across + tangent) / (1.0 + p * p * tangent * y.across);
   return positive;
 }

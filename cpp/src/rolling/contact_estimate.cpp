@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "modal/medium.hpp"
-#include "rolling/rolling_body.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -19,9 +18,9 @@ struct Softness {
 };
 
 /// Moduli of what rolls, at a frequency of passing.
-Softness softest(const RollingBody& body, double frequency) {
+Softness softest(const RollingPair& pair, double frequency) {
   Softness least{.shear = std::numeric_limits<double>::infinity(), .confined = std::numeric_limits<double>::infinity()};
-  for (const Layer& layer : layers(body)) {
+  for (const auto& [name, layer] : layers(pair)) {
     const auto moduli = complex_modulus(layer.shear_modulus, std::array{0.0, frequency});
     const double shear = std::max(moduli.front().real(), 0.5 * std::abs(moduli.back()));
     const double ratio = shear_ratio(layer, shear);
@@ -46,10 +45,13 @@ double load_at(double a, double radius, double thickness, const Softness& moduli
   return hertz + std::min(incompressible, compressible);
 }
 
-double contact_radius(const RollingBody& body, const Softness& moduli, double load) {
-  const double radius = outer_radius(body);
-  const double thickness = coating_thickness(body);
-  const auto bears = [&](double a) { return load_at(a, radius, thickness, moduli, is_roller(body)) >= load; };
+double contact_radius(const RollingPair& pair, const Softness& moduli, double load) {
+  const double radius = relative_radius(pair);
+  const double depth = thickness(pair);
+  const bool roller = is_roller(pair.body);
+  // Compliances of two bodies add up: half of the stiffness is rather too little.
+  const double share = is_rigid(pair.on) || is_rigid(pair.body) ? 1.0 : 2.0;
+  const auto bears = [&](double a) { return load_at(a, radius, depth, moduli, roller) >= share * load; };
   double low = 0.0;
   double high = radius;
   while (!bears(high)) high *= 2.0;
@@ -63,22 +65,22 @@ double contact_radius(const RollingBody& body, const Softness& moduli, double lo
 
 }  // namespace
 
-double estimate_contact_radius(const RollingBody& body, double angular_speed, double load) {
+double estimate_contact_radius(const RollingPair& pair, double angular_speed, double load) {
   constexpr int kPasses = 3;  // a fixed number of them makes it a smooth function of the load
-  double radius = contact_radius(body, softest(body, 0.0), load);
+  double radius = contact_radius(pair, softest(pair, 0.0), load);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const double frequency = angular_speed * std::max(1.0, outer_radius(body) / radius);
-    radius = contact_radius(body, softest(body, frequency), load);
+    const double frequency = angular_speed * std::max(1.0, outer_radius(pair.body) / radius);
+    radius = contact_radius(pair, softest(pair, frequency), load);
   }
   return radius;
 }
 
-double unbearable_load(const RollingBody& body, double stiffest_modulus) {
-  const double radius = outer_radius(body);
-  const double thickness = coating_thickness(body);
+double unbearable_load(const RollingPair& pair, double stiffest_modulus) {
+  const double radius = outer_radius(pair.body);
   const double hertz = 16.0 / 3.0 * stiffest_modulus * radius * radius;
-  const double bonded = std::numbers::pi * stiffest_modulus * std::pow(radius, 5) / (32.0 * std::pow(thickness, 3));
-  return 1e3 * (hertz + bonded) / (is_roller(body) ? radius : 1.0);
+  const double bonded =
+      std::numbers::pi * stiffest_modulus * std::pow(radius, 5) / (32.0 * std::pow(thickness(pair), 3));
+  return 1e3 * (hertz + bonded) / (is_roller(pair.body) ? radius : 1.0);
 }
 
 }  // namespace viscoroll::detail

@@ -2,7 +2,7 @@
 /// @brief Size of the contact before anything is solved.
 #pragma once
 
-#include "viscoroll/rolling_body.hpp"
+#include "rolling/rolling_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -14,17 +14,18 @@ namespace viscoroll::detail {
 /// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
 /// but not in so short a time, is as stiff as it rolls.
 /// Of a roller: P = pi G a^2 / (2 (1 - nu) R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
-/// @param[in] body rigid core and layers
+/// Of two bodies: as if one had all layers, and all of them the softest modulus.
+/// @param[in] pair what rolls, and what it rolls on
 /// @param[in] angular_speed Omega [rad/s]
 /// @param[in] load P [N]
 /// @return a [m]
-[[nodiscard]] double estimate_contact_radius(const RollingBody& body, double angular_speed, double load);
+[[nodiscard]] double estimate_contact_radius(const RollingPair& pair, double angular_speed, double load);
 
 /// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
 /// incompressible bonded layer for a contact as wide as the sphere, of the stiffest layer at the highest harmonic.
-/// @param[in] body core and layers
+/// @param[in] pair what rolls, and what it rolls on
 /// @param[in] stiffest_modulus the largest shear modulus of a layer at the highest harmonic [Pa]
 /// @return load [N], of a roller per length
-[[nodiscard]] double unbearable_load(const RollingBody& body, double stiffest_modulus);
+[[nodiscard]] double unbearable_load(const RollingPair& pair, double stiffest_modulus);
 
 }  // namespace viscoroll::detail

@@ -8,11 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "influence/line_sum.hpp"
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "modal/centrifugal.hpp"
-#include "modal/cylinder_compliance.hpp"
-#include "rolling/rolling_body.hpp"
 #include "validate.hpp"
 #include "viscoroll/modal.hpp"
 
@@ -70,13 +67,13 @@ void require_curvature_of_cylinder(Curvature curvature) {
 
 }  // namespace
 
-MeshModel::MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+MeshModel::MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
                      Watch& watch, double inertia_tolerance)
-    : body_(body), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
-  if (const auto* sphere = std::get_if<CoatedSphere>(&body)) {
+    : pair_(pair), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
+  if (const auto* sphere = std::get_if<CoatedSphere>(&pair.body)) {
     roll_sphere(*sphere, threads, watch, inertia_tolerance);
   } else {
-    roll_cylinder(std::get<CoatedCylinder>(body), threads, watch);
+    roll_cylinder(std::get<CoatedCylinder>(pair.body), threads, watch);
   }
 }
 
@@ -84,8 +81,8 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
   const bool exact = curvature_ == Curvature::exact;
   const Curvature curvature = exact ? Curvature::sphere : curvature_;
   const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  auto orders = std::make_unique<const OrderSum>(rolling, angular_speed_, mesh_, threads, watch, curvature,
-                                                 inertia_tolerance);
+  auto orders =
+      std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads, watch, curvature, inertia_tolerance);
   const HarmonicCoating& coating = orders->coating();
   const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
   for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
@@ -93,7 +90,7 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
         std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
   }
   orders_ = std::move(orders);
-  body_ = rolling;
+  pair_.body = rolling;
   centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
   const std::array m{mesh_.nodes_per_revolution / 2};
   const std::array n{0};
@@ -105,29 +102,27 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
 void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
   require_line_mesh(mesh_);
   require_curvature_of_cylinder(curvature_);
-  std::vector<OrderBand> bands = phi_bands(layers_about_center(cylinder), angular_speed_, mesh_);
-  const std::vector<double> orders = all_orders(bands);
-  const double limit = measured_order(mesh_);
-  LineSpectrum spectrum = cylinder_spectrum(cylinder, angular_speed_, orders, limit, threads, watch);
-  const std::vector<double> few{0.0, 0.5 * mesh_.nodes_per_revolution, *std::ranges::max_element(orders)};
-  const auto alternating = cylinder_spectrum(cylinder, angular_speed_, few, limit, threads, watch)[1];
-  collocation_ = stable_collocation(alternating.normal, alternating.along);
-  std::vector<std::complex<double>> at_rest;
-  for (const auto& moduli : harmonic_moduli(cylinder.layers, angular_speed_, few, limit)) {
-    at_rest.push_back(moduli.front());
-    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(moduli.back()));
+  const double radius = viscoroll::outer_radius(cylinder);
+  const double speed = angular_speed_ * radius;
+  const double arc = radius * phi_spacing(mesh_);
+  roller_ = roller_surface(cylinder, speed, arc, mesh_, threads, watch);
+  if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
+    counterpart_ = plane_surface(*plane, speed, radius, mesh_);
+  } else {
+    counterpart_ = roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch);
   }
-  centrifugal_ = cylinder_centrifugal_displacement(cylinder_media(cylinder, at_rest, angular_speed_));
-  orders_ = std::make_unique<const LineSum>(std::move(bands), std::move(spectrum), viscoroll::outer_radius(cylinder),
-                                            phi_spacing(mesh_));
+  orders_ = std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get());
+  collocation_ = stable_collocation(roller_.normal + counterpart_.normal, roller_.along + counterpart_.along);
+  stiffest_modulus_ = std::max(roller_.stiffest_modulus, counterpart_.stiffest_modulus);
+  centrifugal_ = roller_.centrifugal + counterpart_.centrifugal;
 }
 
 SurfaceGrid MeshModel::grid() const {
-  const double radius = outer_radius(body_);
+  const double radius = outer_radius(body());
   // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
   return {.radius = radius,
           .phi_spacing = phi_spacing(mesh_),
-          .theta_spacing = is_roller(body_) ? 1.0 / radius : theta_spacing(mesh_)};
+          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_)};
 }
 
 std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,

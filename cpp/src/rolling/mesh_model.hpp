@@ -9,11 +9,12 @@
 
 #include "influence/table_sum.hpp"
 #include "parallel.hpp"
+#include "rolling/line_surface.hpp"
+#include "rolling/rolling_body.hpp"
 #include "rolling/sphere_tables.hpp"
 #include "surface/surface_window.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/mesh.hpp"
-#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -26,7 +27,7 @@ enum class TableKind {
 /// @brief A coated body at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
 class MeshModel {
  public:
-  /// @param[in] body rigid core and layers
+  /// @param[in] pair what rolls, and what it rolls on
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] curvature what is kept of it in the equations of the layers
@@ -34,15 +35,18 @@ class MeshModel {
   /// @param[in] watch progress and cancellation
   /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
-  MeshModel(const RollingBody& body, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+  MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
             Watch& watch, double inertia_tolerance = kInertiaTolerance);
 
-  [[nodiscard]] const RollingBody& body() const { return body_; }
+  [[nodiscard]] const RollingPair& pair() const { return pair_; }
+  [[nodiscard]] const RollingBody& body() const { return pair_.body; }
   [[nodiscard]] double angular_speed() const { return angular_speed_; }
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] SurfaceGrid grid() const;
   /// @return the largest shear modulus of a layer at the highest harmonic [Pa]
   [[nodiscard]] double stiffest_modulus() const { return stiffest_modulus_; }
+  /// @return sums of what the body rolls on, none where that is rigid
+  [[nodiscard]] const TableSum* counterpart() const { return counterpart_.sum.get(); }
   /// @return tables of the exact sphere, where that is what the model is of
   [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
   /// @return what was kept of the curvature
@@ -78,10 +82,12 @@ class MeshModel {
   void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance);
   void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
 
-  RollingBody body_;
+  RollingPair pair_;
   double angular_speed_;
   Mesh mesh_;
   Curvature curvature_;
+  LineSurface roller_;       // in line contact
+  LineSurface counterpart_;  // the same
   std::unique_ptr<const TableSum> orders_;
   std::unique_ptr<const SphereTables> sphere_tables_;
   double centrifugal_ = 0.0;

@@ -80,9 +80,9 @@ class Summary {
 
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
-    r.resisting_torque = (window_.x() * pressing_).sum();
+    r.resisting_torque = (given_.lever * pressing_).sum();
     const double load = given_.load_case.load;
-    r.driving_force = settled(-forward.sum(), load);
+    r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
     r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
 
     const double swelling = 1.0 + given_.centrifugal / radius();
@@ -92,7 +92,9 @@ class Summary {
       x += contact_.displacement.col(kForward);
     }
     y += contact_.displacement.col(kDown);
-    r.driving_torque = settled((x * pressing_ + y * forward).sum(), load * radius());
+    // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
+    const double torque = (x * pressing_ + y * forward).sum() - radius() * counterpart_force(r);
+    r.driving_torque = settled(torque, load * radius());
   }
 
   void add_powers(Result& r) const {
@@ -111,7 +113,9 @@ class Summary {
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
-    double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    const double counterpart = counterpart_force(r);
+    double work = r.driving_torque * load_case.angular_speed +
+                  (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
     if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
       work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();
     }
@@ -151,6 +155,14 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
+  [[nodiscard]] double counterpart_force(const Result& r) const {
+    return given_.drag - r.resisting_torque * (1.0 / given_.relative_radius - 1.0 / radius());
+  }
+
+  /// Power that the counterpart takes from what drives the two.
+  [[nodiscard]] double counterpart_power() const { return given_.drag * given_.load_case.angular_speed * radius(); }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
   [[nodiscard]] ArrayX2d slip_velocity() const {

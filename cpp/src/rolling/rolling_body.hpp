@@ -1,7 +1,8 @@
 /// @file
-/// @brief What spheres and rollers have in common.
+/// @brief What spheres and rollers, and what they roll on, have in common.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,9 +10,19 @@
 
 namespace viscoroll::detail {
 
+/// @brief Two bodies that roll on one another.
+struct RollingPair {
+  RollingBody body;
+  Counterpart on;
+};
+
+/// @brief A layer that deforms, with its name in messages.
+struct NamedLayer {
+  std::string name;
+  Layer layer;
+};
+
 [[nodiscard]] double outer_radius(const RollingBody& body);
-[[nodiscard]] double coating_thickness(const RollingBody& body);
-[[nodiscard]] const std::vector<Layer>& layers(const RollingBody& body);
 
 /// @return whether the contact is a line, and loads are per length
 [[nodiscard]] bool is_roller(const RollingBody& body);
@@ -20,5 +31,25 @@ namespace viscoroll::detail {
 [[nodiscard]] std::string_view name(const RollingBody& body);
 /// @return unit of its load
 [[nodiscard]] std::string_view load_unit(const RollingBody& body);
+
+/// @return whether nothing of it deforms
+[[nodiscard]] bool is_rigid(const RollingBody& body);
+[[nodiscard]] bool is_rigid(const Counterpart& on);
+
+/// @return radius of the counterpart [m], infinite for a plane
+[[nodiscard]] double radius_of(const Counterpart& on);
+
+/// @return R of 1/R = 1/R_1 + 1/R_2 [m]
+[[nodiscard]] double relative_radius(const RollingPair& pair);
+
+/// @return all layers of both; a half-space is one of infinite thickness
+[[nodiscard]] std::vector<NamedLayer> layers(const RollingPair& pair);
+
+/// @return thickness of all of them together [m], maybe infinite
+[[nodiscard]] double thickness(const RollingPair& pair);
+
+/// @brief Check both bodies, and that they can roll on one another.
+/// @throws std::invalid_argument naming parameter, value, unit and range
+void validate(const RollingPair& pair);
 
 }  // namespace viscoroll::detail

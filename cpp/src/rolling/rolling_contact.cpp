@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "contact/multilevel.hpp"
+#include "influence/convolution.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/result.hpp"
 #include "rolling/rolling_body.hpp"
@@ -45,9 +47,11 @@ class LoadCaseSolver {
     if (is_roller(model_.body()) && options_.patch_load != PatchLoad::flat) {
       reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
     }
-    if (load_case_.load > unbearable_load(model_.body(), model_.stiffest_modulus()))
+    if (model_.counterpart() != nullptr) require_frictionless();
+    if (load_case_.load > unbearable_load(model_.pair(), model_.stiffest_modulus())) {
       reject_load("would be pressed through any such coating");
-    const double estimate = estimate_contact_radius(model_.body(), load_case_.angular_speed, load_case_.load);
+    }
+    const double estimate = estimate_contact_radius(model_.pair(), load_case_.angular_speed, load_case_.load);
     require_lasting_stiffness(estimate);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
@@ -81,7 +85,7 @@ class LoadCaseSolver {
       const ContactSolution whole = extended(located, problem);
       const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
       if (!boxed || !(at_edge || overclosed)) {
-        return result(nodes, whole, located.problem.surface->dissipation(located.contact.force));
+        return result(nodes, whole, located.problem.surface->dissipation(located.contact.force), drag(whole));
       }
       // The box that was thought to hold the contact does not.
       located = solve_on_window(problem, whole, limits_);
@@ -100,7 +104,7 @@ class LoadCaseSolver {
         tables(TableKind::dissipation), execution_);
     if (model_.sphere_tables()) surface = on_exact_sphere(std::move(surface));
     ContactProblem problem{.surface = std::move(surface),
-                           .initial_gap = swelling_ * displaced_points(nodes).height(),
+                           .initial_gap = swelling_ * displaced_points(nodes).height() + counterpart_height(nodes),
                            .normal_force = load_case_.load,
                            .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
@@ -134,6 +138,54 @@ class LoadCaseSolver {
             .arms = {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()},
             .drive = make_drive()};
   }
+
+  /// Of the counterpart's undeformed surface below its summit, at the same arcs.
+  [[nodiscard]] Eigen::ArrayXd counterpart_height(const SurfaceWindow& nodes) const {
+    const double radius = radius_of(model_.pair().on);
+    if (std::isinf(radius)) return Eigen::ArrayXd::Zero(nodes.shape().size());
+    const Eigen::ArrayXd angle = counterpart_angle(displaced_points(nodes), radius);
+    return 2.0 * radius * (0.5 * angle).sin().square();
+  }
+
+  /// From the summit of a counterpart, forward [rad].
+  [[nodiscard]] Eigen::ArrayXd counterpart_angle(const SurfaceWindow& nodes, double radius) const {
+    return (std::numbers::pi / 2.0 - nodes.phi()) * (grid_.radius / radius);
+  }
+
+  /// What the moment of the pressure is made of: the relative radius times the slope of the undeformed gap.
+  [[nodiscard]] Eigen::ArrayXd lever(const SurfaceWindow& nodes) const {
+    const double radius = radius_of(model_.pair().on);
+    if (std::isinf(radius)) return nodes.x();
+    return relative_radius(model_.pair()) * (nodes.x() / grid_.radius + counterpart_angle(nodes, radius).sin());
+  }
+
+  /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
+  /// surface.
+  [[nodiscard]] double drag(const ContactSolution& contact) const {
+    if (model_.counterpart() == nullptr) return 0.0;
+    const Eigen::ArrayXd pressing = pressing_force(contact);
+    const auto count = static_cast<int>(pressing.size());
+    const std::vector<Table> table =
+        model_.counterpart()->tables({TableRequest{}}, count - 1, 0, execution_.threads, execution_.watch);
+    const Convolution product({count, 1}, table, {{.result = 0, .table = 0, .operand = 0, .sign = 1.0}},
+                              execution_.threads, execution_.watch);
+    const Eigen::ArrayXd w = product.apply(pressing, execution_.threads, execution_.watch).col(0);
+    const Eigen::ArrayXd slope = (w.tail(count - 2) - w.head(count - 2)) / (2.0 * grid_.radius * grid_.phi_spacing);
+    return (pressing.segment(1, count - 2) * slope).sum();
+  }
+
+  /// Friction between two bodies that deform has kinematics of its own, which are not here.
+  void require_frictionless() const {
+    if (load_case_.friction > 0.0) {
+      reject("friction", "0 where the counterpart of a cylinder deforms", text(load_case_.friction));
+    }
+    if (options_.compliance == Compliance::vertical) {
+      reject("compliance", "RADIAL where the counterpart deforms", "VERTICAL");
+    }
+  }
+
+  /// A half-space under a line load has no place that rests: each octave of longer waves adds as much to displacements.
+  [[nodiscard]] bool approach_exists() const { return std::isfinite(thickness(model_.pair())); }
 
   /// Where displacements are taken.
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
@@ -169,8 +221,9 @@ class LoadCaseSolver {
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
-  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation) const {
-    if (!(contact.penetration > 0.0)) {
+  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation,
+                              double drag) const {
+    if (approach_exists() && !(contact.penetration > 0.0)) {
       reject("friction", "so small that the forces along the plane do not lift the sphere out of its own contact",
              text(load_case_.friction));
     }
@@ -181,11 +234,14 @@ class LoadCaseSolver {
                         .compliance = options_.compliance,
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
-                        .coating_thickness = coating_thickness(model_.body()),
+                        .coating_thickness = thickness(model_.pair()),
                         .centrifugal = model_.centrifugal(),
-                        .approach_exists = true,
+                        .approach_exists = approach_exists(),
                         .height = displaced_points(nodes).height(),
-                        .dissipation = dissipation});
+                        .dissipation = dissipation,
+                        .lever = lever(nodes),
+                        .relative_radius = relative_radius(model_.pair()),
+                        .drag = drag});
   }
 
   [[nodiscard]] LocatedContact solve_contact(const ContactProblem& problem, double likely_depth) const {
@@ -227,19 +283,18 @@ class LoadCaseSolver {
 
   /// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
   struct Relaxation {
-    std::size_t layer;
+    std::string layer;
     double modulus;  ///< relaxed [Pa]
     double share;
   };
 
   [[nodiscard]] Relaxation strongest_relaxation(double contact_radius) const {
-    const std::vector<Layer>& layers = detail::layers(model_.body());
     const std::array frequencies{0.0, load_case_.angular_speed * std::max(1.0, grid_.radius / contact_radius)};
-    Relaxation strongest{.layer = 0, .modulus = 0.0, .share = 2.0};
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const auto moduli = complex_modulus(layers[i].shear_modulus, frequencies);
+    Relaxation strongest{.layer = "", .modulus = 0.0, .share = 2.0};
+    for (const auto& [name, layer] : layers(model_.pair())) {
+      const auto moduli = complex_modulus(layer.shear_modulus, frequencies);
       const double share = moduli.front().real() / std::abs(moduli.back());
-      if (share < strongest.share) strongest = {.layer = i, .modulus = moduli.front().real(), .share = share};
+      if (share < strongest.share) strongest = {.layer = name, .modulus = moduli.front().real(), .share = share};
     }
     return strongest;
   }
@@ -250,13 +305,13 @@ class LoadCaseSolver {
     constexpr double kLeastShare = 3e-3;  // below, sets of nodes in contact do not settle
     const Relaxation relaxation = strongest_relaxation(contact_radius);
     if (relaxation.share >= kLeastShare) return;
-    reject("layers[" + std::to_string(relaxation.layer) + "].shear_modulus",
+    reject(relaxation.layer + ".shear_modulus",
            "one that relaxes to " + text(kLeastShare) + " of what it is in passing the contact at the least",
            "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) + " of it");
   }
 
   void require_clear_of_core(double penetration) const {
-    const double thickness = coating_thickness(model_.body());
+    const double thickness = detail::thickness(model_.pair());
     if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
     if (penetration >= thickness) {
       reject_load("is pressed " + text(penetration) + " m into a coating of " + text(thickness) + " m");

@@ -39,13 +39,6 @@ void validate(const DriveTorque& drive, const LoadCase& load_case) {
   }
 }
 
-void validate(const RollingBody& body) {
-  std::visit([](const auto& shape) { viscoroll::validate(shape); }, body);
-  if (detail::layers(body).empty()) {
-    detail::reject("layers", "a list of at least one layer on a rigid plane", "none");
-  }
-}
-
 void validate(const LoadCase& load_case, const RollingBody& body) {
   detail::require_positive("load", load_case.load, detail::load_unit(body));
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
@@ -75,14 +68,19 @@ Result with_warnings(Result result, const Options& options, bool mesh_given) {
 }  // namespace
 
 Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options) {
-  validate(body);
+  return solve(body, CoatedPlane{}, load_case, options);
+}
+
+Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const Options& options) {
+  const detail::RollingPair pair{.body = body, .on = on};
+  detail::validate(pair);
   validate(load_case, body);
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) {
-    return with_warnings(detail::solve_to_accuracy(body, load_case, options, watch), options, false);
+    return with_warnings(detail::solve_to_accuracy(pair, load_case, options, watch), options, false);
   }
-  const detail::MeshModel model(body, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
+  const detail::MeshModel model(pair, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
                                 watch);
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
@@ -92,14 +90,19 @@ struct RollingModel::Impl {
 };
 
 RollingModel::RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads,
-                           Curvature curvature, const Observer& observer) {
-  validate(body);
+                           Curvature curvature, const Observer& observer)
+    : RollingModel(body, CoatedPlane{}, angular_speed, mesh, threads, curvature, observer) {}
+
+RollingModel::RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+                           int threads, Curvature curvature, const Observer& observer) {
+  const detail::RollingPair pair{.body = body, .on = on};
+  detail::validate(pair);
   viscoroll::validate(mesh);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
   // NOLINTNEXTLINE(modernize-make-unique): which cannot make an aggregate in place, and this one cannot be moved
-  impl_ = std::unique_ptr<Impl>(new Impl{.model{body, angular_speed, mesh, curvature, threads, watch}});
+  impl_ = std::unique_ptr<Impl>(new Impl{.model{pair, angular_speed, mesh, curvature, threads, watch}});
 }
 
 RollingModel::~RollingModel() = default;
