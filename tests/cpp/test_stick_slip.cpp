@@ -66,8 +66,9 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
             .normal_force = 100.0,
             .friction = Friction{.coefficient = 0.3,
                                  .rigid_slip = std::move(rigid_slip),
+                                 .guided_slip = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2),
                                  .step = step,
-                                 .arms = {.x = nodes_.x(), .y = nodes_.y()},
+                                 .arms = {.x = nodes_.x(), .y = nodes_.y(), .radius = nodes_.grid().radius},
                                  .drive = drive()}};
   }
 

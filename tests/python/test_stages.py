@@ -25,9 +25,9 @@ STAGES = (
 PUBLIC = {
     "shared": {"cores", "errors", "observer"},
     "materials": {"materials"},
-    "modal": {"sphere", "plane", "modal"},
+    "modal": {"sphere", "cylinder", "plane", "modal"},
     "influence": {"formulation", "influence", "mesh"},
-    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "solve"},
+    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_body", "solve"},
 }
 
 RANK = {stage: rank for rank, stages in enumerate(STAGES) for stage in stages}

@@ -21,6 +21,6 @@ struct RigidSlip {
 /// @param[in] kinematics with Heathcote slip or without
 /// @param[in] drive which may give creepages and spin
 [[nodiscard]] RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
-                                   const Drive& drive);
+                                   const viscoroll::Drive& drive);
 
 }  // namespace viscoroll::detail
