@@ -26,7 +26,7 @@ from ._core import (
 )
 from .caution import ResultWarning
 from .drive import Drive
-from .geometry import CoatedCylinder, CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, HalfSpace, Layer
 from .materials import (
     Elastic,
     FractionalZener,
@@ -51,6 +51,7 @@ from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickn
 
 __all__ = [
     "CoatedCylinder",
+    "CoatedPlane",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
@@ -60,6 +61,7 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "HalfSpace",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",

@@ -1,4 +1,4 @@
-"""What rolls: a rigid core covered by bonded viscoelastic layers."""
+"""What rolls, and what it rolls on: bonded viscoelastic layers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._core import InnerBoundary
 from ._text import shown
 from .materials import ShearModulusLike, to_core
 
-__all__ = ["CoatedCylinder", "CoatedSphere", "Layer", "RollingBody"]
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "HalfSpace", "Layer", "RollingBody"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -160,8 +160,86 @@ class CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HalfSpace:
+    """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+
+    Parameters
+    ----------
+    shear_modulus, poisson_ratio, bulk_modulus, density
+        As of `Layer`.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.5).density
+    0.0
+    """
+
+    shear_modulus: ShearModulusLike
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("density",), optional=("poisson_ratio", "bulk_modulus"))
+        _core.CoatedPlane(layers=[], base=self._to_core())
+
+    def _to_core(self) -> _core.HalfSpace:
+        return _core.HalfSpace(
+            shear_modulus=to_core(self.shear_modulus),
+            poisson_ratio=self.poisson_ratio,
+            bulk_modulus=self.bulk_modulus,
+            density=self.density,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedPlane:
+    """An unbounded plane of bonded layers on a rigid base or a half-space.
+
+    Parameters
+    ----------
+    layers : sequence of Layer
+        From the base outwards.
+    base : HalfSpace, optional
+        What carries them; rigid without it.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> mat = Layer(thickness=5e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    >>> CoatedPlane(layers=[mat]).thickness
+    0.005
+    """
+
+    layers: Sequence[Layer] = ()
+    base: HalfSpace | None = None
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers and check the parameters."""
+        object.__setattr__(self, "layers", _as_layers(self.layers))
+        require_type("base", self.base, HalfSpace, optional=True)
+        self._to_core()
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    def _to_core(self) -> _core.CoatedPlane:
+        return _core.CoatedPlane(
+            layers=[layer._to_core() for layer in self.layers],
+            base=None if self.base is None else self.base._to_core(),
+        )
+
+
 #: What rolls: a ball, or a roller, whose load and results are per length.
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+
+#: What it rolls on: a plane, or for a roller another one.
+Counterpart: TypeAlias = CoatedPlane | CoatedCylinder
 
 
 def _as_layers(layers: object) -> tuple[Layer, ...]:

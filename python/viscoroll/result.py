@@ -13,7 +13,7 @@ import numpy as np
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
 from .drive import Drive
-from .geometry import CoatedCylinder, RollingBody
+from .geometry import CoatedCylinder, Counterpart, RollingBody
 from .mesh import Mesh
 from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
@@ -95,7 +95,7 @@ class Result(ScalarFields):
 
     Attributes
     ----------
-    ball, load, angular_speed, friction, drive, compliance, curvature, patch_load
+    ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
         The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
     status : Status
         How the solve ended.
@@ -125,6 +125,7 @@ class Result(ScalarFields):
     """
 
     ball: RollingBody
+    on: Counterpart | None
     load: float
     angular_speed: float
     friction: float
