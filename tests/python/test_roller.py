@@ -93,7 +93,7 @@ def test_rigid_roller_on_a_half_plane_is_hunters(angular_speed):
 
 @pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
 def test_roller_on_a_rigid_plane(angular_speed, moment):
-    # By an independent code (docs/theory.md, section 9), to its own 0.3 %.
+    # By an independent code (docs/theory.md, section 10), to its own 0.3 %.
     r = vr.solve(ROLLER, load=5e3, angular_speed=angular_speed, accuracy=1e-3)
     assert r.resisting_torque == pytest.approx(moment, rel=3e-3)
     assert r.power_balance_error < 1e-3
