@@ -138,6 +138,25 @@ def test_winkler_line_is_near_the_solver_on_a_thin_foam():
     assert forms["winkler_line"](1e3, 2.0) == pytest.approx(r.resisting_torque, rel=0.03)  # h/a = 0.08
 
 
+def test_compare_knows_hunter_where_layers_are_thick_and_wakes_short():
+    thick = vr.Layer(thickness=40e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
+    roller = vr.CoatedCylinder(core_radius=20e-3, layers=[thick])
+    form = analytic.applicable(roller)["hunter"]
+    for speed in (0.1, 0.5):
+        assert form.holds(2e3, speed)
+        r = vr.solve(roller, load=2e3, angular_speed=speed, accuracy=3e-3)
+        assert form(2e3, speed) == pytest.approx(r.resisting_torque, rel=0.02)
+    assert not form.holds(2e3, 10.0)  # where the wake reaches the core: 37 % too much
+
+
+def test_pictures_of_rollers_are_profiles(tmp_path):
+    r = vr.solve(ROLLER, load=5e3, angular_speed=1.0, accuracy=0.05)
+    assert len(r.plot().axes) == 2  # tractions, and the gap
+    for suffix in ("csv", "nc", "vtu"):
+        r.save(tmp_path / f"roller.{suffix}")
+        assert (tmp_path / f"roller.{suffix}").stat().st_size > 0
+
+
 def test_slow_rolling_loses_load_times_way_times_loss_time():
     # Linear in speed only as long as the way in the loss time is small beside the contact: two speeds, extrapolated.
     torque = [

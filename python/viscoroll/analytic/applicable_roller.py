@@ -52,16 +52,21 @@ def _hunter(roller: CoatedCylinder) -> dict[str, ClosedForm]:
     if not isinstance(material, StandardLinearSolid) or nu is None:
         return {}
 
+    retardation = material.relaxation_time * material.instantaneous_modulus / material.relaxed_modulus
+
     def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         speed = positives("angular_speed", angular_speed, "rad/s") * radius
         return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
 
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (_half_width(roller, load) <= 0.2 * roller.thickness) & any_speed
+        # The wake of the contact, f V τ long, must not feel the core either.
+        wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
+        met: NDArray[np.bool_] = (_half_width(roller, load) <= 0.2 * roller.thickness) & (
+            wake <= 0.5 * roller.thickness
+        )
         return met
 
-    small = "half width below a fifth of the thickness; no inertia"
+    small = "half width below a fifth of the thickness, way in the retardation time below half of it; no inertia"
     return {"hunter": ClosedForm(torque=torque, holds=holds, validity=small)}
 
 
