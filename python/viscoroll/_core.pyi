@@ -255,11 +255,6 @@ class ResultScalars:
         relative power-balance error [1]. |T Ω + Q V_s - dissipated_power| relative to the larger, with the lateral force's work where there is some.
         """
     @property
-    def products(self) -> int:
-        """
-        products with influence tables that solved them [1].
-        """
-    @property
     def residual(self) -> float:
         """
         largest violation of the contact conditions [1]. Without friction a gap relative to the penetration, with it the norm of all violations, as forces, relative to the load.

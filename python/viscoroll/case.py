@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from . import materials
+from ._arrays import as_float
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
@@ -19,6 +20,7 @@ from .drive import Drive
 from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
 from .mesh import Mesh
 from .result import Result
+from .rheology import LossFactor, load_material
 from .rolling import solve
 
 with extra("cli"):
@@ -33,6 +35,7 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "kelvin_voigt": materials.KelvinVoigt,
     "fractional_zener": materials.FractionalZener,
     "master_curve": materials.MasterCurve,
+    "loss_factor": LossFactor,
 }
 
 _COLUMNS = ("frequency", "storage", "loss")
@@ -52,7 +55,7 @@ class _Table(BaseModel):
 
 class _Layer(_Table):
     thickness: float
-    shear_modulus: dict[str, Any]
+    shear_modulus: dict[str, Any] | str | float
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
@@ -250,22 +253,45 @@ def _layers(layers: list[_Layer], name: str, folder: Path) -> list[Layer]:
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
     try:
-        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(dict(layer.shear_modulus), folder)})
+        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(layer.shear_modulus, folder)})
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name}: {error}") from None
 
 
-def _shear_modulus(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+def _shear_modulus(given: dict[str, Any] | str | float, folder: Path) -> materials.ShearModulus:
+    if isinstance(given, float | int):
+        return materials.Elastic(modulus=given)
+    table = {"type": "measured", "file": given} if isinstance(given, str) else dict(given)
     kind = table.pop("type", None)
-    material = _chosen("shear_modulus.type", kind, _MATERIALS)
+    if kind == "measured":
+        return _measured(table, folder)
+    if not isinstance(kind, str) or kind not in _MATERIALS:
+        names = ", ".join([*_MATERIALS, "measured"])
+        raise ValueError(f"shear_modulus.type must be one of {names}, got {shown(kind)}")
+    material = _MATERIALS[kind]
     if material is materials.MasterCurve:
         table = _master_curve(table, folder)
     known = {field.name for field in fields(material)}  # type: ignore[arg-type]
     if unknown := sorted(table.keys() - known):
         raise ValueError(f"shear_modulus of type {kind} has no parameter {', '.join(unknown)}")
-    if missing := sorted(known - table.keys() - {"extrapolation"}):
+    if missing := sorted(known - table.keys() - {"extrapolation", "decades"}):
         raise ValueError(f"shear_modulus of type {kind} needs {', '.join(missing)}")
     return material(**table)
+
+
+def _measured(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+    """Return a material of `viscoroll material`: file, and temperature and form where they are given."""
+    if unknown := sorted(table.keys() - {"file", "temperature", "form"}):
+        raise ValueError(f"shear_modulus of type measured has no parameter {', '.join(unknown)}")
+    name = table.pop("file", None)
+    if not isinstance(name, str):
+        raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
+    if "temperature" in table:
+        table["temperature"] = as_float("shear_modulus.temperature", table["temperature"])
+    try:
+        return load_material(folder / name, **table)
+    except OSError as error:
+        raise ValueError(f"material {folder / name}: {error.strerror}") from None
 
 
 def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from . import _core
-from ._arrays import require_type, store_floats
+from ._arrays import as_member, require_type, store_floats
 from ._core import InnerBoundary
 from ._text import shown
-from .materials import ShearModulusLike, to_core
+from .materials import ShearModulusLike, as_modulus, to_core
 
 __all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "HalfSpace", "Layer", "RollingBody"]
 
@@ -25,9 +25,10 @@ class Layer:
     ----------
     thickness : float
         [m], > 0.
-    shear_modulus : ShearModulus or callable
-        μ*(ω) [Pa]: a modulus of this package, or a function of an array of angular frequencies [rad/s], which are ≥ 0
-        and include 0, that returns complex values [Pa] with loss ≥ 0.
+    shear_modulus : ShearModulus, callable or float
+        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
+        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
+        or one for all.
     poisson_ratio : float, optional
         Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
     bulk_modulus : float, optional
@@ -51,6 +52,7 @@ class Layer:
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
         store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus"))
+        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
         self._to_core()
 
     def _to_core(self) -> _core.Layer:
@@ -73,7 +75,7 @@ class CoatedSphere:
         Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
     layers : sequence of Layer
         From the center outwards, at least one.
-    inner_boundary : InnerBoundary, default InnerBoundary.RIGID
+    inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
         What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
         core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
 
@@ -93,7 +95,7 @@ class CoatedSphere:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""
         store_floats(self, ("core_radius",))
         object.__setattr__(self, "layers", _as_layers(self.layers))
-        require_type("inner_boundary", self.inner_boundary, InnerBoundary)
+        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
         self._to_core()
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import as_float, as_int, require_callable, require_type
+from ._arrays import as_float, as_int, as_member, require_callable, require_type
 from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
@@ -30,10 +30,10 @@ def solve(
     accuracy: float | None = None,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-    compliance: Compliance = Compliance.RADIAL,
-    curvature: Curvature = Curvature.SPHERE,
-    patch_load: PatchLoad = PatchLoad.FLAT,
-    slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
+    compliance: Compliance | str = Compliance.RADIAL,
+    curvature: Curvature | str = Curvature.SPHERE,
+    patch_load: PatchLoad | str = PatchLoad.FLAT,
+    slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
     max_iterations: int = 500,
     threads: int = 0,
     progress: Callable[[str, float], object] | None = None,
@@ -64,16 +64,16 @@ def solve(
     drive : Drive, default Drive(force=0.0)
         What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
         of 0 or a creepage.
-    compliance : Compliance, default Compliance.RADIAL
+    compliance : Compliance or str, default Compliance.RADIAL
         In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
         on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear
         theory does not know.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         What the equations of the layers keep of it: the membrane stiffness of a sphere, PAPER's as printed, or all of
         it, EXACT, for thick coatings, hollow and solid balls.
-    patch_load : PatchLoad, default PatchLoad.FLAT
+    patch_load : PatchLoad or str, default PatchLoad.FLAT
         Traction on the patch of a node: equation (53) or (38) of the paper.
-    slip_kinematics : SlipKinematics, default SlipKinematics.EXACT
+    slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
         With friction: how far material travels between the nodes of an undeformed ball. FLAT is the last form of the
         paper's (55a), which knows no Heathcote slip; for comparison only.
     max_iterations : int, default 500
@@ -123,7 +123,7 @@ def solve(
     """
     require_type("ball", ball, CoatedSphere, CoatedCylinder)
     require_type("mesh", mesh, Mesh, optional=True)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
@@ -156,7 +156,7 @@ class RollingModel:
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
         Surface mesh.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         As of `solve`.
     threads : int, default 0
         Number of threads; 0 for all cores.
@@ -183,13 +183,13 @@ class RollingModel:
         on: Counterpart | None = None,
         angular_speed: float,
         mesh: Mesh,
-        curvature: Curvature = Curvature.SPHERE,
+        curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
     ) -> None:
         require_type("ball", ball, CoatedSphere, CoatedCylinder)
         require_type("mesh", mesh, Mesh)
-        require_type("curvature", curvature, Curvature)
+        curvature = as_member("curvature", curvature, Curvature)
         require_callable("progress", progress)
         self.ball = ball
         self.on = on
@@ -225,9 +225,9 @@ class RollingModel:
         load: float,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-        compliance: Compliance = Compliance.RADIAL,
-        patch_load: PatchLoad = PatchLoad.FLAT,
-        slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
+        compliance: Compliance | str = Compliance.RADIAL,
+        patch_load: PatchLoad | str = PatchLoad.FLAT,
+        slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
         max_iterations: int = 500,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
@@ -256,17 +256,17 @@ def _core_case(
     load: float,
     friction: float,
     drive: Drive,
-    compliance: Compliance,
-    patch_load: PatchLoad,
-    slip_kinematics: SlipKinematics,
+    compliance: Compliance | str,
+    patch_load: PatchLoad | str,
+    slip_kinematics: SlipKinematics | str,
     max_iterations: int,
     threads: int,
     progress: Callable[[str, float], object] | None,
 ) -> dict[str, Any]:
     """Settle the types of a load case and its options, as the core wants them."""
-    require_type("compliance", compliance, Compliance)
-    require_type("patch_load", patch_load, PatchLoad)
-    require_type("slip_kinematics", slip_kinematics, SlipKinematics)
+    compliance = as_member("compliance", compliance, Compliance)
+    patch_load = as_member("patch_load", patch_load, PatchLoad)
+    slip_kinematics = as_member("slip_kinematics", slip_kinematics, SlipKinematics)
     require_type("drive", drive, Drive)
     require_callable("progress", progress)
     return {
@@ -288,7 +288,7 @@ def _result(
     on: Counterpart | None,
     angular_speed: float,
     drive: Drive,
-    curvature: Curvature,
+    curvature: Curvature | str,
     case: dict[str, Any],
 ) -> Result:
     """Make the result, and warn the caller of the public function that calls this."""

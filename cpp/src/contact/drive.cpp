@@ -2,16 +2,6 @@
 
 namespace viscoroll::detail {
 
-double moment(const LeverArms& arms, const VectorField& force) {
-  return (arms.y * force.col(kForward) - arms.x * force.col(kDown)).sum();
-}
-
-double displaced_moment(const VectorField& displacement, const VectorField& force, double pressure_share) {
-  return (displacement.col(kDown) * force.col(kForward) -
-          pressure_share * displacement.col(kForward) * force.col(kDown))
-      .sum();
-}
-
 double DriveRow::of(const VectorField& force, const VectorField& displacement, double speed_ratio) const {
   double sum = (on_force * force).sum() + on_speed * speed_ratio;
   if (on_displacement.rows() > 0) sum += (on_displacement * displacement).sum();
@@ -28,12 +18,13 @@ DriveRow GivenForce::row(const LeverArms&, const VectorField& force, const Vecto
 DriveRow GivenMoment::row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
                           double) const {
   const double arm = arms.y.maxCoeff();  // any length turns the condition into one on a force
+  const LeverArms at = displaced(arms, displacement, pressure_share_);
   DriveRow row{.on_force = VectorField::Zero(force.rows(), 3),
                .on_displacement = VectorField::Zero(force.rows(), 3),
                .on_speed = 0.0,
-               .value = (moment_ + displaced_moment(displacement, force, pressure_share_)) / arm};
-  row.on_force.col(kForward) = (arms.y + displacement.col(kDown)) / arm;
-  row.on_force.col(kDown) = -(arms.x + pressure_share_ * displacement.col(kForward)) / arm;
+               .value = (moment_ + moment(added_arms(displacement, pressure_share_), force)) / arm};
+  row.on_force.col(kForward) = at.y / arm;
+  row.on_force.col(kDown) = -at.x / arm;
   row.on_displacement.col(kDown) = force.col(kForward) / arm;
   row.on_displacement.col(kForward) = -pressure_share_ * force.col(kDown) / arm;
   return row;

@@ -6,24 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "contact/lever_arms.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Where forces act on the undeformed bodies, from the center of rotation [m].
-struct LeverArms {
-  Eigen::ArrayXd x;  ///< forward
-  Eigen::ArrayXd y;  ///< down
-};
-
-/// @return moment of the forces at undisplaced points, sum of -x F_y + y F_x [N m]
-[[nodiscard]] double moment(const LeverArms& arms, const VectorField& force);
-/// @brief Moment that displaced lever arms add, sum of u_y F_x - share u_x F_y.
-/// @param[in] displacement [m]
-/// @param[in] force [N]
-/// @param[in] pressure_share 0 where pressure does no work along the plane, else 1
-/// @return [N m]
-[[nodiscard]] double displaced_moment(const VectorField& displacement, const VectorField& force, double pressure_share);
 
 /// @brief A condition on forces F, displacements u and speed ratio s, as a force [N]:
 /// sum of on_force F + sum of on_displacement u + on_speed s = value.
@@ -68,7 +54,7 @@ class GivenForce : public Drive {
 class GivenMoment : public Drive {
  public:
   /// @param[in] moment [N m]
-  /// @param[in] pressure_share as for `displaced_moment`
+  /// @param[in] pressure_share as for `added_arms`
   GivenMoment(double moment, double pressure_share) : moment_(moment), pressure_share_(pressure_share) {}
   [[nodiscard]] DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
                              double speed_force) const override;

@@ -57,7 +57,7 @@ class Summary {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
     r.iterations = contact_.iterations;
     r.residual = contact_.residual;
-    r.products = contact_.operator_applications;
+    r.operator_applications = contact_.operator_applications;
   }
 
   void add_shape(Result& r) const {
@@ -84,17 +84,8 @@ class Summary {
     const double load = given_.load_case.load;
     r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
     r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
-
-    const double swelling = 1.0 + given_.centrifugal / radius();
-    ArrayXd x = swelling * window_.x();
-    ArrayXd y = swelling * window_.y();
-    if (given_.compliance == Compliance::vertical) {
-      x += contact_.displacement.col(kForward);
-    }
-    y += contact_.displacement.col(kDown);
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
-    const double torque = (x * pressing_ + y * forward).sum() - radius() * counterpart_force(r);
-    r.driving_torque = settled(torque, load * radius());
+    r.driving_torque = settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius());
   }
 
   void add_powers(Result& r) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact_solution.hpp"
+#include "contact/lever_arms.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
 #include "viscoroll/load_case.hpp"
@@ -15,7 +16,7 @@ namespace viscoroll::detail {
 struct ContactConditions {
   LoadCase load_case;
   Mesh mesh;
-  Compliance compliance;
+  LeverArms arms;  ///< of the displaced nodes
   Curvature curvature;
   PatchLoad patch_load;
   double coating_thickness;  ///< [m]

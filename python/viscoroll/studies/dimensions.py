@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._arrays import as_float, as_int
+from .._arrays import as_float, as_int, as_member
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ..drive import Drive
 from ..mesh import Mesh
@@ -57,6 +57,10 @@ UNITS = {
     "order": "1",
     "storage": "Pa",
     "loss": "Pa",
+    "loss_factor": "1",
+    "reference_frequency": "rad/s",
+    "decades": "1",
+    "temperature": "°C",
 }
 
 #: Longest text that serves as a label.
@@ -145,6 +149,8 @@ def checked(name: str, value: object) -> object:
     if name == "max_iterations":
         return as_int(name, value)
     if name in _TYPES:
+        if issubclass(_TYPES[name], Enum):
+            return as_member(name, value, _TYPES[name])  # type: ignore[arg-type]
         if not isinstance(value, _TYPES[name]):
             raise TypeError(f"{name} must be a viscoroll.{_TYPES[name].__name__}, got {value!r}")
         return value
