@@ -20,7 +20,7 @@ double relative_error(double value, double reference) { return std::abs(value / 
 void count(const Result& result, benchmark::State& state) {
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
   state.counters["iterations"] = result.iterations;
-  state.counters["products"] = result.products;
+  state.counters["operator_applications"] = result.operator_applications;
   state.counters["window"] = result.phi_nodes;
 }
 

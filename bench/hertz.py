@@ -59,7 +59,7 @@ class Run:
     ----------
     cpu_seconds
         Time of the processor in the solve; tables, plans and buffers of the operator are made before.
-    products
+    operator_applications
         Products with the compliance.
     max_pressure, mean_pressure, contact_radius
         Relative errors; the contact area, of which the latter two are functions, is that of the nodes under pressure.
@@ -68,7 +68,7 @@ class Run:
     """
 
     cpu_seconds: float
-    products: int
+    operator_applications: int
     max_pressure: float
     mean_pressure: float
     contact_radius: float
@@ -82,7 +82,12 @@ def undeformed_gap(nodes: int) -> NDArray[np.float64]:
 
 
 def compared(
-    cpu_seconds: float, products: int, pressure: NDArray[np.float64], patch: float, radius: float, table: float
+    cpu_seconds: float,
+    operator_applications: int,
+    pressure: NDArray[np.float64],
+    patch: float,
+    radius: float,
+    table: float,
 ) -> Run:
     """Return the run whose solve gave `pressure` on patches of area `patch`, where Hertz's contact has `radius`."""
     area = int(np.count_nonzero(pressure)) * patch
@@ -90,7 +95,7 @@ def compared(
     mean = load / (math.pi * radius**2)
     return Run(
         cpu_seconds,
-        products,
+        operator_applications,
         max_pressure=float(pressure.max()) / (1.5 * mean) - 1,
         mean_pressure=load / area / mean - 1,
         contact_radius=math.sqrt(area / math.pi) / radius - 1,
@@ -116,7 +121,7 @@ def viscoroll(nodes: int) -> Run:
     start = time.process_time()
     result = model.solve(load=load, compliance=vr.Compliance.RADIAL, threads=1)
     seconds = time.process_time() - start
-    return compared(seconds, result.products, result.pressure, spacing**2, radius, both - seconds)
+    return compared(seconds, result.operator_applications, result.pressure, spacing**2, radius, both - seconds)
 
 
 def tamaas(nodes: int) -> Run:
@@ -216,7 +221,7 @@ def main() -> None:
     runs = [solver(options.nodes) for _ in range(options.runs)]
     last = runs[-1]
     details = {
-        "products": last.products,
+        "operator_applications": last.operator_applications,
         "table_s": f"{statistics.median(run.table_seconds for run in runs):.3g}",
         "mean_pressure_error": f"{last.mean_pressure:.1e}",
         "contact_radius_error": f"{last.contact_radius:.1e}",

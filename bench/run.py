@@ -81,7 +81,9 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
         arguments = [f"--benchmark_filter=^{name}$", *repetitions, "--benchmark_format=json"]
         output, peak = run(PROGRAM, *arguments)
         done = [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"]
-        details = {key: int(done[0][key]) for key in ("iterations", "products", "window") if key in done[0]}
+        details = {
+            key: int(done[0][key]) for key in ("iterations", "operator_applications", "window") if key in done[0]
+        }
         yield row(
             case,
             "wall",
@@ -89,7 +91,7 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
             done[0]["error"],
             peak,
             contact_nodes=int(done[0].get("contact_nodes", 0)),
-            details=text(details) if "products" in details else "",
+            details=text(details) if "operator_applications" in details else "",
         )
 
 

@@ -26,7 +26,9 @@ from ._core import (
 )
 from .caution import ResultWarning
 from .drive import Drive
-from .geometry import CoatedCylinder, CoatedSphere, Layer
+from .export import dem
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer
+from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
     Elastic,
     FractionalZener,
@@ -46,11 +48,27 @@ from .orders import (
     surface_compliance,
 )
 from .result import Refinement, Result
+from .rheology import (
+    LossFactor,
+    ShiftFactors,
+    check_modulus,
+    check_range,
+    example_data,
+    fit_prony,
+    hardness_to_modulus,
+    load_material,
+    read_rheology,
+    rolling_range,
+    save_material,
+    superpose,
+)
 from .rolling import RollingModel, solve
+from .rolling_resistance import RollingResistance
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 
 __all__ = [
     "CoatedCylinder",
+    "CoatedPlane",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
@@ -60,9 +78,13 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "Groove",
+    "HalfSpace",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
+    "LossFactor",
+    "LossSpectrum",
     "MasterCurve",
     "Mesh",
     "Parameter",
@@ -72,7 +94,9 @@ __all__ = [
     "Result",
     "ResultWarning",
     "RollingModel",
+    "RollingResistance",
     "ShearModulus",
+    "ShiftFactors",
     "SlipKinematics",
     "StandardLinearSolid",
     "Status",
@@ -80,14 +104,26 @@ __all__ = [
     "__version__",
     "analytic",
     "centrifugal_displacement",
+    "check_modulus",
+    "check_range",
     "critical_speed",
     "degree_compliance",
+    "dem",
+    "example_data",
     "fit_friction_law",
     "fit_power_law",
+    "fit_prony",
     "fit_thickness_law",
+    "hardness_to_modulus",
     "influence_tables",
+    "load_material",
+    "loss_spectrum",
+    "read_rheology",
+    "rolling_range",
+    "save_material",
     "solve",
     "state_matrix",
+    "superpose",
     "surface_compliance",
     "sweep",
 ]

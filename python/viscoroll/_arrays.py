@@ -5,8 +5,9 @@ from __future__ import annotations
 import operator
 import sys
 from collections.abc import Callable, Sequence
+from enum import Enum
 from numbers import Real
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -15,11 +16,14 @@ from ._text import shown
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+Member = TypeVar("Member", bound=Enum)
+
 __all__ = [
     "as_float",
     "as_float_array",
     "as_floats",
     "as_int",
+    "as_member",
     "as_orders",
     "require_callable",
     "require_type",
@@ -39,6 +43,26 @@ def require_type(name: str, value: object, *kinds: type, optional: bool = False)
         names = " or ".join(f"viscoroll.{kind.__name__}" for kind in kinds)
         wanted = f"a {names}{' or None' if optional else ''}"
         raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
+
+
+def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
+    """Return a member of an enumeration, of which the name in any case serves as well.
+
+    Raises
+    ------
+    TypeError
+        Where `value` is neither a member nor a text.
+    ValueError
+        For a text that names none.
+    """
+    if isinstance(value, kind):
+        return value
+    names = [member.name.lower() for member in kind]
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a viscoroll.{kind.__name__}, or one of {', '.join(names)}, got {shown(value)}")
+    if value.lower() not in names:
+        raise ValueError(f"{name} must be one of {', '.join(names)}, got {shown(value)}")
+    return kind[value.upper()]
 
 
 def require_callable(name: str, value: object) -> None:

@@ -99,6 +99,24 @@ class CoatedSphere:
         inner_boundary: InnerBoundary,
     ) -> None: ...
 
+class CoatedCylinder:
+    def __init__(
+        self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
+    ) -> None: ...
+
+class HalfSpace:
+    def __init__(
+        self,
+        *,
+        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
+        bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
+        density: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
+class CoatedPlane:
+    def __init__(self, *, layers: collections.abc.Sequence[Layer], base: HalfSpace | None) -> None: ...
+
 class Mesh:
     def __init__(
         self,
@@ -137,7 +155,7 @@ class Refinement:
     @property
     def mesh(self) -> Mesh: ...
     @property
-    def penetration(self) -> float: ...
+    def penetration(self) -> float | None: ...
     @property
     def power_balance_error(self) -> float: ...
     @property
@@ -162,9 +180,9 @@ class ResultScalars:
         power lost in the coating [W]. From the spectrum alone: not from the torque.
         """
     @property
-    def center_height(self) -> float:
+    def center_height(self) -> float | None:
         """
-        height of the center H [m]. Above the plane.
+        height of the center H [m]. Above the plane. As determined as the penetration.
         """
     @property
     def centrifugal_displacement(self) -> float:
@@ -222,24 +240,19 @@ class ResultScalars:
         largest contact pressure [Pa].
         """
     @property
-    def model_error(self) -> float:
+    def model_error(self) -> float | None:
         """
         what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
     @property
-    def penetration(self) -> float:
+    def penetration(self) -> float | None:
         """
-        penetration r_o - H [m].
+        penetration r_o - H [m]. None in line contact where anything rests on a half-space: it has no limit there.
         """
     @property
     def power_balance_error(self) -> float:
         """
         relative power-balance error [1]. |T Ω + Q V_s - dissipated_power| relative to the larger, with the lateral force's work where there is some.
-        """
-    @property
-    def products(self) -> int:
-        """
-        products with influence tables that solved them [1].
         """
     @property
     def residual(self) -> float:
@@ -259,12 +272,12 @@ class ResultScalars:
     @property
     def semi_axis_x(self) -> float:
         """
-        contact semi-axis along x [m]. Of the ellipse with the contact's second moments.
+        contact semi-axis along x [m]. Of the ellipse with the contact's second moments; half of the width in line contact.
         """
     @property
-    def semi_axis_z(self) -> float:
+    def semi_axis_z(self) -> float | None:
         """
-        contact semi-axis along z [m]. Of the ellipse with the contact's second moments.
+        contact semi-axis along z [m]. Of the ellipse with the contact's second moments; None in line contact.
         """
     @property
     def slip_power(self) -> float:
@@ -272,9 +285,9 @@ class ResultScalars:
         power lost by slip [W]. On the plane.
         """
     @property
-    def strain(self) -> float:
+    def strain(self) -> float | None:
         """
-        strain, penetration per thickness of the coating [1]. The model's error grows with it.
+        strain, penetration per thickness of the coating [1]. The model's error grows with it. As determined as the penetration.
         """
 
 class Result(ResultScalars):
@@ -359,7 +372,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        sphere: CoatedSphere,
+        body: CoatedSphere | CoatedCylinder,
+        on: CoatedPlane | CoatedCylinder,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -394,8 +408,13 @@ def core_count() -> int:
     Cores that this process may use.
     """
 
+@typing.overload
 def critical_speed(
     sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature
+) -> float: ...
+@typing.overload
+def critical_speed(
+    cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
@@ -421,7 +440,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    sphere: CoatedSphere,
+    body: CoatedSphere | CoatedCylinder,
+    on: CoatedPlane | CoatedCylinder,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,

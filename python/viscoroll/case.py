@@ -12,13 +12,15 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from . import materials
+from ._arrays import as_float
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
-from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from .mesh import Mesh
 from .result import Result
+from .rheology import LossFactor, load_material
 from .rolling import solve
 
 with extra("cli"):
@@ -33,6 +35,7 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "kelvin_voigt": materials.KelvinVoigt,
     "fractional_zener": materials.FractionalZener,
     "master_curve": materials.MasterCurve,
+    "loss_factor": LossFactor,
 }
 
 _COLUMNS = ("frequency", "storage", "loss")
@@ -52,7 +55,7 @@ class _Table(BaseModel):
 
 class _Layer(_Table):
     thickness: float
-    shear_modulus: dict[str, Any]
+    shear_modulus: dict[str, Any] | str | float
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
@@ -61,7 +64,7 @@ class _Layer(_Table):
 class _Ball(_Table):
     core_radius: float = 0.0
     inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
-    layers: list[_Layer]
+    layers: list[_Layer] = []
 
 
 class _Cylinder(_Table):
@@ -69,11 +72,29 @@ class _Cylinder(_Table):
     layers: list[_Layer]
 
 
+class _Base(_Table):
+    shear_modulus: dict[str, Any]
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+
+class _Plane(_Table):
+    layers: list[_Layer] = []
+    base: _Base | None = None
+
+
+class _Groove(_Plane):
+    radius: float | None = None
+    path_radius: float | None = None
+
+
 class _Drive(_Table):
     force: float | None = None
     torque: float | None = None
     creepage: float | None = None
     lateral_creepage: float = 0.0
+    spin: float = 0.0
 
 
 class _Rolling(_Table):
@@ -97,6 +118,8 @@ class _Numerics(_Table):
 class _File(_Table):
     ball: _Ball | None = None
     cylinder: _Cylinder | None = None
+    plane: _Plane | None = None
+    groove: _Groove | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
 
@@ -106,6 +129,7 @@ class Case:
     """One load case, as a file describes it. Parameters as of `viscoroll.solve`."""
 
     ball: RollingBody
+    on: Counterpart | None = None
     load: float
     angular_speed: float
     friction: float
@@ -216,6 +240,7 @@ def _build(file: _File, folder: Path) -> Case:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
         ball=_rolling_body(file, folder),
+        on=_counterpart(file, folder),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
@@ -244,28 +269,68 @@ def _rolling_body(file: _File, folder: Path) -> RollingBody:
     )
 
 
+def _counterpart(file: _File, folder: Path) -> Counterpart | None:
+    if file.plane is not None and file.groove is not None:
+        raise ValueError("plane or groove must be given, and not both, got both")
+    if file.groove is not None:
+        radii = {"radius": file.groove.radius, "path_radius": file.groove.path_radius}
+        return Groove(**radii, **_surface(file.groove, "groove", folder))
+    return None if file.plane is None else CoatedPlane(**_surface(file.plane, "plane", folder))
+
+
+def _surface(surface: _Plane, name: str, folder: Path) -> dict[str, Any]:
+    base = None
+    if surface.base is not None:
+        modulus = _shear_modulus(dict(surface.base.shear_modulus), folder)
+        base = HalfSpace(**dict(surface.base) | {"shear_modulus": modulus})
+    return {"layers": _layers(surface.layers, name, folder), "base": base}
+
+
 def _layers(layers: list[_Layer], name: str, folder: Path) -> list[Layer]:
     return [_layer(layer, f"{name}.layers[{j}]", folder) for j, layer in enumerate(layers)]
 
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
     try:
-        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(dict(layer.shear_modulus), folder)})
+        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(layer.shear_modulus, folder)})
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name}: {error}") from None
 
 
-def _shear_modulus(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+def _shear_modulus(given: dict[str, Any] | str | float, folder: Path) -> materials.ShearModulus:
+    if isinstance(given, float | int):
+        return materials.Elastic(modulus=given)
+    table = {"type": "measured", "file": given} if isinstance(given, str) else dict(given)
     kind = table.pop("type", None)
-    material = _chosen("shear_modulus.type", kind, _MATERIALS)
+    if kind == "measured":
+        return _measured(table, folder)
+    if not isinstance(kind, str) or kind not in _MATERIALS:
+        names = ", ".join([*_MATERIALS, "measured"])
+        raise ValueError(f"shear_modulus.type must be one of {names}, got {shown(kind)}")
+    material = _MATERIALS[kind]
     if material is materials.MasterCurve:
         table = _master_curve(table, folder)
     known = {field.name for field in fields(material)}  # type: ignore[arg-type]
     if unknown := sorted(table.keys() - known):
         raise ValueError(f"shear_modulus of type {kind} has no parameter {', '.join(unknown)}")
-    if missing := sorted(known - table.keys() - {"extrapolation"}):
+    if missing := sorted(known - table.keys() - {"extrapolation", "decades"}):
         raise ValueError(f"shear_modulus of type {kind} needs {', '.join(missing)}")
     return material(**table)
+
+
+def _measured(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
+    """Return a material of `viscoroll material`: file, and temperature and form where they are given."""
+    if unknown := sorted(table.keys() - {"file", "temperature", "form"}):
+        raise ValueError(f"shear_modulus of type measured has no parameter {', '.join(unknown)}")
+    name = table.pop("file", None)
+    if not isinstance(name, str):
+        raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
+    if "temperature" in table:
+        table["temperature"] = as_float("shear_modulus.temperature", table["temperature"])
+    try:
+        return load_material(folder / name, **table)
+    except OSError as error:
+        raise ValueError(f"material {folder / name}: {error.strerror}") from None
 
 
 def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:

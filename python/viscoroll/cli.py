@@ -16,6 +16,7 @@ from ._core import Compliance, Curvature
 from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
+from .commands import add_commands
 from .result import SUFFIXES
 from .rolling import solve as solve_rolling
 from .scalars import SCALARS
@@ -273,6 +274,10 @@ def demo(
     _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
+def _write_line(line: str) -> None:
+    _output.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
@@ -318,6 +323,8 @@ def _result_table(result: Result) -> Table:
     for name, (_, description) in SCALARS.items():
         value, unit = getattr(result, name), result.unit(name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
+    if (share := result.extrapolated_loss()) is not None:
+        table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")
     table.add_row("mesh", str(result.mesh))
     table.add_row("status", result.status.name, "")
     return table
@@ -349,3 +356,6 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
             head = f"π/{nodes // 2}" if source is torques else ""
             table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
     return table
+
+
+add_commands(app, _write_line, _check_target, _progress_bar)

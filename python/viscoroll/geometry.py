@@ -1,4 +1,4 @@
-"""What rolls: a rigid core covered by bonded viscoelastic layers."""
+"""What rolls, and what it rolls on: bonded viscoelastic layers."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from . import _core
-from ._arrays import require_type, store_floats
+from ._arrays import as_member, require_type, store_floats
 from ._core import InnerBoundary
 from ._text import shown
-from .materials import ShearModulusLike, to_core
+from .materials import ShearModulusLike, as_modulus, to_core
 
-__all__ = ["CoatedCylinder", "CoatedSphere", "Layer", "RollingBody"]
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "HalfSpace", "Layer", "RollingBody"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,9 +25,10 @@ class Layer:
     ----------
     thickness : float
         [m], > 0.
-    shear_modulus : ShearModulus or callable
-        μ*(ω) [Pa]: a modulus of this package, or a function of an array of angular frequencies [rad/s], which are ≥ 0
-        and include 0, that returns complex values [Pa] with loss ≥ 0.
+    shear_modulus : ShearModulus, callable or float
+        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
+        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
+        or one for all.
     poisson_ratio : float, optional
         Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
     bulk_modulus : float, optional
@@ -51,6 +52,7 @@ class Layer:
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
         store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus"))
+        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
         self._to_core()
 
     def _to_core(self) -> _core.Layer:
@@ -72,8 +74,8 @@ class CoatedSphere:
     core_radius : float
         Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
     layers : sequence of Layer
-        From the center outwards, at least one.
-    inner_boundary : InnerBoundary, default InnerBoundary.RIGID
+        From the center outwards; with none a rigid ball, which rolls on what deforms.
+    inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
         What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
         core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
 
@@ -86,14 +88,14 @@ class CoatedSphere:
     """
 
     core_radius: float = 0.0
-    layers: Sequence[Layer]
+    layers: Sequence[Layer] = ()
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
     def __post_init__(self) -> None:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""
         store_floats(self, ("core_radius",))
         object.__setattr__(self, "layers", _as_layers(self.layers))
-        require_type("inner_boundary", self.inner_boundary, InnerBoundary)
+        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
         self._to_core()
 
     @property
@@ -160,8 +162,127 @@ class CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HalfSpace:
+    """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+
+    Parameters
+    ----------
+    shear_modulus, poisson_ratio, bulk_modulus, density
+        As of `Layer`.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.5).density
+    0.0
+    """
+
+    shear_modulus: ShearModulusLike
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("density",), optional=("poisson_ratio", "bulk_modulus"))
+        _core.CoatedPlane(layers=[], base=self._to_core())
+
+    def _to_core(self) -> _core.HalfSpace:
+        return _core.HalfSpace(
+            shear_modulus=to_core(self.shear_modulus),
+            poisson_ratio=self.poisson_ratio,
+            bulk_modulus=self.bulk_modulus,
+            density=self.density,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedPlane:
+    """An unbounded plane of bonded layers on a rigid base or a half-space.
+
+    Parameters
+    ----------
+    layers : sequence of Layer
+        From the base outwards.
+    base : HalfSpace, optional
+        What carries them; rigid without it.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> mat = Layer(thickness=5e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    >>> CoatedPlane(layers=[mat]).thickness
+    0.005
+    """
+
+    layers: Sequence[Layer] = ()
+    base: HalfSpace | None = None
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers and check the parameters."""
+        object.__setattr__(self, "layers", _as_layers(self.layers))
+        require_type("base", self.base, HalfSpace, optional=True)
+        self._to_core()
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    def _to_core(self) -> _core.CoatedPlane:
+        return _core.CoatedPlane(
+            layers=[layer._to_core() for layer in self.layers],
+            base=None if self.base is None else self.base._to_core(),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Groove:
+    """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
+
+    Layers and base are taken to be flat, which is as good as they are thin beside the radii.
+
+    Parameters
+    ----------
+    radius : float, optional
+        Of curvature across the path [m]: at least 1.02 times the ball's where it is hollow, < 0 where it bulges;
+        straight without it.
+    path_radius : float, optional
+        The same along the path: a dish, or the race of a bearing; without friction.
+    layers : sequence of Layer
+        From the base outwards; none: rigid.
+    base : HalfSpace, optional
+        What carries them; rigid without it.
+
+    Examples
+    --------
+    >>> Groove(radius=30e-3).path_radius is None
+    True
+    """
+
+    radius: float | None = None
+    path_radius: float | None = None
+    layers: Sequence[Layer] = ()
+    base: HalfSpace | None = None
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats, freeze the list of layers and check the parameters."""
+        store_floats(self, (), optional=("radius", "path_radius"))
+        object.__setattr__(self, "layers", _as_layers(self.layers))
+        require_type("base", self.base, HalfSpace, optional=True)
+        self._to_core()
+
+    def _to_core(self) -> _core.Groove:
+        surface = CoatedPlane(layers=self.layers, base=self.base)
+        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=surface._to_core())
+
+
 #: What rolls: a ball, or a roller, whose load and results are per length.
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+
+#: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
+Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove
 
 
 def _as_layers(layers: object) -> tuple[Layer, ...]:

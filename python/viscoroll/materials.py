@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from . import _core
-from ._arrays import as_float_array, as_floats, require_type, store_floats
+from ._arrays import as_float, as_float_array, as_floats, as_member, store_floats
 from ._text import shown
 
 if TYPE_CHECKING:
@@ -80,8 +80,9 @@ class ShearModulus(ABC):
         return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
 
 
-#: A modulus of this module, or a function of an array of angular frequencies ω [rad/s] that returns μ*(ω) [Pa].
-ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any]
+#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular
+#: frequencies ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
+ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,7 +115,7 @@ class Prony(ShearModulus):
     instantaneous_modulus : float
         Shear modulus G₀ at infinite frequency [Pa], > 0.
     weights : array_like
-        g_k [-], each in (0, 1), with a sum below 1.
+        g_k [-], each in [0, 1], with a sum up to 1 but for round-off; terms of weight 0 are dropped.
     relaxation_times : array_like
         τ_k [s], > 0, as many as `weights`.
 
@@ -138,6 +139,11 @@ class Prony(ShearModulus):
         object.__setattr__(self, "weights", as_floats("weights", self.weights))
         object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
         ShearModulus.__post_init__(self)
+        terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
+        for name, column in zip(
+            ("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True
+        ):
+            object.__setattr__(self, name, column)
 
     def _to_core(self) -> _core.Prony:
         return _core.Prony(
@@ -266,7 +272,7 @@ class MasterCurve(ShearModulus):
         Storage modulus [Pa], > 0, as long as `frequency`.
     loss : array_like
         Loss modulus [Pa], ≥ 0, as long as `frequency`.
-    extrapolation : Extrapolation, default Extrapolation.ERROR
+    extrapolation : Extrapolation or str, default Extrapolation.ERROR
         Refuse frequencies outside the table, or hold the end values.
 
     Examples
@@ -285,7 +291,7 @@ class MasterCurve(ShearModulus):
         """Freeze the table and check it."""
         for name in ("frequency", "storage", "loss"):
             object.__setattr__(self, name, as_floats(name, getattr(self, name)))
-        require_type("extrapolation", self.extrapolation, _core.Extrapolation)
+        object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
         ShearModulus.__post_init__(self)
 
     def _to_core(self) -> _core.MasterCurve:
@@ -303,13 +309,29 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
     Raises
     ------
     TypeError
-        Where `modulus` is neither of this module nor callable.
+        Where `modulus` is neither of this package, nor callable, nor a number.
     """
-    if isinstance(modulus, ShearModulus):
-        return modulus._to_core()
-    if callable(modulus):
-        return _core.CustomModulus(_numbers_of(modulus))
-    raise TypeError(f"shear_modulus must be a modulus of viscoroll or a function of frequency, got {shown(modulus)}")
+    known = as_modulus(modulus)
+    return known._to_core() if isinstance(known, ShearModulus) else _core.CustomModulus(_numbers_of(known))
+
+
+def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
+    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means.
+
+    Raises
+    ------
+    TypeError
+        Where `modulus` is none of these.
+    """
+    if isinstance(modulus, ShearModulus) or callable(modulus):
+        return modulus
+    try:
+        number = as_float("shear_modulus", modulus)
+    except TypeError:
+        raise TypeError(
+            f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
+        ) from None
+    return Elastic(modulus=number)
 
 
 def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
@@ -319,7 +341,7 @@ def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]
         values = _as_numbers(function(omega))
         if values.dtype.kind not in "fciu":
             raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
-        return values
+        return np.full(omega.shape, values) if values.ndim == 0 else values
 
     return modulus
 

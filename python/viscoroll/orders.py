@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _core
-from ._arrays import as_float, as_int, as_orders, require_callable, require_type
+from ._arrays import as_float, as_int, as_member, as_orders, require_callable, require_type
 from ._core import Curvature
 from ._text import shown
 from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
@@ -33,7 +33,12 @@ __all__ = [
 
 
 def surface_compliance(
-    ball: CoatedSphere, angular_speed: float, m: ArrayLike, n: ArrayLike, *, curvature: Curvature = Curvature.SPHERE
+    ball: CoatedSphere,
+    angular_speed: float,
+    m: ArrayLike,
+    n: ArrayLike,
+    *,
+    curvature: Curvature | str = Curvature.SPHERE,
 ) -> NDArray[np.complex128]:
     """Surface compliance of single orders: displacement per surface stress.
 
@@ -45,7 +50,7 @@ def surface_compliance(
         Ω [rad/s], > 0.
     m, n : array_like of int
         Orders in φ and θ, of any sign and of shapes that broadcast.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
 
     Returns
@@ -74,7 +79,7 @@ def surface_compliance(
     (2, 3, 3)
     """
     require_type("ball", ball, CoatedSphere)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     orders_m, orders_n = _broadcast("m and n", as_orders("m", m), as_orders("n", n))
     compliance = _core.surface_compliance(
         ball._to_core(),
@@ -136,7 +141,7 @@ def degree_compliance(
 
 
 def state_matrix(
-    layer: Layer, angular_speed: float, radius: float, m: int, n: int, *, curvature: Curvature = Curvature.SPHERE
+    layer: Layer, angular_speed: float, radius: float, m: int, n: int, *, curvature: Curvature | str = Curvature.SPHERE
 ) -> NDArray[np.complex128]:
     """Matrix B of the layer's equations dz/d(ln r) = B z with z = (u_r, u_φ, u_θ, rσ_rr, rσ_rφ, rσ_rθ).
 
@@ -150,7 +155,7 @@ def state_matrix(
         r [m], > 0.
     m, n : int
         Orders in φ and θ.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
 
     Returns
@@ -170,7 +175,7 @@ def state_matrix(
     Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
     """
     require_type("layer", layer, Layer)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     return _core.state_matrix(
         layer._to_core(),
         angular_speed=as_float("angular_speed", angular_speed),
@@ -208,7 +213,7 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
 
 
 def critical_speed(
-    ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature = Curvature.SPHERE
+    ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
 ) -> float:
     """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
 
@@ -221,7 +226,7 @@ def critical_speed(
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         How much of a sphere's curvature the equations keep.
 
     Returns
@@ -237,7 +242,7 @@ def critical_speed(
         For bad input.
     """
     require_type("ball", ball, CoatedSphere, CoatedCylinder)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     frequency = as_float("highest_frequency", highest_frequency)
     if isinstance(ball, CoatedCylinder):
         return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
@@ -250,7 +255,7 @@ def influence_tables(
     mesh: Mesh,
     *,
     reach: int | tuple[int, int],
-    curvature: Curvature = Curvature.SPHERE,
+    curvature: Curvature | str = Curvature.SPHERE,
     threads: int = 0,
     progress: Callable[[str, float], object] | None = None,
 ) -> NDArray[np.float64]:
@@ -266,7 +271,7 @@ def influence_tables(
         Spacing and truncation.
     reach : int or (int, int)
         Largest offsets in φ and θ, in spacings, at most half of the nodes per revolution.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         The membrane stiffness of a sphere, or PAPER's; on the exact sphere influence is no function of the
         offset alone.
     threads : int, default 0
@@ -289,7 +294,7 @@ def influence_tables(
     """
     require_type("ball", ball, CoatedSphere)
     require_type("mesh", mesh, Mesh)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     require_callable("progress", progress)
     phi_reach, theta_reach = _pair("reach", reach)
     return _core.influence_tables(

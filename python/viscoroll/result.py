@@ -13,7 +13,8 @@ import numpy as np
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
 from .drive import Drive
-from .geometry import CoatedCylinder, RollingBody
+from .geometry import CoatedCylinder, Counterpart, RollingBody
+from .loss_spectrum import extrapolated_share
 from .mesh import Mesh
 from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
@@ -95,7 +96,7 @@ class Result(ScalarFields):
 
     Attributes
     ----------
-    ball, load, angular_speed, friction, drive, compliance, curvature, patch_load
+    ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
         The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
     status : Status
         How the solve ended.
@@ -125,6 +126,7 @@ class Result(ScalarFields):
     """
 
     ball: RollingBody
+    on: Counterpart | None
     load: float
     angular_speed: float
     friction: float
@@ -180,10 +182,12 @@ class Result(ScalarFields):
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
             ("power lost in the coating", self._quantity("bulk_power")),
+            *self._extrapolation_rows(),
             *self._error_rows(),
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
-            ("status", f"{self.status.name}, {self._effort()}, residual {self.residual:.1e}"),
+            ("effort", f"{self.iterations} iterations with {self.operator_applications} operator applications"),
+            ("status", f"{self.status.name}, residual {self.residual:.1e}"),
             *(("warning", message) for message in self.warnings.values()),
         ]
         width = max(len(label) for label, _ in rows)
@@ -226,8 +230,19 @@ class Result(ScalarFields):
         errors = f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"
         return [("error of the mesh, of linear theory", errors)]
 
-    def _effort(self) -> str:
-        return f"{self.iterations} iterations" + (f" with {self.products} products" if self.products else "")
+    def extrapolated_loss(self) -> float | None:
+        """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
+
+        Returns
+        -------
+        float or None
+            [-], where the outermost entries of a `MasterCurve` were held; None without such a material.
+        """
+        return extrapolated_share(self)
+
+    def _extrapolation_rows(self) -> list[tuple[str, str]]:
+        share = self.extrapolated_loss()
+        return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
 
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:

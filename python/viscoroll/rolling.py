@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import as_float, as_int, require_callable, require_type
+from ._arrays import as_float, as_int, as_member, require_callable, require_type
 from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
 from .drive import Drive
-from .geometry import CoatedCylinder, CoatedSphere, RollingBody
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
 from .mesh import Mesh
 from .result import Result
 
@@ -23,21 +23,22 @@ __all__ = ["RollingModel", "solve"]
 def solve(
     ball: RollingBody,
     *,
+    on: Counterpart | None = None,
     load: float,
     angular_speed: float,
     mesh: Mesh | None = None,
     accuracy: float | None = None,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-    compliance: Compliance = Compliance.RADIAL,
-    curvature: Curvature = Curvature.SPHERE,
-    patch_load: PatchLoad = PatchLoad.FLAT,
-    slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
+    compliance: Compliance | str = Compliance.RADIAL,
+    curvature: Curvature | str = Curvature.SPHERE,
+    patch_load: PatchLoad | str = PatchLoad.FLAT,
+    slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
     max_iterations: int = 500,
     threads: int = 0,
     progress: Callable[[str, float], object] | None = None,
 ) -> Result:
-    """Solve steady rolling on a rigid plane, with Coulomb friction or without.
+    """Solve steady rolling on a plane, with Coulomb friction or without.
 
     The call releases the GIL, may run on several threads at once, and stops on Ctrl-C.
 
@@ -45,6 +46,10 @@ def solve(
     ----------
     ball : CoatedSphere or CoatedCylinder
         What rolls: rigid core and layers.
+    on : CoatedPlane, Groove or CoatedCylinder, optional
+        What it rolls on; without it the rigid plane. A ball rolls on a plane or in a groove, a cylinder on a plane or
+        another cylinder, without friction where that deforms. One of the two may be rigid, without layers. The
+        material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
@@ -60,16 +65,16 @@ def solve(
     drive : Drive, default Drive(force=0.0)
         What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
         of 0 or a creepage.
-    compliance : Compliance, default Compliance.RADIAL
+    compliance : Compliance or str, default Compliance.RADIAL
         In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
         on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear
         theory does not know.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         What the equations of the layers keep of it: the membrane stiffness of a sphere, PAPER's as printed, or all of
         it, EXACT, for thick coatings, hollow and solid balls.
-    patch_load : PatchLoad, default PatchLoad.FLAT
+    patch_load : PatchLoad or str, default PatchLoad.FLAT
         Traction on the patch of a node: equation (53) or (38) of the paper.
-    slip_kinematics : SlipKinematics, default SlipKinematics.EXACT
+    slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
         With friction: how far material travels between the nodes of an undeformed ball. FLAT is the last form of the
         paper's (55a), which knows no Heathcote slip; for comparison only.
     max_iterations : int, default 500
@@ -119,20 +124,21 @@ def solve(
     """
     require_type("ball", ball, CoatedSphere, CoatedCylinder)
     require_type("mesh", mesh, Mesh, optional=True)
-    require_type("curvature", curvature, Curvature)
+    curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress)
     solution = _core.solve(
         ball._to_core(),
+        _counterpart(on),
         angular_speed=speed,
         mesh=None if mesh is None else mesh._to_core(),
         curvature=curvature,
         accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
         **case,
     )
-    return _result(solution, ball, speed, drive, curvature, case)
+    return _result(solution, ball, on, speed, drive, curvature, case)
 
 
 class RollingModel:
@@ -145,11 +151,13 @@ class RollingModel:
     ----------
     ball : CoatedSphere or CoatedCylinder
         What rolls: rigid core and layers.
+    on : CoatedPlane, Groove or CoatedCylinder, optional
+        As of `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
         Surface mesh.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         As of `solve`.
     threads : int, default 0
         Number of threads; 0 for all cores.
@@ -173,22 +181,25 @@ class RollingModel:
         self,
         ball: RollingBody,
         *,
+        on: Counterpart | None = None,
         angular_speed: float,
         mesh: Mesh,
-        curvature: Curvature = Curvature.SPHERE,
+        curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
     ) -> None:
         require_type("ball", ball, CoatedSphere, CoatedCylinder)
         require_type("mesh", mesh, Mesh)
-        require_type("curvature", curvature, Curvature)
+        curvature = as_member("curvature", curvature, Curvature)
         require_callable("progress", progress)
         self.ball = ball
+        self.on = on
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
         self.curvature = curvature
         self._core = _core.RollingModel(
             ball._to_core(),
+            _counterpart(on),
             angular_speed=self.angular_speed,
             mesh=mesh._to_core(),
             curvature=curvature,
@@ -199,13 +210,15 @@ class RollingModel:
     def __repr__(self) -> str:
         """Return what it was made of."""
         return (
-            f"RollingModel({self.ball!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"RollingModel({self.ball!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
-    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[RollingBody, float, Mesh, Curvature]]:
+    def __reduce__(
+        self,
+    ) -> tuple[Callable[..., RollingModel], tuple[RollingBody, Counterpart | None, float, Mesh, Curvature]]:
         """Pickle the input; the tables are computed again."""
-        return _make_model, (self.ball, self.angular_speed, self.mesh, self.curvature)
+        return _make_model, (self.ball, self.on, self.angular_speed, self.mesh, self.curvature)
 
     def solve(
         self,
@@ -213,9 +226,9 @@ class RollingModel:
         load: float,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-        compliance: Compliance = Compliance.RADIAL,
-        patch_load: PatchLoad = PatchLoad.FLAT,
-        slip_kinematics: SlipKinematics = SlipKinematics.EXACT,
+        compliance: Compliance | str = Compliance.RADIAL,
+        patch_load: PatchLoad | str = PatchLoad.FLAT,
+        slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
         max_iterations: int = 500,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
@@ -225,28 +238,36 @@ class RollingModel:
             load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress
         )
         solution = self._core.solve(angular_speed=self.angular_speed, **case)
-        return _result(solution, self.ball, self.angular_speed, drive, self.curvature, case)
+        return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 
 
-def _make_model(ball: RollingBody, angular_speed: float, mesh: Mesh, curvature: Curvature) -> RollingModel:
-    return RollingModel(ball, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
+def _make_model(
+    ball: RollingBody, on: Counterpart | None, angular_speed: float, mesh: Mesh, curvature: Curvature
+) -> RollingModel:
+    return RollingModel(ball, on=on, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
+
+
+def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:
+    """Return what the core knows it as; without any, the rigid plane."""
+    require_type("on", on, CoatedPlane, CoatedCylinder, Groove, optional=True)
+    return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
 def _core_case(
     load: float,
     friction: float,
     drive: Drive,
-    compliance: Compliance,
-    patch_load: PatchLoad,
-    slip_kinematics: SlipKinematics,
+    compliance: Compliance | str,
+    patch_load: PatchLoad | str,
+    slip_kinematics: SlipKinematics | str,
     max_iterations: int,
     threads: int,
     progress: Callable[[str, float], object] | None,
 ) -> dict[str, Any]:
     """Settle the types of a load case and its options, as the core wants them."""
-    require_type("compliance", compliance, Compliance)
-    require_type("patch_load", patch_load, PatchLoad)
-    require_type("slip_kinematics", slip_kinematics, SlipKinematics)
+    compliance = as_member("compliance", compliance, Compliance)
+    patch_load = as_member("patch_load", patch_load, PatchLoad)
+    slip_kinematics = as_member("slip_kinematics", slip_kinematics, SlipKinematics)
     require_type("drive", drive, Drive)
     require_callable("progress", progress)
     return {
@@ -265,15 +286,16 @@ def _core_case(
 def _result(
     solution: _core.Result,
     ball: RollingBody,
+    on: Counterpart | None,
     angular_speed: float,
     drive: Drive,
-    curvature: Curvature,
+    curvature: Curvature | str,
     case: dict[str, Any],
 ) -> Result:
     """Make the result, and warn the caller of the public function that calls this."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
-        solution, ball=ball, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
+        solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
     )
     warn(result.warnings.values(), stacklevel=2)
     return result

@@ -35,6 +35,17 @@ TEST(ComplexModulus, StaysFiniteAtAnyFrequency) {
   EXPECT_DOUBLE_EQ(complex_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, omega)[0].real(), 6e6);
 }
 
+TEST(ComplexModulus, TakesWeightsThatSumToOneButForRoundOff) {
+  const Prony fluid{1e6, {0.7, 0.0, 0.3 + 4e-16}, {1.0, 2.0, 3.0}};
+  const std::array omega{1e-3, 1e9};
+  const auto mu = complex_modulus(fluid, omega);
+  EXPECT_GT(mu[0].real(), 0.0);
+  EXPECT_LT(mu[0].real(), 10.0);  // 1e6 sum g (w tau)^2
+  EXPECT_DOUBLE_EQ(mu[1].real(), 1e6);
+  EXPECT_THROW(validate(Prony{1e6, {0.7, 0.301}, {1.0, 2.0}}), std::invalid_argument);
+  EXPECT_THROW(validate(Prony{1e6, {-0.1}, {1.0}}), std::invalid_argument);
+}
+
 TEST(ShortTimeModulus, IsTheLimitOfTheStorageModulus) {
   EXPECT_EQ(short_time_modulus(cases::rubber(), 1.0), 6e6);
   EXPECT_EQ(short_time_modulus(FractionalZener{6e6, 3e6, 0.125, 0.7}, 1.0), 6e6);

@@ -135,8 +135,8 @@ CURVE = 'type = "master_curve"\n'
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('type = ["elastic"]', "shear_modulus.type must be one of elastic, .* master_curve, got ['elastic']"),
-        ("type = { a = 1 }", "shear_modulus.type must be one of elastic, .* master_curve, got {'a': 1}"),
+        ('type = ["elastic"]', "shear_modulus.type must be one of elastic, .* measured, got ['elastic']"),
+        ("type = { a = 1 }", "shear_modulus.type must be one of elastic, .* measured, got {'a': 1}"),
         (CURVE + 'file = "curve.csv"\nextrapolation = ["hold"]', "must be one of error, hold, got ['hold']"),
         (CURVE + 'file = "curve.csv"\nloss = [0.0]', "file must be left out where columns are given, got loss too"),
         (CURVE + "file = 3", "shear_modulus.file must be the name of a file, got 3"),

@@ -27,7 +27,7 @@ def test_agrees_with_the_dense_reference(unlike_ball, compliance, patch_load):
         unlike_ball, load=60.0, angular_speed=2.5, mesh=mesh, compliance=compliance, patch_load=patch_load
     )
     assert result.contact.sum() > 30
-    assert result.products > 0
+    assert result.operator_applications > 0
 
     radius = unlike_ball.outer_radius
     half = [count // 2 for count in result.x.shape]
@@ -181,7 +181,7 @@ def test_large_contacts_without_a_matrix(paper_ball, compliance, patch_load):
     assert np.abs(r.gap[r.contact]).max() < 1e-9 * r.penetration
     assert (r.gap > -1e-9 * r.penetration).all()
     assert nodal_force(r).sum() == pytest.approx(100.0, rel=1e-12)
-    assert r.products > 0
+    assert r.operator_applications > 0
     # Torques on meshes of 4000 nodes per revolution, which agree with those of 1600 within 0.06 %.
     if patch_load is vr.PatchLoad.FLAT:
         limit = 11.387e-3 if compliance is vr.Compliance.RADIAL else 11.185e-3
@@ -245,7 +245,7 @@ def test_products_agree_with_a_dense_solution(paper_ball):
     """Some 500 nodes, found by products from a coarser mesh's contact, against NumPy on the same influence tables."""
     mesh = vr.Mesh(nodes_per_revolution=600, theta_nodes_per_revolution=540)
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, mesh=mesh, compliance=vr.Compliance.RADIAL)
-    assert r.products > 0
+    assert r.operator_applications > 0
     rows, columns = r.x.shape
     table = vr.influence_tables(paper_ball, 2.5, mesh, reach=(rows - 1, columns - 1))[0, 0]
     i, k = (index.ravel() for index in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))

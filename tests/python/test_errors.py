@@ -85,9 +85,9 @@ def test_numpy_scalars_are_numbers():
         (vr.StandardLinearSolid, SLS, {"relaxed_modulus": 7e6}, "relaxed_modulus must be <= instantaneous_modulus = 6e.06 Pa"),
         (vr.StandardLinearSolid, SLS, {"instantaneous_modulus": 3e20, "relaxed_modulus": 3.0}, r"^relaxed_modulus must be >= 1e-12 instantaneous_modulus = 3e\+08 Pa, got 3$"),
         (vr.Prony, PRONY, {"weights": [0.3]}, r"relaxation_times must be as many as weights \(1\), got 2"),
-        (vr.Prony, PRONY, {"weights": [0.3, -0.1]}, r"weights\[1\] must be in \(0, 1\), got -0.1"),
-        (vr.Prony, PRONY, {"weights": [0.5, 0.5]}, "weights must be of a sum < 1 .*, got 1"),
-        (vr.Prony, PRONY, {"weights": [0.3, math.nan]}, r"weights\[1\] must be in \(0, 1\), got nan"),
+        (vr.Prony, PRONY, {"weights": [0.3, -0.1]}, r"weights\[1\] must be in \[0, 1\], got -0.1"),
+        (vr.Prony, PRONY, {"weights": [0.5, 0.6]}, "weights must be of a sum <= 1 .*, got 1.1"),
+        (vr.Prony, PRONY, {"weights": [0.3, math.nan]}, r"weights\[1\] must be in \[0, 1\], got nan"),
         (vr.Prony, PRONY, {"weights": [[0.3, 0.2]]}, r"weights must be one-dimensional, got shape \(1, 2\)"),
         (vr.Prony, PRONY, {"weights": [[0.3], [0.2, 0.1]]}, "weights must be one-dimensional, got rows of different"),
         (vr.Prony, PRONY, {"relaxation_times": [0.1, 0.0]}, r"relaxation_times\[1\] must be > 0 s, got 0"),
@@ -137,20 +137,34 @@ def test_values_out_of_range(make, valid, changes, message):
         (vr.Prony, PRONY, {"weights": "half"}, "weights must be one-dimensional|weights must hold real numbers"),
         (vr.Prony, PRONY, {"weights": [0.1j, 0.2]}, "weights must hold real numbers, got complex128 entries"),
         (vr.MasterCurve, CURVE, {"loss": ["a", "b", "c"]}, "loss must hold real numbers"),
-        (vr.MasterCurve, CURVE, {"extrapolation": "hold"}, "extrapolation must be a viscoroll.Extrapolation, got 'hold'"),
-        (vr.Layer, LAYER, {"shear_modulus": 3e6}, "shear_modulus must be a modulus of viscoroll or a function"),
+        (vr.MasterCurve, CURVE, {"extrapolation": "keep"}, "extrapolation must be one of error, hold, got 'keep'"),
+        (vr.Layer, LAYER, {"shear_modulus": "3e6"}, "shear_modulus must be a modulus of viscoroll, a number or a function"),
         (vr.CoatedSphere, BALL, {"layers": [3]}, r"layers\[0\] must be a viscoroll.Layer, got 3"),
         (vr.Mesh, MESH, {"max_order": 100.0}, "max_order must be a whole number, got float 100.0"),
         (vr.Mesh, MESH, {"nodes_per_revolution": "many"}, "nodes_per_revolution must be a whole number, got str"),
         (solve, CASE, {"mesh": 500}, "mesh must be a viscoroll.Mesh or None, got 500"),
-        (solve, CASE, {"compliance": "radial"}, "compliance must be a viscoroll.Compliance, got 'radial'"),
-        (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.PatchLoad, got None"),
+        (solve, CASE, {"compliance": "full"}, "compliance must be one of radial, vertical, got 'full'"),
+        (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.PatchLoad, or one of flat, spherical, got None"),
         (solve, CASE, {"progress": 3, "mesh": vr.Mesh(**MESH)}, "progress must be callable or None, got 3"),
     ],
 )  # fmt: skip
 def test_values_of_another_type(make, valid, changes, message):
     with pytest.raises((TypeError, ValueError), match=message):
         make(**valid | changes)
+
+
+def test_a_text_serves_where_a_member_does():
+    layer = vr.Layer(**LAYER)
+    hollow = {"core_radius": 20e-3, "layers": [layer]}
+    assert vr.CoatedSphere(**hollow, inner_boundary="Hollow") == vr.CoatedSphere(
+        **hollow, inner_boundary=vr.InnerBoundary.HOLLOW
+    )
+    assert vr.MasterCurve(**CURVE, extrapolation="hold").extrapolation is vr.Extrapolation.HOLD
+    options = {"compliance": "vertical", "curvature": "paper", "patch_load": "spherical", "slip_kinematics": "flat"}
+    result = vr.solve(paper.ball(), **CASE, mesh=vr.Mesh(**MESH), friction=0.3, **options)
+    assert result.compliance is vr.Compliance.VERTICAL
+    assert result.curvature is vr.Curvature.PAPER
+    assert result.patch_load is vr.PatchLoad.SPHERICAL
 
 
 def test_something_else_than_a_ball():
@@ -176,7 +190,10 @@ def tables(ball=None, mesh=None, **options):
         (lambda: tables(reach=[1, 2]), r"reach must be a whole number, got list \[1, 2\]"),
         (lambda: tables(reach=(1, 2.0)), r"reach\[1\] must be a whole number, got float 2.0"),
         (lambda: solve(drive=0.1), "drive must be a viscoroll.Drive, got 0.1"),
-        (lambda: solve(slip_kinematics="exact"), "slip_kinematics must be a viscoroll.SlipKinematics, got 'exact'"),
+        (
+            lambda: solve(slip_kinematics=1),
+            "slip_kinematics must be a viscoroll.SlipKinematics, or one of exact, flat, got 1",
+        ),
         (lambda: vr.CoatedSphere(core_radius=1.0, layers=3), "layers must be a sequence of viscoroll.Layer, got 3"),
     ],
 )

@@ -102,6 +102,47 @@ def test_a_callable_serves_as_modulus(paper_ball, rubber):
     assert result.resisting_torque == pytest.approx(expected.resisting_torque, rel=1e-12)
 
 
+@pytest.mark.parametrize("modulus", [3e6, np.float64(3e6), 3_000_000, lambda w: 3e6])
+def test_a_number_is_an_elastic_modulus(modulus):
+    expected, found = (
+        vr.surface_compliance(
+            vr.CoatedSphere(core_radius=1.0, layers=[vr.Layer(thickness=0.1, shear_modulus=m, poisson_ratio=0.4)]),
+            1.0,
+            2,
+            3,
+        )
+        for m in (vr.Elastic(modulus=3e6), modulus)
+    )
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_weights_that_sum_to_1_but_for_round_off():
+    """Ten weights of 0.1 make 0.9999999999999999 or 1.0000000000000002 by the order: a fluid, with no loss at rest."""
+    for weights in ([0.1] * 10, [0.7, 0.2, 0.1 + 2e-16], [1.0]):
+        series = vr.Prony(instantaneous_modulus=1e6, weights=weights, relaxation_times=np.arange(len(weights)) + 1.0)
+        assert series.complex_modulus(1e9).real == pytest.approx(1e6)
+        assert series.complex_modulus(1e-6).real < 1e-3 * 1e6
+    with pytest.raises(ValueError, match="weights must be of a sum <= 1"):
+        vr.Prony(instantaneous_modulus=1e6, weights=[0.7, 0.3001], relaxation_times=[1.0, 2.0])
+
+
+def test_zero_weights_are_dropped():
+    series = vr.Prony(instantaneous_modulus=1e6, weights=[0.0, 0.3, 0.0], relaxation_times=[1.0, 2.0, 3.0])
+    assert series == vr.Prony(instantaneous_modulus=1e6, weights=[0.3], relaxation_times=[2.0])
+    rigid = vr.Prony(instantaneous_modulus=1e6, weights=[0.0], relaxation_times=[1.0])
+    assert rigid.weights == rigid.relaxation_times == ()
+
+
+def test_a_relaxed_modulus_of_next_to_nothing_is_refused_by_its_name():
+    for rest in (1e-6, 0.0):
+        series = vr.Prony(instantaneous_modulus=1e7, weights=[1.0 - rest], relaxation_times=[0.1])
+        layer = vr.Layer(thickness=1e-3, shear_modulus=series, poisson_ratio=0.5)
+        ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+        for load in (0.01, 100.0):
+            with pytest.raises(ValueError, match=r"shear_modulus.*(relaxe|storage modulus > 0 Pa)"):
+                vr.solve(ball, load=load, angular_speed=1.0)
+
+
 def test_errors_of_a_callable_reach_the_caller():
     def fails(omega):
         raise LookupError("no such material")
@@ -119,7 +160,6 @@ def test_errors_of_a_callable_reach_the_caller():
         (lambda w: np.full(w.shape, np.inf), "at 0 rad/s must be finite"),
         (lambda w: w, "at 0 rad/s must be of storage modulus > 0 Pa, got 0"),
         (lambda w: np.ones(3), r"one value for each frequency, got shape \(3,\)"),
-        (lambda w: 1e6, r"one value for each frequency, got shape \(\)"),
     ],
 )
 def test_a_callable_is_checked_at_the_harmonics(function, message):

@@ -25,9 +25,9 @@ STAGES = (
 PUBLIC = {
     "shared": {"cores", "errors", "observer"},
     "materials": {"materials"},
-    "modal": {"sphere", "cylinder", "plane", "modal"},
+    "modal": {"cylinder", "plane", "rolling_body", "sphere", "modal"},
     "influence": {"formulation", "influence", "mesh"},
-    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_body", "solve"},
+    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "solve"},
 }
 
 RANK = {stage: rank for rank, stages in enumerate(STAGES) for stage in stages}

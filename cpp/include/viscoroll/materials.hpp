@@ -20,10 +20,10 @@ struct Elastic {
 };
 
 /// @brief Prony series, paper equation (65):
-/// mu* = G0 (g_inf + sum_k g_k i w tau_k / (1 + i w tau_k)), g_inf = 1 - sum_k g_k > 0.
+/// mu* = G0 (g_inf + sum_k g_k i w tau_k / (1 + i w tau_k)), g_inf = 1 - sum_k g_k >= 0: a body at rest needs one > 0.
 struct Prony {
   double instantaneous_modulus = 0.0;    ///< G0, shear modulus at infinite frequency [Pa], > 0
-  std::vector<double> weights;           ///< g_k [-], > 0, with a sum < 1
+  std::vector<double> weights;           ///< g_k [-], >= 0, with a sum <= 1
   std::vector<double> relaxation_times;  ///< tau_k [s], > 0, one for each weight
 };
 

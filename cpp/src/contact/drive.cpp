@@ -20,14 +20,9 @@ Pushback pushback(const ContactState& state) {
 
 double moment_about_center(const ContactState& state, double pressure_share) {
   const auto& [surface, arms, force, displacement] = state;
-  const auto forward = force.col(kForward);
-  const auto down = force.col(kDown);
-  const double undisplaced = (arms.y * forward - arms.x * down).sum();
-  if (surface.bodies() == Bodies::rolling) {
-    return undisplaced + (displacement.col(kDown) * forward - pressure_share * displacement.col(kForward) * down).sum();
-  }
+  if (surface.bodies() == Bodies::rolling) return moment(displaced(arms, displacement, pressure_share), force);
   const VectorField own = surface.rolling_displacement(force);
-  return undisplaced + (own.col(kDown) * forward).sum() - arms.radius * pushback(state).force;
+  return moment(displaced(arms, own, pressure_share), force) - arms.radius * pushback(state).force;
 }
 
 double DriveRow::of(const VectorField& force, const VectorField& displacement, double speed_ratio) const {
@@ -53,15 +48,13 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   const auto& [surface, arms, force, displacement] = state;
   const double arm = arms.y.maxCoeff();  // any length turns the condition into one on a force
   if (surface.bodies() != Bodies::rolling) return row_of_pair(state, arm);
-  const double displaced = (displacement.col(kDown) * force.col(kForward) -
-                            pressure_share_ * displacement.col(kForward) * force.col(kDown))
-                               .sum();
+  const LeverArms at = displaced(arms, displacement, pressure_share_);
   DriveRow row{.on_force = VectorField::Zero(force.rows(), 3),
                .on_displacement = VectorField::Zero(force.rows(), 3),
                .on_speed = 0.0,
-               .value = (moment_ + displaced) / arm};
-  row.on_force.col(kForward) = (arms.y + displacement.col(kDown)) / arm;
-  row.on_force.col(kDown) = -(arms.x + pressure_share_ * displacement.col(kForward)) / arm;
+               .value = (moment_ + moment(added_arms(displacement, pressure_share_), force)) / arm};
+  row.on_force.col(kForward) = at.y / arm;
+  row.on_force.col(kDown) = -at.x / arm;
   row.on_displacement.col(kDown) = force.col(kForward) / arm;
   row.on_displacement.col(kForward) = -pressure_share_ * force.col(kDown) / arm;
   return row;

@@ -6,16 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "contact/lever_arms.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Where forces act on the undeformed bodies, from the center of rotation [m].
-struct LeverArms {
-  Eigen::ArrayXd x;  ///< forward
-  Eigen::ArrayXd y;  ///< down
-  double radius;     ///< of what rolls
-};
 
 /// @brief Forces between two bodies, and what follows from them.
 struct ContactState {

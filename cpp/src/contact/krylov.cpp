@@ -19,7 +19,7 @@ constexpr double kStagnation = 0.5;     // of the residual over a restart
 class Arnoldi {
  public:
   explicit Arnoldi(const VectorXd& residual) : right_side_{residual.norm()} {
-    directions_.push_back(residual / right_side_.front());
+    directions_.emplace_back(residual / right_side_.front());
   }
 
   [[nodiscard]] const VectorXd& last() const { return directions_.back(); }
@@ -46,9 +46,9 @@ class Arnoldi {
     column[n] = length;
     right_side_.push_back(0.0);
     rotations_.back().apply(right_side_[static_cast<std::size_t>(n)], right_side_[static_cast<std::size_t>(n + 1)]);
-    columns_.push_back(column.head(n + 1));
+    columns_.emplace_back(column.head(n + 1));
     const bool adds = rest > 1e-15 * before;
-    if (adds) directions_.push_back(image / rest);
+    if (adds) directions_.emplace_back(image / rest);
     return adds;
   }
 

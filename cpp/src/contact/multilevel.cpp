@@ -88,14 +88,15 @@ LocatedContact refine(const LocatedContact& coarse, const ContactProblem& proble
 
 LocatedContact solve_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
   if (!problem.friction) return press_multilevel(problem, likely_depth, options);
-  if (problem.initial_gap.size() > kSmallFrictionalWindow) {
-    try {
-      return refine(solve_multilevel(coarsened(problem), likely_depth, rough(options)), problem, options);
-    } catch (const ConvergenceError&) {
-      // From the frictionless contact then, by way of full stick.
-    }
+  const auto by_way_of_full_stick = [&] {
+    return add_friction(press_multilevel(problem, likely_depth, options), options);
+  };
+  if (problem.initial_gap.size() <= kSmallFrictionalWindow) return by_way_of_full_stick();
+  try {
+    return refine(solve_multilevel(coarsened(problem), likely_depth, rough(options)), problem, options);
+  } catch (const ConvergenceError&) {
+    return by_way_of_full_stick();
   }
-  return add_friction(press_multilevel(problem, likely_depth, options), options);
 }
 
 LocatedContact solve_on_window(const ContactProblem& problem, const ContactSolution& start,

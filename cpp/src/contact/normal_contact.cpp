@@ -209,9 +209,8 @@ class NormalContactSolver {
       const bool overclosed = state_.gap[node] < -tolerance * state_.penetration;
       if (overclosed && state_.force(node, kDown) == 0.0) added.push_back(node);
     }
-    const auto middle = static_cast<std::ptrdiff_t>(state_.contact.size());
     state_.contact.insert(state_.contact.end(), added.begin(), added.end());
-    std::inplace_merge(state_.contact.begin(), state_.contact.begin() + middle, state_.contact.end());
+    std::ranges::sort(state_.contact);
     return added.size();
   }
 

@@ -53,7 +53,7 @@ VectorField StickSlipPreconditioner::force(const VectorField& displacement) cons
   VectorField force = VectorField::Zero(displacement.rows(), 3);
   for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      force.col(axis) += directions[p][axis] * loads.col(static_cast<Eigen::Index>(p));
+      force.col(axis) += directions[p][static_cast<std::size_t>(axis)] * loads.col(static_cast<Eigen::Index>(p));
     }
   }
   return force;

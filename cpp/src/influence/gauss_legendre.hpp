@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 [[nodiscard]] inline std::pair<Eigen::ArrayXd, Eigen::ArrayXd> gauss_legendre(int points) {
   Eigen::VectorXd off(points - 1);
   for (Eigen::Index i = 0; i < off.size(); ++i) {
-    const double n = static_cast<double>(i + 1);
+    const auto n = static_cast<double>(i + 1);
     off[i] = n / std::sqrt(4.0 * n * n - 1.0);
   }
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;

@@ -27,6 +27,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   using detail::Entry;
   constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
   std::vector<detail::TableRequest> requests;
+  requests.reserve(kAll.size());
   for (const Entry entry : kAll) requests.push_back({.entry = entry});
 
   detail::Watch watch(observer);

@@ -17,7 +17,7 @@ std::vector<ComplexBuffer> inverse(const std::vector<ComplexBuffer>& spectra, co
                                    double points) {
   using Matrix = Eigen::Matrix<cplx, Fields, Fields, Fields == 1 ? 0 : Eigen::RowMajor>;
   const std::size_t size = spectra[terms.front().table].size();
-  std::vector<ComplexBuffer> inverses(Fields * Fields, ComplexBuffer(size));
+  std::vector<ComplexBuffer> inverses(std::size_t{Fields} * Fields, ComplexBuffer(size));
   for (std::size_t i = 0; i < size; ++i) {
     Matrix symbol = Matrix::Zero();
     for (const ConvolutionTerm& term : terms) {
@@ -34,7 +34,7 @@ std::vector<ComplexBuffer> inverse(const std::vector<ComplexBuffer>& spectra, co
 
 InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, const std::vector<const Table*>& tables,
                                        const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch)
-    : product_(shape, period), fields_(0) {
+    : product_(shape, period) {
   for (const ConvolutionTerm& term : terms) fields_ = std::max(fields_, term.result + 1);
   std::vector<ComplexBuffer> spectra(tables.size());
   for (const ConvolutionTerm& term : terms) {
@@ -44,7 +44,7 @@ InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, co
     }
   }
   // The spectrum is divided by the number of points, and so must its inverse be.
-  const double points = static_cast<double>(period.size());
+  const auto points = static_cast<double>(period.size());
   inverse_symbol_ = fields_ == 1 ? inverse<1>(spectra, terms, points) : inverse<3>(spectra, terms, points);
   for (std::size_t p = 0; p < fields_; ++p) {
     for (std::size_t q = 0; q < fields_; ++q) terms_.push_back({p, &inverse_symbol_[p * fields_ + q], q, 1.0});

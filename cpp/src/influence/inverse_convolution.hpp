@@ -39,7 +39,7 @@ class InverseConvolution {
 
  private:
   SpectralProduct product_;
-  std::size_t fields_;
+  std::size_t fields_ = 0;
   std::vector<ComplexBuffer> inverse_symbol_;  // row by row
   std::vector<SpectralTerm> terms_;
 };

@@ -21,7 +21,7 @@ class NodeRows {
       : theta_nodes_(shape.theta_nodes), nodes_(nodes), first_(static_cast<std::size_t>(shape.phi_nodes) + 1) {
     for (std::size_t row = 0; row < first_.size(); ++row) {
       const Eigen::Index start = static_cast<Eigen::Index>(row) * theta_nodes_;
-      first_[row] = std::lower_bound(nodes.begin(), nodes.end(), start) - nodes.begin();
+      first_[row] = std::ranges::lower_bound(nodes, start) - nodes.begin();
     }
   }
 

@@ -129,7 +129,7 @@ void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vec
     RealBuffer& line = workspaces_[worker.number].row;
     for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
       for (std::size_t field = 0; field < fields; ++field) {
-        std::fill(line.begin(), line.end(), 0.0);
+        std::ranges::fill(line, 0.0);
         fill(static_cast<int>(row), field, line.data());
         theta_fft_.forward(line.data(), half_.data() + field * field_size + row * row_stride_);
       }
@@ -150,7 +150,7 @@ void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vec
       }
     }
     for (std::size_t result = 0; result < results; ++result) {
-      std::fill(work.sums.begin(), work.sums.end(), cplx());
+      std::ranges::fill(work.sums, cplx());
       for (const SpectralTerm& term : terms) {
         if (term.result != result) continue;
         add_product(term.sign, as_pairs(term.spectrum->data() + first * column_stride_),

@@ -21,27 +21,28 @@ SphereProduct::SphereProduct(WindowShape shape, int first_theta, const std::vect
       fft_(period_),
       spectrum_(frequencies(period_)) {
   const int columns = shape.theta_nodes;
-  for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(components_ * columns, components_ * columns);
-  const auto rows = static_cast<std::size_t>(components_ * columns);
-  parallel_for(rows, threads, watch, "transforming tables", [&](std::size_t row, const Worker& worker) {
-    RealBuffer line(static_cast<std::size_t>(period_));
-    ComplexBuffer transformed(spectrum_.size());
-    const int p = static_cast<int>(row) / columns;
-    const int k = static_cast<int>(row) % columns;
-    for (int column = 0; column < components_ * columns; ++column) {
-      const SphereTable& table = tables[static_cast<std::size_t>(components_ * p + column / columns)];
-      std::fill(line.begin(), line.end(), 0.0);
-      for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
-        line[static_cast<std::size_t>((j + period_) % period_)] =
-            table.slice(j)(first_theta + k, first_theta + column % columns) / period_;
-      }
-      fft_.forward(line.data(), transformed.data());
-      for (std::size_t f = 0; f < spectrum_.size(); ++f) {
-        spectrum_[f](static_cast<Eigen::Index>(row), column) = transformed[f];
-      }
-    }
-    worker.checkpoint();
-  });
+  const int rows = components_ * columns;
+  for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(rows, rows);
+  parallel_for(static_cast<std::size_t>(rows), threads, watch, "transforming tables",
+               [&](std::size_t row, const Worker& worker) {
+                 RealBuffer line(static_cast<std::size_t>(period_));
+                 ComplexBuffer transformed(spectrum_.size());
+                 const int p = static_cast<int>(row) / columns;
+                 const int k = static_cast<int>(row) % columns;
+                 for (int column = 0; column < rows; ++column) {
+                   const SphereTable& table = tables[static_cast<std::size_t>(components_ * p + column / columns)];
+                   std::ranges::fill(line, 0.0);
+                   for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
+                     line[static_cast<std::size_t>((j + period_) % period_)] =
+                         table.slice(j)(first_theta + k, first_theta + column % columns) / period_;
+                   }
+                   fft_.forward(line.data(), transformed.data());
+                   for (std::size_t f = 0; f < spectrum_.size(); ++f) {
+                     spectrum_[f](static_cast<Eigen::Index>(row), column) = transformed[f];
+                   }
+                 }
+                 worker.checkpoint();
+               });
 }
 
 Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const {
@@ -52,7 +53,7 @@ Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, 
   RealBuffer line(static_cast<std::size_t>(period_));
   ComplexBuffer half(spectrum_.size());
   for (Eigen::Index l = 0; l < lines; ++l) {
-    std::fill(line.begin(), line.end(), 0.0);
+    std::ranges::fill(line, 0.0);
     for (Eigen::Index i = 0; i < shape_.phi_nodes; ++i) {
       line[static_cast<std::size_t>(i)] = loads(i * columns + l % columns, l / columns);
     }

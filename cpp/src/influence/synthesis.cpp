@@ -206,6 +206,7 @@ std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, i
 
   synthesis.prepare_phi(phi_reach);
   std::vector<Table> tables;
+  tables.reserve(requests.size());
   for (std::size_t k = 0; k < requests.size(); ++k) {
     tables.emplace_back(phi_reach, theta_reach, synthesis.is_odd_in_theta(k));
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -20,6 +21,9 @@ using cplx = std::complex<double>;
 
 std::string joined(std::string_view prefix, std::string_view name) { return std::string(prefix) + std::string(name); }
 
+/// Weights of a fit add up to 1 but for round-off.
+constexpr double kLargestSum = 1.0 + 1e-12;
+
 double weight_sum(const Prony& m) { return std::accumulate(m.weights.begin(), m.weights.end(), 0.0); }
 
 struct Validator {
@@ -35,13 +39,13 @@ struct Validator {
     }
     for (std::size_t k = 0; k < m.weights.size(); ++k) {
       const std::string index = "[" + std::to_string(k) + "]";
-      if (!(m.weights[k] > 0.0 && m.weights[k] < 1.0)) {
-        reject(joined(prefix, "weights") + index, "in (0, 1)", m.weights[k]);
+      if (!(m.weights[k] >= 0.0 && m.weights[k] <= kLargestSum)) {
+        reject(joined(prefix, "weights") + index, "in [0, 1]", m.weights[k]);
       }
       require_positive(joined(prefix, "relaxation_times") + index, m.relaxation_times[k], "s");
     }
-    if (!(weight_sum(m) < 1.0)) {
-      reject(joined(prefix, "weights"), "of a sum < 1 (a solid keeps some stiffness at rest)", weight_sum(m));
+    if (!(weight_sum(m) <= kLargestSum)) {
+      reject(joined(prefix, "weights"), "of a sum <= 1 (the rest is what stays at rest)", weight_sum(m));
     }
   }
 
@@ -81,7 +85,7 @@ struct Evaluator {
   }
 
   void operator()(const Prony& m) const {
-    const double equilibrium = 1.0 - weight_sum(m);
+    const double equilibrium = std::max(0.0, 1.0 - weight_sum(m));
     fill([&](double w) {
       cplx sum = equilibrium;
       for (std::size_t k = 0; k < m.weights.size(); ++k) {

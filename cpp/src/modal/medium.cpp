@@ -60,6 +60,7 @@ HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
   HarmonicCoating other(*this);
   other.orders_ = std::move(orders);
   std::vector<double> omega;
+  omega.reserve(other.orders_.size());
   for (const double m : other.orders_) omega.push_back(m * angular_speed_);
   for (std::size_t j = 0; j < moduli_.size(); ++j) {
     other.moduli_[j] = complex_modulus(sphere_.layers[j].shear_modulus, omega);
@@ -68,8 +69,7 @@ HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
 }
 
 bool HarmonicCoating::has_measured_moduli() const {
-  return std::any_of(sphere_.layers.begin(), sphere_.layers.end(),
-                     [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+  return std::ranges::any_of(sphere_.layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {

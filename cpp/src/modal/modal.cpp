@@ -79,7 +79,7 @@ std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double
     const auto c = detail::degree_compliance(coating.media(i), degree[i]);
     ComplexMatrix3& matrix = compliances[i];
     matrix = {c.radial, c.mixed, 0.0, c.mixed, c.along, 0.0, 0.0, 0.0, c.across};
-    if (order[i] < 0) std::transform(matrix.begin(), matrix.end(), matrix.begin(), [](cplx z) { return std::conj(z); });
+    if (order[i] < 0) std::ranges::transform(matrix, matrix.begin(), [](cplx z) { return std::conj(z); });
   });
   return compliances;
 }

@@ -48,7 +48,7 @@ class CellSamples {
   void complete() {
     solve(inner_nodes(kOrderNodes, 1), inner_nodes(kPanelNodes, 1));
     for (int entry = 0; entry < kEntries; ++entry) {
-      auto block = values_.middleCols<kPanelNodes>(entry * kPanelNodes);
+      auto block = values_.middleCols<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
       block = (m_transform() * block * k_transform()).eval();
     }
   }
@@ -74,7 +74,7 @@ class CellSamples {
   static constexpr auto kLastRows = [](const auto& series) { return series.template bottomRows<2>(); };
 
   [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, kPanelNodes> block(int entry) const {
-    return values_.middleCols<kPanelNodes>(entry * kPanelNodes);
+    return values_.middleCols<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
   }
   /// An entry at the outermost m.
   [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
@@ -171,8 +171,8 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
                          Watch& watch)
     : surface_(std::move(surface)), one_by_one_(surface_, highest_n) {
   std::vector<double> orders = surface_->orders();
-  std::sort(orders.begin(), orders.end());
-  for (auto first = std::lower_bound(orders.begin(), orders.end(), lowest_m); first != orders.end();) {
+  std::ranges::sort(orders);
+  for (auto first = std::ranges::lower_bound(orders, lowest_m); first != orders.end();) {
     const auto end = std::upper_bound(first, orders.end(), kLargestOrderRatio * *first);
     if (end - first > kOrderNodes) {
       ranges_.push_back({.lowest_m = *first, .highest_m = *(end - 1), .cells = {}});
@@ -190,13 +190,14 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
   std::vector<Part> parts;
   for (std::size_t r = 0; r < ranges_.size(); ++r) {
     const double highest = 1.0 + std::pow(highest_n / ranges_[r].lowest_m, 2);
-    const double count = std::ceil(std::log(highest) / std::log(kLargestPanelRatio));
-    for (double i = 0.0; i < count; ++i) {
+    const int count = static_cast<int>(std::ceil(std::log(highest) / std::log(kLargestPanelRatio)));
+    const auto bound = [&](int i) { return std::pow(highest, static_cast<double>(i) / count); };
+    for (int i = 0; i < count; ++i) {
       parts.push_back({.range = r,
                        .cell = {.lowest_m = ranges_[r].lowest_m,
                                 .highest_m = ranges_[r].highest_m,
-                                .lowest_ratio = std::pow(highest, i / count),
-                                .highest_ratio = std::pow(highest, (i + 1.0) / count)}});
+                                .lowest_ratio = bound(i),
+                                .highest_ratio = bound(i + 1)}});
     }
   }
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
@@ -209,7 +210,7 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
 }
 
 const OrderPanels::Range* OrderPanels::range_of(double m) const {
-  const auto range = std::find_if(ranges_.begin(), ranges_.end(), [m](const Range& r) { return m <= r.highest_m; });
+  const auto range = std::ranges::find_if(ranges_, [m](const Range& r) { return m <= r.highest_m; });
   return range != ranges_.end() && m >= range->lowest_m ? &*range : nullptr;
 }
 
@@ -231,7 +232,7 @@ void OrderPanels::series(std::size_t i, OrderSeries& series) const {
     panel.series.resize(kEntries, kPanelNodes);
     for (int entry = 0; entry < kEntries; ++entry) {
       const cplx factor = is_odd(static_cast<Entry>(entry)) ? unit / m : unit;
-      panel.series.row(entry) = factor * terms.segment<kPanelNodes>(entry * kPanelNodes);
+      panel.series.row(entry) = factor * terms.segment<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
     }
   }
   series.resize(used);

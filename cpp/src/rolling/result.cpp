@@ -57,7 +57,7 @@ class Summary {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
     r.iterations = contact_.iterations;
     r.residual = contact_.residual;
-    r.products = contact_.operator_applications;
+    r.operator_applications = contact_.operator_applications;
   }
 
   void add_shape(Result& r) const {
@@ -89,16 +89,8 @@ class Summary {
     r.lateral_force = settled(sideways.sum(), load);
     r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
 
-    const double swelling = 1.0 + given_.centrifugal / radius();
-    ArrayXd x = swelling * window_.x();
-    ArrayXd y = swelling * window_.y();
-    if (given_.compliance == Compliance::vertical) {
-      x += given_.own_displacement.col(kForward);
-    }
-    y += given_.own_displacement.col(kDown);
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
-    const double torque = (x * pressing_ + y * forward).sum() - radius() * counterpart_force(r);
-    r.driving_torque = settled(torque, load * radius());
+    r.driving_torque = settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius());
   }
 
   void add_powers(Result& r) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/contact_solution.hpp"
+#include "contact/lever_arms.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
 #include "viscoroll/load_case.hpp"
@@ -15,7 +16,7 @@ namespace viscoroll::detail {
 struct ContactConditions {
   LoadCase load_case;
   Mesh mesh;
-  Compliance compliance;
+  LeverArms arms;  ///< of the displaced nodes
   Curvature curvature;
   PatchLoad patch_load;
   double thickness;          ///< of all layers, without half-spaces [m]
@@ -23,7 +24,6 @@ struct ContactConditions {
   bool approach_exists;      ///< whether displacements are those from a place that rests
   Eigen::ArrayXd height;     ///< above the lowest point of where displacements are taken, undeformed [m]
   Losses losses;             ///< in the layers of each body, per radian [N m]
-  VectorField own_displacement;  ///< of what rolls by itself [m]
   Eigen::ArrayXd lever;      ///< of the pressure: relative radius times slope of the undeformed gap [m]
   double relative_radius;    ///< R, 1/R = 1/R_1 + 1/R_2 [m]
   double drag;               ///< of the pressure along the deformed surface of the counterpart, D_2 [N]

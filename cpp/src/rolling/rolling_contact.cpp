@@ -67,8 +67,11 @@ class LoadCaseSolver {
     };
     int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
     int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
-    for (;;) {
-      if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
+    const double thickness = detail::thickness(model_.pair());
+    for (bool is_likely = estimated_depth(estimate) < 0.5 * thickness;; is_likely = false) {
+      if (is_likely || holds_rough_contact(phi, theta, estimate)) {
+        if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
+      }
       if (phi == phi_limit && theta == theta_limit) reject_load("is in contact over 60 degrees to a side");
       phi = std::min(phi + phi / 2 + 1, phi_limit);
       theta = std::min(theta + theta / 2 + 1, theta_limit);
@@ -81,9 +84,8 @@ class LoadCaseSolver {
     require_few_nodes(half_phi, half_theta);
     const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
     const ContactProblem problem = make_problem(nodes);
-    const double depth =
-        grid_.radius - std::sqrt(std::max(std::pow(grid_.radius, 2) - std::pow(0.8 * estimate, 2), 0.0));
-    LocatedContact located = solve_contact(problem, swelling_ * depth);
+    if (problem.friction) require_bearable(problem, estimated_depth(estimate));
+    LocatedContact located = solve_contact(problem, swelling_ * estimated_depth(estimate));
     for (;;) {
       const bool boxed = located.window() != nodes.window();
       const bool at_edge = touches_edge(located);
@@ -96,6 +98,29 @@ class LoadCaseSolver {
       // The box that was thought to hold the contact does not.
       located = solve_on_window(problem, whole, limits_);
     }
+  }
+
+  /// Initial gap at the rim of the estimated contact, which is half as wide again as the contact.
+  [[nodiscard]] double estimated_depth(double estimate) const {
+    return grid_.radius - std::sqrt(std::max(std::pow(grid_.radius, 2) - std::pow(0.8 * estimate, 2), 0.0));
+  }
+
+  /// Whether a window holds the contact, as far as a mesh shows that is much coarser: of a load that is far beyond the
+  /// estimate, or absurd, fine meshes on window after window would take long.
+  [[nodiscard]] bool holds_rough_contact(int half_phi, int half_theta, double estimate) const {
+    constexpr int kRoughNodes = 16;  // to a side
+    if (half_phi < 3 * kRoughNodes) return true;
+    const double coarsening = static_cast<double>(half_phi) / kRoughNodes;
+    const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
+    const Mesh mesh{.nodes_per_revolution = coarsened(model_.mesh().nodes_per_revolution),
+                    .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(model_.mesh()))};
+    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, model_.curvature(),
+                          options_.threads, execution_.watch);
+    const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
+    const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
+    return LoadCaseSolver(rough, pressed, options_, execution_.watch)
+        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate)
+        .has_value();
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
@@ -161,12 +186,8 @@ class LoadCaseSolver {
             .rigid_slip = slip.own + slip.guided,
             .guided_slip = slip.guided,
             .step = grid_.radius * grid_.phi_spacing,
-            .arms = arms(nodes),
+            .arms = lever_arms(nodes),
             .drive = make_drive()};
-  }
-
-  [[nodiscard]] LeverArms arms(const SurfaceWindow& nodes) const {
-    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
   }
 
   /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
@@ -219,6 +240,16 @@ class LoadCaseSolver {
     return !is_roller(model_.body()) || std::isfinite(thickness(model_.pair()));
   }
 
+  /// Of what rolls by itself.
+  [[nodiscard]] static VectorField own_displacement(const ContactProblem& problem, const ContactSolution& contact) {
+    if (problem.surface->bodies() == Bodies::rolling) return contact.displacement;
+    return problem.surface->rolling_displacement(contact.force);
+  }
+
+  [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& nodes) const {
+    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
+  }
+
   /// Where displacements are taken.
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
     return {grid_, nodes.window(), formulation_.collocation};
@@ -246,7 +277,7 @@ class LoadCaseSolver {
     return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
-                        .compliance = options_.compliance,
+                        .arms = displaced(lever_arms(nodes), own_displacement(problem, contact), pressure_share()),
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
                         .thickness = layer_thickness(model_.pair()),
@@ -254,9 +285,6 @@ class LoadCaseSolver {
                         .approach_exists = approach_exists(),
                         .height = points.height() + counterpart_drop(points, model_.pair().on),
                         .losses = losses,
-                        .own_displacement = problem.surface->bodies() == Bodies::rolling
-                                                ? contact.displacement
-                                                : problem.surface->rolling_displacement(contact.force),
                         .lever = pressure_lever(nodes, model_.pair()),
                         .relative_radius = relative_radius(model_.pair()),
                         .drag = drag(nodes, problem, contact)});
@@ -276,7 +304,7 @@ class LoadCaseSolver {
   /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
   void require_rolling(ContactProblem problem, double likely_depth, double torque) const {
     std::array<double, 2> limits{};
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
       limits[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
@@ -287,6 +315,15 @@ class LoadCaseSolver {
     reject("drive.torque",
            "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
            text(torque) + " N m");
+  }
+
+  /// Refuse a load that presses the sphere to the core even without friction, before stick and slip are sought.
+  void require_bearable(ContactProblem problem, double likely_depth) const {
+    constexpr Eigen::Index kRoughNodes = 1024;
+    problem.friction.reset();
+    while (problem.initial_gap.size() > kRoughNodes) problem = coarsened(problem);
+    const LocatedContact pressed = solve_multilevel(problem, likely_depth, limits_);
+    if (!touches_edge(pressed)) require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
   }
 
   void require_few_nodes(int half_phi, int half_theta) const {

@@ -58,6 +58,7 @@ SphereTable transposed(const SphereTable& table) {
 template <class Widen>
 Tables widened(const std::vector<SphereTable>& fine, const Widen& widen) {
   std::vector<SphereTable> coarse;
+  coarse.reserve(fine.size());
   for (const SphereTable& table : fine) coarse.push_back(widen(table));
   return std::make_shared<const std::vector<SphereTable>>(std::move(coarse));
 }
@@ -88,7 +89,7 @@ VectorField SphereOperator::displacement(const VectorField& force) const {
   VectorField result = VectorField::Zero(force.rows(), 3);
   for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
+      result.col(axis) += directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
     }
   }
   return result;

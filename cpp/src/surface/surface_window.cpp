@@ -47,8 +47,8 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, doub
 Eigen::ArrayXd SurfaceWindow::phi() const {
   const Eigen::Index columns = shape().theta_nodes;
   return Eigen::ArrayXd::NullaryExpr(shape().size(), [&](Eigen::Index node) {
-    return std::numbers::pi / 2.0 +
-           (static_cast<double>(window_.phi.first + node / columns) + shift_) * grid_.phi_spacing;
+    const Eigen::Index row = window_.phi.first + node / columns;
+    return std::numbers::pi / 2.0 + (static_cast<double>(row) + shift_) * grid_.phi_spacing;
   });
 }
 

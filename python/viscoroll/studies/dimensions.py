@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._arrays import as_float, as_int
+from .._arrays import as_float, as_int, as_member
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ..drive import Drive
 from ..mesh import Mesh
@@ -41,6 +41,7 @@ UNITS = {
     "torque": "N m",
     "creepage": "1",
     "lateral_creepage": "1",
+    "spin": "1/m",
     "nodes_per_revolution": "1",
     "max_order": "1",
     "theta_nodes_per_revolution": "1",
@@ -57,6 +58,10 @@ UNITS = {
     "order": "1",
     "storage": "Pa",
     "loss": "Pa",
+    "loss_factor": "1",
+    "reference_frequency": "rad/s",
+    "decades": "1",
+    "temperature": "°C",
 }
 
 #: Longest text that serves as a label.
@@ -145,6 +150,8 @@ def checked(name: str, value: object) -> object:
     if name == "max_iterations":
         return as_int(name, value)
     if name in _TYPES:
+        if issubclass(_TYPES[name], Enum):
+            return as_member(name, value, _TYPES[name])  # type: ignore[arg-type]
         if not isinstance(value, _TYPES[name]):
             raise TypeError(f"{name} must be a viscoroll.{_TYPES[name].__name__}, got {value!r}")
         return value
@@ -163,7 +170,7 @@ def label(value: object) -> str:
             return value.name
         case Drive():
             numbers = {name: getattr(value, name) for name in ("force", "torque", "creepage")}
-            numbers |= {"lateral_creepage": value.lateral_creepage or None}
+            numbers |= {"lateral_creepage": value.lateral_creepage or None, "spin": value.spin or None}
             return ", ".join(f"{name}={number:g}" for name, number in numbers.items() if number is not None)
         case _:
             return str(getattr(value, "__name__", None) or repr(value))

@@ -22,7 +22,7 @@ from .plan import LoadCase, Plan
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-__all__ = ["load_study"]
+__all__ = ["load_study", "place_of", "substituted"]
 
 #: A place in the file, as "ball.layers[0].thickness".
 _PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
@@ -80,7 +80,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
         raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
-    places = [_place(key) for key in table]
+    places = [place_of(key) for key in table]
     values = [_values(key, entry) for key, entry in table.items()]
     dimensions = [
         Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
@@ -95,7 +95,7 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(places, point, strict=True))
         try:
-            case = build_case(_substituted(document, chosen), folder)
+            case = build_case(substituted(document, chosen), folder)
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
@@ -113,7 +113,14 @@ def _arguments(case: Case) -> dict[str, Any]:
     return {field.name: getattr(case, field.name) for field in fields(case) if field.name != "ball"}
 
 
-def _place(key: str) -> _Place:
+def place_of(key: str) -> _Place:
+    """Return the place in a document that a key names, as "ball.layers[0].thickness".
+
+    Raises
+    ------
+    ValueError
+        Where it names none.
+    """
     if not _PLACE.fullmatch(key):
         raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
@@ -137,7 +144,7 @@ def _values(key: str, entry: object) -> list[float] | list[int]:
         raise ValueError(f'sweep."{key}": {error}') from None
 
 
-def _substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:
+def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:
     """Return the document with other numbers at some places; tables on the way are made where they are not there."""
     document = copy.deepcopy(document)
     for place, number in chosen.items():

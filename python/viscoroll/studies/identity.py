@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..geometry import CoatedCylinder
-from ..materials import ShearModulus
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
@@ -78,7 +77,7 @@ def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
     for layer in ball.layers:
         properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
         modulus = layer.shear_modulus
-        text = repr(modulus) if isinstance(modulus, ShearModulus) else _sampled(modulus, frequencies)
+        text = _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
         texts.append(f"{properties!r} {text}")
     return "; ".join(texts)
 

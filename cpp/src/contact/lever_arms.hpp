@@ -1,0 +1,29 @@
+/// @file
+/// @brief The moment of contact forces about the center of rotation.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surface/surface_operator.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Where forces act, from the center of rotation [m].
+struct LeverArms {
+  Eigen::ArrayXd x;  ///< forward
+  Eigen::ArrayXd y;  ///< down
+  double radius;     ///< of the undeformed body that turns
+};
+
+/// @brief What displacements add to lever arms.
+/// @param[in] displacement of every node [m]
+/// @param[in] pressure_share of the arm along x: 0 where pressure does no work along the plane, else 1
+[[nodiscard]] LeverArms added_arms(const VectorField& displacement, double pressure_share);
+
+/// @return arms of displaced points; the parameters as for `added_arms`
+[[nodiscard]] LeverArms displaced(const LeverArms& arms, const VectorField& displacement, double pressure_share);
+
+/// @return moment of forces [N], sum of y F_x - x F_y [N m]
+[[nodiscard]] double moment(const LeverArms& arms, const VectorField& force);
+
+}  // namespace viscoroll::detail

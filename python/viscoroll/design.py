@@ -1,0 +1,263 @@
+"""The number of a case that costs the least power, under limits on what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._core import ConvergenceError
+from ._extras import extra
+from ._text import shown
+from .case import build_case, errors_in, read_toml
+from .caution import kept_in_results
+from .result import Result
+from .scalars import SCALARS
+from .studies.file import place_of, substituted
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Design", "design_case"]
+
+_POINTS = 15
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Design:
+    """What a search found.
+
+    Attributes
+    ----------
+    variable : str
+        Place of the number in the case file.
+    best : float
+        Its value, in the unit of the file.
+    result : Result
+        At the best value.
+    limits : mapping of str to float
+        Largest values allowed, by the names of scalar results [SI].
+    values : tuple of float
+        All that were tried, increasing.
+    results : tuple of Result or None
+        Of each; None where it was refused or not found.
+    active : tuple of str
+        Limits that the best value exhausts, to 1 %.
+    """
+
+    variable: str
+    best: float
+    result: Result
+    limits: Mapping[str, float]
+    values: tuple[float, ...]
+    results: tuple[Result | None, ...]
+    active: tuple[str, ...]
+
+    def plot(self) -> Figure:
+        """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`)."""
+        with extra("plot"):
+            from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(7.0, 5.0), layout="constrained")
+        above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+        solved = [(v, r) for v, r in zip(self.values, self.results, strict=True) if r is not None]
+        above.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
+        kept = [pair for pair in solved if violation(pair[1], self.limits) <= 0.0]
+        above.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
+        left_out = [pair for pair in solved if violation(pair[1], self.limits) > 0.0]
+        above.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
+        above.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
+        above.set_ylabel("power lost [W]")
+        above.legend()
+        for name, limit in self.limits.items():
+            x, values = _column(solved, name)
+            below.plot(x, np.array(values) / limit, label=SCALARS[name][1])
+        below.axhline(1.0, color="gray", linewidth=0.8)
+        below.set_ylabel("result / limit")
+        below.set_xlabel(self.variable)
+        below.legend()
+        return figure
+
+
+def _column(solved: list[tuple[float, Result]], name: str) -> tuple[list[float], list[float]]:
+    """Return values and what came of them."""
+    return [value for value, _ in solved], [float(getattr(result, name)) for _, result in solved]
+
+
+@dataclass(slots=True)
+class _Search:
+    """Results by value, each solved once."""
+
+    solve: Callable[[float], Result]
+    report: Callable[[int], object] | None
+    found: dict[float, Result | None] = field(default_factory=dict)
+    reasons: list[str] = field(default_factory=list)
+
+    def __call__(self, value: float) -> Result | None:
+        if value not in self.found:
+            try:
+                self.found[value] = self.solve(value)
+            except (ValueError, ConvergenceError) as error:
+                self.found[value] = None
+                self.reasons.append(str(error))
+            if self.report is not None:
+                self.report(len(self.found))
+        return self.found[value]
+
+
+def design_case(path: str | Path, *, report: Callable[[int], object] | None = None) -> Design:
+    """Find the value of one number of a case file that minimizes the power lost.
+
+    The file is a case file with one more table::
+
+        [design]
+        vary = "ball.layers[0].thickness"
+        from = 0.5e-3
+        to = 5e-3
+        limits = { max_pressure = 2e6, strain = 0.2 }
+
+    where limits are upper bounds of scalar results, by their names. Values at equal ratios show where the limits are
+    kept; then SciPy finds the ends of that range, and the least power in it.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    report : callable, optional
+        Called with the number of cases solved.
+
+    Returns
+    -------
+    Design
+        Best value, its result, and all that was tried.
+
+    Raises
+    ------
+    ValueError
+        Where the file is not valid, or no value keeps all limits: then with what the nearest one exceeds.
+    """
+    path = Path(path)
+    with errors_in(path):
+        document = read_toml(path)
+        variable, low, high, limits = _checked(document.pop("design", None))
+        place = place_of(variable)
+
+        def solve(value: float) -> Result:
+            return build_case(substituted(document, {place: value}), path.parent).solve()
+
+        search = _Search(solve, report)
+        with kept_in_results():
+            solve(float(np.sqrt(low * high)))  # says what is wrong with the file, if anything is
+            return _best(variable, low, high, limits, search)
+
+
+def violation(result: Result, limits: Mapping[str, float]) -> float:
+    """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
+    return max((float(getattr(result, name)) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
+
+
+def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
+    if not isinstance(table, dict):
+        raise ValueError('design must be a table, as vary = "ball.layers[0].thickness", from = ..., to = ...')
+    if unknown := sorted(table.keys() - {"vary", "from", "to", "limits"}):
+        raise ValueError(f"design has no parameter {', '.join(unknown)}")
+    variable, limits = table.get("vary"), table.get("limits")
+    low, high = (_number(name, table.get(name)) for name in ("from", "to"))
+    if not isinstance(variable, str):
+        raise ValueError(f"design.vary must be a place in the file, got {shown(variable)}")
+    if not 0.0 < low < high:
+        raise ValueError(f"design.from and design.to must be 0 < from < to, got {low!r} and {high!r}")
+    limits = {} if limits is None else limits
+    if not isinstance(limits, dict):
+        raise ValueError(f"design.limits must be a table, got {shown(limits)}")
+    for name, value in limits.items():
+        if name not in SCALARS:
+            raise ValueError(f"design.limits must be of {', '.join(SCALARS)}, got {name!r}")
+        if not _number(f"limits.{name}", value) > 0.0:
+            raise ValueError(f"design.limits.{name} must be > 0, got {shown(value)}")
+    return variable, low, high, {name: float(value) for name, value in limits.items()}
+
+
+def _number(name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"design.{name} must be a number, got {shown(value)}")
+    return float(value)
+
+
+def _best(variable: str, low: float, high: float, limits: dict[str, float], search: _Search) -> Design:
+    grid = [float(value) for value in np.geomspace(low, high, _POINTS)]
+    excess = [_excess(search, value, limits) for value in grid]
+    if min(excess) > 0.0:
+        nearest = int(np.argmin(excess))
+        why = (
+            f"the nearest, {grid[nearest]:g}, exceeds one by {excess[nearest]:.1%}"
+            if np.isfinite(min(excess))
+            else (search.reasons[-1] if search.reasons else "none could be solved")
+        )
+        raise ValueError(f"design.limits must leave a value of {variable} in [{low:g}, {high:g}]: {why}")
+    candidates = []
+    for first, last in _ranges(grid, excess):
+        start = _edge(search, limits, grid, first, -1)
+        stop = _edge(search, limits, grid, last, +1)
+        candidates += _least(search, limits, start, stop)
+    best = min(candidates, key=lambda pair: pair[1].dissipated_power)
+    values = sorted(search.found)
+    active = tuple(name for name, limit in limits.items() if getattr(best[1], name) > 0.99 * limit)
+    return Design(
+        variable=variable,
+        best=best[0],
+        result=best[1],
+        limits=limits,
+        values=tuple(values),
+        results=tuple(search.found[value] for value in values),
+        active=active,
+    )
+
+
+def _excess(search: _Search, value: float, limits: Mapping[str, float]) -> float:
+    result = search(value)
+    return np.inf if result is None else violation(result, limits)
+
+
+def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
+    """Return first and last index of each run of values that keep the limits."""
+    allowed = [False, *(value <= 0.0 for value in excess), False]
+    starts = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i]]
+    stops = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i + 2]]
+    return list(zip(starts, stops, strict=True))
+
+
+def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index: int, step: int) -> float:
+    """Return where the limits begin to be exceeded next to an allowed value, on the allowed side."""
+    with extra("studies"):
+        from scipy.optimize import brentq
+
+    neighbor = index + step
+    if not 0 <= neighbor < len(grid):
+        return grid[index]
+    if search(grid[neighbor]) is None:
+        return grid[index]
+    inside, outside = grid[index], grid[neighbor]
+    if _excess(search, inside, limits) == 0.0:
+        return inside
+    edge = float(brentq(lambda value: min(_excess(search, value, limits), 1e3), inside, outside, rtol=1e-4))
+    # The root is known to its tolerance: step back onto the side where the limit is kept.
+    return edge + 2e-4 * (inside - edge) if _excess(search, edge, limits) > 0.0 else edge
+
+
+def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Result]]:
+    """Return the ends of an allowed range, and the least power between them."""
+    with extra("studies"):
+        from scipy.optimize import minimize_scalar
+
+    found = [start, stop]
+    if stop > start * (1.0 + 1e-9):
+        power = lambda x: getattr(search(float(np.exp(x))), "dissipated_power", np.inf)  # noqa: E731
+        inner = minimize_scalar(power, bounds=(np.log(start), np.log(stop)), method="bounded", options={"xatol": 1e-3})
+        found.append(float(np.exp(inner.x)))
+    found += [value for value in search.found if start <= value <= stop]
+    pairs = [(value, result) for value in found if (result := search(value)) is not None]
+    return [(value, result) for value, result in pairs if violation(result, limits) <= 1e-9] or pairs[:1]

@@ -1,0 +1,72 @@
+"""Project Chrono: non-smooth contacts, Chrono::Multicore's smooth ones, and Chrono::DEM."""
+
+from __future__ import annotations
+
+from .contact import OperatingPoint, Stiffness, Style, Written
+
+__all__ = ["STYLES"]
+
+
+def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG001  (contacts are rigid)
+    """Non-smooth contacts: the rolling torque is limited to ρ F_n, with ρ a length.
+
+    Of two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
+    SetRollingFrictionCoefficient), ChContactMaterialNSC.h (rolling friction in units of length); Tasora and Anitescu,
+    Meccanica 48 (2013) 1643. (The smooth contacts of Chrono's core, SMC, read the value and never use it.)
+    """
+    rho = point.torque / point.load
+    return Written(
+        lines=(
+            "auto material = chrono_types::make_shared<ChContactMaterialNSC>();  // ball and floor: the smaller counts",
+            f"material->SetRollingFriction({rho!r}f);  // m",
+        ),
+        parameters={"rolling_friction": rho},
+        law=lambda load, speed: rho * load + 0.0 * speed,
+        torque_law="T = rolling_friction P, a length: no radius",
+        source="Chrono src/chrono/physics/ChContactNSCrolling.cpp, ChContactMaterialNSC.h",
+    )
+
+
+def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """Smooth contacts of Chrono::Multicore: T = muRoll P R at once, at any speed.
+
+    Not in a contact younger than a collision takes, nor below min_roll_vel; of two materials the smaller value counts.
+    Source: ChIterativeSolverMulticoreSMC.cpp (m_roll = muRoll_eff F_n r × v_rot / |v_rot|), after Schwartz, Richardson
+    and Michel, Granular Matter 14 (2012) 363.
+    """
+    mu = point.coefficient
+    return Written(
+        lines=(
+            "auto material = chrono_types::make_shared<ChContactMaterialSMC>();  // in a ChSystemMulticoreSMC",
+            f"material->SetYoungModulus({2.0 * (1.0 - 0.3**2) * stiffness.effective_modulus!r}f);",
+            "material->SetPoissonRatio(0.3f);",
+            f"material->SetRollingFriction({mu!r}f);",
+        ),
+        parameters={"rolling_friction": mu},
+        law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
+        torque_law="T = rolling_friction P R, R the radius",
+        source="Chrono::Multicore ChIterativeSolverMulticoreSMC.cpp; Schwartz et al., Granular Matter 14 (2012) 363",
+    )
+
+
+def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """Chrono::DEM: T = μ_r P R at once, at any speed above a threshold.
+
+    Source: src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc, mode SCHWARTZ: torque = (rolling_coeff |F_n| /
+    |v_rot|) r_contact × v_rot.
+    """
+    mu = point.coefficient
+    return Written(
+        lines=(
+            "dem_sys.SetRollingMode(CHDEM_ROLLING_MODE::SCHWARTZ);",
+            f"dem_sys.SetKn_SPH2WALL({stiffness.hertz * point.radius!r}f);",
+            f"dem_sys.SetRollingCoeff_SPH2WALL({mu!r}f);",
+        ),
+        parameters={"rolling_coeff": mu},
+        law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
+        torque_law="T = rolling_coeff P R, R from the center to the point of contact",
+        source="Chrono src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc",
+    )
+
+
+STYLES: dict[str, Style] = {"nsc": _nsc, "multicore": _multicore, "dem": _dem}

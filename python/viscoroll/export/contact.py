@@ -1,0 +1,160 @@
+"""What discrete-element codes need to know of a contact: an operating point, and a stiffness as they take it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from ..result import Result
+from ..rolling_resistance import radius_of
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperatingPoint:
+    """A ball on a plane, rolling steadily.
+
+    Attributes
+    ----------
+    load : float
+        P [N].
+    angular_speed : float
+        Ω [rad/s].
+    radius : float
+        R = r_o, undeformed [m].
+    torque : float
+        T, power lost per Ω [N m].
+    penetration : float
+        δ [m].
+    """
+
+    load: float
+    angular_speed: float
+    radius: float
+    torque: float
+    penetration: float
+
+    @property
+    def coefficient(self) -> float:
+        """T / (P R) [-]."""
+        return self.torque / (self.load * self.radius)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stiffness:
+    """Load against penetration, as codes take it: least squares of the relative error over the points given.
+
+    Attributes
+    ----------
+    hertz : float
+        k of P = k √R δ^(3/2) [Pa]: four thirds of the effective modulus E*.
+    hooke : float
+        k of P = k δ [N/m].
+    hertz_error, hooke_error : float
+        Largest relative error of the load over the points [-]; 0 for a single one.
+    points : int
+        Their number.
+    """
+
+    hertz: float
+    hooke: float
+    hertz_error: float
+    hooke_error: float
+    points: int
+
+    @property
+    def effective_modulus(self) -> float:
+        """E* of Hertz's 4/3 E* √R δ^(3/2) [Pa]."""
+        return 0.75 * self.hertz
+
+    @classmethod
+    def fitted(cls, points: list[OperatingPoint]) -> Stiffness:
+        """Fit both laws to load and penetration of the points."""
+        load = np.array([point.load for point in points])
+        depth = np.array([point.penetration for point in points])
+        root = math.sqrt(points[0].radius)
+        hertz, hertz_error = _relative_fit(root * depth**1.5, load)
+        hooke, hooke_error = _relative_fit(depth, load)
+        return cls(hertz=hertz, hooke=hooke, hertz_error=hertz_error, hooke_error=hooke_error, points=len(points))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """What one code takes.
+
+    Attributes
+    ----------
+    lines : tuple of str
+        Of its input.
+    parameters : dict of str to float
+        The numbers in them, by that code's names.
+    law : callable
+        T(P, Ω) [N m] that the code makes of them, for loads [N] and speeds [rad/s] as arrays.
+    torque_law : str
+        The same in words, with the reference radius.
+    source : str
+        Where that is defined.
+    """
+
+    lines: tuple[str, ...]
+    parameters: dict[str, float]
+    law: Callable[[Floats, Floats], Floats]
+    torque_law: str
+    source: str
+
+
+#: How a code is written for, one of its models.
+Style: TypeAlias = Callable[[OperatingPoint, Stiffness], Written]
+
+
+def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
+    """Return the operating points of a result, or of all points of a study that did not fail.
+
+    Raises
+    ------
+    ValueError
+        For a study without points.
+    """
+    if isinstance(source, Result):
+        return [
+            OperatingPoint(
+                load=source.load,
+                angular_speed=source.angular_speed,
+                radius=source.ball.outer_radius,
+                torque=source.dissipated_power / source.angular_speed,
+                penetration=source.penetration,
+            )
+        ]
+    radius = radius_of(source)
+    names = ("load", "angular_speed", "dissipated_power", "penetration")
+    columns = np.broadcast_arrays(*(_over_all(source, name) for name in names))
+    load, speed, power, depth = (column.ravel() for column in columns)
+    points = [
+        OperatingPoint(load=p, angular_speed=w, radius=radius, torque=q / w, penetration=d)
+        for p, w, q, d in zip(load.tolist(), speed.tolist(), power.tolist(), depth.tolist(), strict=True)
+        if q > 0.0
+    ]
+    if not points:
+        raise ValueError("study must have a point that lost power, got none")
+    return points
+
+
+def _over_all(study: xarray.Dataset, name: str) -> Floats:
+    return np.asarray(study[name].broadcast_like(study["dissipated_power"]).values, dtype=np.float64)
+
+
+def _relative_fit(unit_load: Floats, load: Floats) -> tuple[float, float]:
+    ratio = unit_load / load
+    stiffness = float(ratio.sum() / (ratio**2).sum())
+    return stiffness, float(np.abs(stiffness * ratio - 1.0).max()) if load.size > 1 else 0.0

@@ -1,0 +1,68 @@
+"""Lethe, its constant and its viscous rolling resistance."""
+
+from __future__ import annotations
+
+from .contact import OperatingPoint, Stiffness, Style, Written
+
+__all__ = ["STYLES"]
+
+_SOURCE = "Lethe include/dem/particle_particle_contact_force.h and its rolling resistance torque models"
+
+
+def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """T = μ_r P R, at once and at any speed.
+
+    M_r = -μ_r R_eff |F_n| ω̂; the value of a pair is the harmonic mean 2 μ₁μ₂/(μ₁+μ₂), so particle and wall get the
+    same. Source: Lethe's `constant_rolling_resistance_torque`.
+    """
+    mu = point.coefficient
+    return _written(
+        point, stiffness, "constant", mu, lambda load, speed: mu * load * point.radius + 0.0 * speed, "T = mu_r P R"
+    )
+
+
+def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """T = μ_r P R² Ω: the low-speed law of a coated ball, T = P Ω R Σ g_k τ_k / g_∞, in form.
+
+    M_r = -μ_r R_eff |F_n| |V_ω| ω̂ with V_ω = ω × R n: μ_r in s/m. Source: Lethe's `viscous_rolling_resistance_torque`.
+    """
+    mu = point.torque / (point.load * point.radius**2 * point.angular_speed)
+    return _written(
+        point,
+        stiffness,
+        "viscous",
+        mu,
+        lambda load, speed: mu * load * point.radius**2 * speed,
+        "T = mu_r P R^2 Omega, mu_r in s/m",
+    )
+
+
+def _written(
+    point: OperatingPoint, stiffness: Stiffness, method: str, mu: float, law: object, torque_law: str
+) -> Written:
+    young = 2.0 * (1.0 - 0.3**2) * stiffness.effective_modulus
+    return Written(
+        lines=(
+            "subsection model parameters",
+            f"  set rolling resistance torque method = {method}  # {method}_resistance in older versions",
+            "end",
+            "subsection lagrangian physical properties",
+            "  subsection particle type 0",
+            f"    set diameter                   = {2.0 * point.radius!r}",
+            f"    set young modulus particles    = {young!r}",
+            "    set poisson ratio particles    = 0.3",
+            f"    set rolling friction particles = {mu!r}",
+            "  end",
+            f"  set young modulus wall    = {young!r}",
+            "  set poisson ratio wall    = 0.3",
+            f"  set rolling friction wall = {mu!r}",
+            "end",
+        ),
+        parameters={"rolling friction": mu, "young modulus": young},
+        law=law,  # type: ignore[arg-type]
+        torque_law=torque_law,
+        source=_SOURCE,
+    )
+
+
+STYLES: dict[str, Style] = {"constant": _constant, "viscous": _viscous}

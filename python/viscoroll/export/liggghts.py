@@ -1,0 +1,68 @@
+"""LIGGGHTS, `fix wall/gran` and `pair_style gran` with a rolling_friction model."""
+
+from __future__ import annotations
+
+from .contact import OperatingPoint, Stiffness, Style, Written
+
+__all__ = ["STYLES"]
+
+#: Poisson's ratio that is written beside the modulus; LIGGGHTS wants less than 0.5.
+_POISSON = 0.45
+
+
+def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """Constant directional torque: T = rmu |F_n| R, at once and at any speed.
+
+    Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). cri, on paper R - δ/2, is R on a wall: a ball run in
+    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/test_dem.py`).
+    """
+    return _written(point, stiffness, "cdt", "at once")
+
+
+def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """Elastic-plastic spring-dashpot: T = rmu |F_n| R once its spring, 2.25 k_n rmu² R², has turned far enough.
+
+    That takes a turn of δ / (2.25 rmu R), in which the ball meets less; there is no damping beyond it. Source:
+    rolling_model_epsd.h (kr = 2.25 kn rmu² reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall).
+    """
+    return _limited(point, stiffness, "epsd", turn=point.penetration / (2.25 * point.coefficient * point.radius))
+
+
+def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
+    """Spring k_t R² without a dashpot: T = rmu |F_n| R once it has turned by rmu P / (k_t R).
+
+    Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall).
+    """
+    secant = point.load / point.penetration  # k_t is 2/7 to 1 of it
+    return _limited(point, stiffness, "epsd2", turn=point.coefficient * point.load / (secant * point.radius))
+
+
+def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: float) -> Written:
+    return _written(point, stiffness, style, f"once the ball has turned by about {turn:.2g} rad")
+
+
+def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
+    rmu, young = point.coefficient, _young(stiffness)
+    properties = [
+        f"fix ym all property/global youngsModulus peratomtype {young!r}",
+        f"fix pr all property/global poissonsRatio peratomtype {_POISSON!r}",
+        f"fix rf all property/global coefficientRollingFriction peratomtypepair 1 {rmu!r}",
+    ]
+    if style == "epsd":
+        properties.append("fix rv all property/global coefficientRollingViscousDamping peratomtypepair 1 0.3")
+    wall = f"model hertz tangential history rolling_friction {style} primitive type 1 zplane 0.0"
+    return Written(
+        lines=(*properties, f"fix floor all wall/gran {wall}"),
+        parameters={"coefficientRollingFriction": rmu, "youngsModulus": young},
+        law=lambda load, speed: rmu * load * point.radius + 0.0 * speed,
+        torque_law=f"T = rmu P R {when}; R the radius (two balls: R_eff)",
+        source=f"LIGGGHTS-PUBLIC src/rolling_model_{style}.h",
+    )
+
+
+def _young(stiffness: Stiffness) -> float:
+    """Return Young's modulus of ball and wall alike, from 1/E* = 2 (1 - ν²) / E."""
+    return 2.0 * (1.0 - _POISSON**2) * stiffness.effective_modulus
+
+
+STYLES: dict[str, Style] = {"epsd2": _epsd2, "epsd": _epsd, "cdt": _cdt}

@@ -1,0 +1,54 @@
+"""Materials from measurements: reading, shifting, fitting, checking (the extra `viscoroll[studies]`)."""
+
+from importlib import resources
+from pathlib import Path
+
+from .checks import Check, check_modulus, check_range, rolling_range
+from .hardness import hardness_to_modulus
+from .loss_factor import LossFactor
+from .material_file import load_material, save_material
+from .prony_fit import PronyFit, fit_prony
+from .reading import Isotherm, RheologyData, read_rheology
+from .shift_laws import ShiftFactors, ShiftLaw
+from .superposition import Superposition, superpose
+
+__all__ = [
+    "Check",
+    "Isotherm",
+    "LossFactor",
+    "PronyFit",
+    "RheologyData",
+    "ShiftFactors",
+    "ShiftLaw",
+    "Superposition",
+    "check_modulus",
+    "check_range",
+    "example_data",
+    "fit_prony",
+    "hardness_to_modulus",
+    "load_material",
+    "read_rheology",
+    "rolling_range",
+    "save_material",
+    "superpose",
+]
+
+
+def example_data(name: str) -> Path:
+    """Return the path of measured data that come with the package.
+
+    Parameters
+    ----------
+    name : {"pressure_sensitive_adhesive.txt"}
+        Which: frequency sweeps of a pressure-sensitive adhesive from -40 to 150 °C, exported by TA's TRIOS; its license
+        stands beside it.
+
+    Raises
+    ------
+    ValueError
+        For another name.
+    """
+    path = Path(str(resources.files("viscoroll").joinpath("examples", name)))
+    if name not in ("pressure_sensitive_adhesive.txt",):
+        raise ValueError(f"name must be 'pressure_sensitive_adhesive.txt', got {name!r}")
+    return path

@@ -1,0 +1,212 @@
+"""What is wrong with measured moduli, with names and numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._arrays import as_float
+from ..geometry import CoatedSphere
+from ..materials import MasterCurve, to_core
+from .prony_fit import MeasuredModulus, fit_prony, measured
+from .series import basis, time_grid
+from .superposition import Superposition, tabulated
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
+
+#: What a check lets pass whatever the noise [-].
+_TOLERANCE = 0.02
+
+#: Terms to a decade of the densest passive fit, and of the causal one, which more would let follow noise.
+_DENSE, _SIGNED = 4.0, 2.0
+
+#: Harmonics above the order 8 R/a, R/a across the contact's half-width, make less than about 2 % of the loss.
+_ORDERS_ACROSS = 8.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """One property that a modulus must have.
+
+    Attributes
+    ----------
+    name : str
+        What is checked.
+    value, limit : float
+        What was found, and up to where it passes [-].
+    message : str
+        Both in a sentence.
+    """
+
+    name: str
+    value: float
+    limit: float
+    message: str
+
+    @property
+    def passed(self) -> bool:
+        """Whether the value is within its limit."""
+        return self.value <= self.limit
+
+    def __str__(self) -> str:
+        """Return name, verdict and message in one line."""
+        return f"{self.name}: {'consistent' if self.passed else 'INCONSISTENT'}, {self.message}"
+
+
+def check_modulus(curve: MeasuredModulus) -> tuple[Check, ...]:
+    """Check measured storage and loss against what every passive, causal material obeys.
+
+    * Kramers-Kronig: a series of relaxation terms of *either sign* is causal, whatever else it is. What the best one
+      leaves is at odds with causality (the linear test of Boukamp, J. Electrochem. Soc. 142 (1995) 1885, on moduli).
+    * Passivity: what the best dense series of *positive* terms leaves; the best single check of data.
+    * Monotony: the storage modulus of a passive solid never falls with frequency.
+
+    Limits are twice the scatter from point to point, or 2 %.
+
+    Parameters
+    ----------
+    curve : Superposition, Isotherm, MasterCurve, or anything with `frequency`, `storage` and `loss`
+        Angular frequency [rad/s] and moduli [Pa].
+
+    Returns
+    -------
+    tuple of Check
+        In this order.
+    """
+    frequency, storage, loss = measured(curve)
+    noise = _scatter(curve)
+    limit = max(_TOLERANCE, 2.0 * noise)
+    causal = _signed_residual(frequency, storage, loss)
+    passive = fit_prony(curve, terms_per_decade=_DENSE)
+    worst = float(max(np.abs(passive.storage_error).max(), np.abs(passive.loss_error).max()))
+    drop = _largest_drop(frequency, storage, loss)
+    against = f"where points scatter by {noise:.2%} (limit {limit:.2%})"
+    left = math.hypot(passive.storage_rms, passive.loss_rms) / math.sqrt(2.0)
+    return (
+        Check(
+            name="Kramers-Kronig",
+            value=causal,
+            limit=limit,
+            message=f"the best causal series leaves {causal:.2%} of storage and loss {against}",
+        ),
+        Check(
+            name="passivity",
+            value=left,
+            limit=limit,
+            message=f"the best passive series leaves {passive.storage_rms:.2%} of storage and {passive.loss_rms:.2%} "
+            f"of loss, {worst:.1%} at worst, {against}",
+        ),
+        Check(
+            name="monotony",
+            value=drop,
+            limit=limit,
+            message=f"the storage modulus falls by {drop:.2%} at most as the frequency rises",
+        ),
+    )
+
+
+def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Check:
+    """Check whether a table holds the frequencies that rolling will ask for.
+
+    Parameters
+    ----------
+    curve : MasterCurve, Superposition, or anything with `frequency`, `storage` and `loss`
+        The table.
+    lowest, highest : float
+        Angular frequencies [rad/s], as of `rolling_range`.
+
+    Returns
+    -------
+    Check
+        Its value is the share of the decades asked for that has to be extrapolated.
+    """
+    frequency = measured(curve)[0]
+    low, high = as_float("lowest", lowest), as_float("highest", highest)
+    if not 0.0 < low < high < math.inf:
+        raise ValueError(f"lowest and highest must be 0 < lowest < highest rad/s, got {low!r} and {high!r}")
+    below = max(0.0, math.log10(min(frequency[0], high) / low))
+    above = max(0.0, math.log10(high / max(frequency[-1], low)))
+    share = (below + above) / math.log10(high / low)
+    return Check(
+        name="range",
+        value=share,
+        limit=0.0,
+        message=f"rolling asks for {low:.3g} to {high:.3g} rad/s, the table has {frequency[0]:.3g} to "
+        f"{frequency[-1]:.3g}: {below:.2g} decades below and {above:.2g} above are extrapolated",
+    )
+
+
+def rolling_range(ball: CoatedSphere, *, load: float, angular_speed: float) -> tuple[float, float]:
+    """Estimate between which frequencies rolling dissipates, before solving.
+
+    The lowest harmonic is the speed, the highest that counts about 8 R/a times the speed, with the contact's half-width
+    a of Hertz for the modulus that it sees (larger than on a thin coating, so the upper end is an estimate from below).
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        The body.
+    load : float
+        P [N], > 0.
+    angular_speed : float
+        Ω [rad/s], > 0.
+
+    Returns
+    -------
+    lowest, highest : float
+        [rad/s].
+    """
+    from .. import _core
+
+    outer = ball.layers[-1]
+    radius, nu = ball.outer_radius, 0.5 if outer.poisson_ratio is None else outer.poisson_ratio
+    order = 10.0
+    for _ in range(20):  # a changes with the third root of the modulus, which changes little with a
+        frequency = np.array([angular_speed * order])
+        modulus = float(np.abs(_core.complex_modulus(to_core(outer.shear_modulus), frequency))[0])
+        half_width = (3.0 * (1.0 - nu) * load * radius / (8.0 * modulus)) ** (1.0 / 3.0)
+        order = max(1.0, radius / half_width)
+    return angular_speed, angular_speed * _ORDERS_ACROSS * order
+
+
+def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:
+    """Root mean square of what terms of either sign leave, for each degree of freedom."""
+    data = np.concatenate([storage, loss])
+    matrix = basis(frequency, time_grid(frequency, _SIGNED)) / data[:, None]
+    found, _, rank, _ = np.linalg.lstsq(matrix / np.linalg.norm(matrix, axis=0), np.ones(data.size), rcond=1e-8)
+    left = matrix / np.linalg.norm(matrix, axis=0) @ found - 1.0
+    return float(np.sqrt(np.sum(left**2) / max(1, data.size - rank)))
+
+
+def _scatter(curve: object) -> float:
+    """Relative noise of single points: what they are off the line through their neighbors, sweep by sweep."""
+    sweeps: Sequence[object] = curve.data.isotherms if isinstance(curve, Superposition) else [curve]
+    squares = []
+    for sweep in sweeps:
+        frequency, storage, loss = measured(sweep)  # type: ignore[arg-type]
+        x = np.log(frequency)
+        for y in (np.log(storage), np.log(loss)):
+            if x.size < 5:
+                continue
+            # Third differences at equal ratios: curvature drops out; the weights' squares add up to 20.
+            if np.ptp(np.diff(x)) < 0.2 * np.diff(x).mean():
+                squares.append(np.diff(y, 3) ** 2 / 20.0)
+            else:
+                t = (x[1:-1] - x[:-2]) / np.maximum(x[2:] - x[:-2], 1e-12)
+                squares.append((y[1:-1] - (1.0 - t) * y[:-2] - t * y[2:]) ** 2 / (1.0 + (1.0 - t) ** 2 + t**2))
+    return float(np.sqrt(np.median(np.concatenate(squares)) / 0.455)) if squares else 0.0  # 0.455: of chi-squared
+
+
+def _largest_drop(frequency: Floats, storage: Floats, loss: Floats) -> float:
+    table = MasterCurve(frequency, storage, loss) if frequency.size < 3 else tabulated(frequency, storage, loss)
+    values = np.asarray(table.storage)
+    return float(np.max(1.0 - values / np.maximum.accumulate(values)))

@@ -1,0 +1,189 @@
+"""Names and units of columns, as instruments and people write them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["Column", "is_unit", "normalized", "parse_header", "role_of"]
+
+_ZERO_CELSIUS = 273.15
+
+#: For each kind of quantity, what a unit multiplies by and adds: to rad/s, Pa, °C and a plain number.
+UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
+    "frequency": {
+        "Hz": (2.0 * np.pi, 0.0),
+        "rad/s": (1.0, 0.0),
+        "mHz": (2e-3 * np.pi, 0.0),
+        "kHz": (2e3 * np.pi, 0.0),
+        "MHz": (2e6 * np.pi, 0.0),
+        "rad s-1": (1.0, 0.0),
+        "rad.s-1": (1.0, 0.0),
+    },
+    "modulus": {
+        "Pa": (1.0, 0.0),
+        "kPa": (1e3, 0.0),
+        "MPa": (1e6, 0.0),
+        "GPa": (1e9, 0.0),
+        "mPa": (1e-3, 0.0),
+        "N/mm2": (1e6, 0.0),
+    },
+    "temperature": {
+        "°C": (1.0, 0.0),
+        "C": (1.0, 0.0),
+        "degC": (1.0, 0.0),
+        "Celsius": (1.0, 0.0),
+        "K": (1.0, -_ZERO_CELSIUS),
+        "Kelvin": (1.0, -_ZERO_CELSIUS),
+        "°F": (5.0 / 9.0, -160.0 / 9.0),
+        "F": (5.0 / 9.0, -160.0 / 9.0),
+        "degF": (5.0 / 9.0, -160.0 / 9.0),
+    },
+    "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
+}
+
+#: The kind of quantity that each column holds.
+_KIND = {
+    "frequency": "frequency",
+    "storage": "modulus",
+    "loss": "modulus",
+    "tan_delta": "ratio",
+    "temperature": "temperature",
+    "sweep": "ratio",
+}
+
+_FREQUENCY = {"f", "freq", "frequency", "test frequency"}
+_ANGULAR = {
+    "w",
+    "ω",
+    "omega",
+    "angular frequency",
+    "ang. frequency",
+    "ang frequency",
+    "angular freq",
+    "angularfrequency",
+}
+_TEMPERATURE = {"t", "temp", "temperature", "sample temperature", "sample temp"}
+_TAN_DELTA = {
+    "tan delta",
+    "tan(delta)",
+    "tan δ",
+    "tan(δ)",
+    "tan d",
+    "tand",
+    "tandelta",
+    "loss factor",
+    "damping factor",
+}
+_STORAGE = {"storage modulus", "storage"}
+_LOSS = {"loss modulus", "loss"}
+_SWEEP = {"set", "sweep"}
+_TENSILE = re.compile(r"(e|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)")
+_SHEAR = re.compile(r"(g|shear)\b|g['_\"]|g(stor|loss)")
+
+
+#: Typographic primes and apostrophes, by code point, and two single ones.
+_PRIMES = (("\u2032", "'"), ("\u2019", "'"), ("\u00b4", "'"), ("\u2033", '"'), ("''", '"'))
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One column of a table.
+
+    Attributes
+    ----------
+    index : int
+        Its place.
+    name, unit : str
+        As the file gives them; the unit is empty where there is none.
+    role : str
+        "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep".
+    """
+
+    index: int
+    name: str
+    unit: str
+    role: str
+
+    @property
+    def is_tensile(self) -> bool | None:
+        """Whether a modulus is one of tension, by its name; None where the name does not say."""
+        name = normalized(self.name)
+        if _TENSILE.match(name):
+            return True
+        return False if _SHEAR.match(name) else None
+
+    def converted(self, values: list[float], path: object) -> np.ndarray:
+        """Return the column in rad/s, Pa, °C or as plain numbers.
+
+        Raises
+        ------
+        ValueError
+            Where the file gives no unit, one that is not known, or one at odds with the name.
+        """
+        known = UNITS_OF[_KIND[self.role]]
+        unit = _known_unit(_KIND[self.role], self.unit)
+        if unit is None:
+            found = f"unit {self.unit!r}" if self.unit else "no unit"
+            allowed = ", ".join(f"{name!r}" for name in known)
+            raise ValueError(
+                f"{path}: column {self.name!r} ({self.role}) must have a unit of {allowed}, got {found}; "
+                f'pass columns={{"{self.role}": ("{self.name}", unit)}}'
+            )
+        if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
+            raise ValueError(f"{path}: column {self.name!r} must be in 'rad/s' by its name, got {self.unit!r}")
+        factor, offset = known[unit]
+        return np.asarray(values) * factor + offset
+
+
+def normalized(name: str) -> str:
+    """Return a name in small letters with plain primes and single spaces."""
+    for prime, plain in _PRIMES:
+        name = name.replace(prime, plain)
+    return re.sub(r"\s+", " ", name.strip().strip("#").lower()).rstrip(".").strip()
+
+
+def role_of(name: str) -> str | None:
+    """Return which column a name means, or None."""
+    plain = normalized(name)
+    bare = re.sub(r"^(tensile|shear|young's|flexural|bending|extensional|compression|[eg]) ", "", plain)
+    if plain in _FREQUENCY | _ANGULAR:
+        return "frequency"
+    if plain in _TEMPERATURE:
+        return "temperature"
+    if plain in _TAN_DELTA:
+        return "tan_delta"
+    if plain in _SWEEP:
+        return "sweep"
+    if bare in _STORAGE or re.fullmatch(r"[eg]('|_?stor(age)?|_?prime| prime)", plain):
+        return "storage"
+    if bare in _LOSS or re.fullmatch(r"[eg](\"|_?loss|_?doubleprime| double prime)", plain):
+        return "loss"
+    return None
+
+
+def parse_header(cell: str) -> tuple[str, str]:
+    """Split the unit off a header such as "E' (MPa)", "f [Hz]", "Temp./°C" or "E' in MPa"; it is empty without one."""
+    cell = cell.strip().lstrip("#").strip()
+    for pattern in (r"(.+?)\s*\[([^\]]*)\]", r"(.+?)\s*\(([^()]*)\)", r"(.+?)\s*/\s*(.+)", r"(.+?) in (\S+)"):
+        found = re.fullmatch(pattern, cell)
+        if found and is_unit(found[2]):
+            # Netzsch writes the frequency of a sweep behind the modulus: E'(1.000 Hz)/MPa
+            return re.sub(r"\s*\([\d.,]+ *Hz\)$", "", found[1]).strip(), found[2].strip()
+    return cell, ""
+
+
+def is_unit(text: str) -> bool:
+    """Return whether a text is a unit of frequency, modulus or temperature."""
+    return any(_known_unit(kind, text) is not None for kind in ("frequency", "modulus", "temperature"))
+
+
+def _known_unit(kind: str, text: str) -> str | None:
+    """Return the name of a unit in the table, in which the case counts only where it makes a difference: mPa, MPa."""
+    plain = text.strip().strip("[]()").strip().replace("º", "°").replace("²", "2").replace("⁻¹", "-1")
+    if plain in UNITS_OF[kind]:
+        return plain
+    alike = [unit for unit in UNITS_OF[kind] if unit.lower() == plain.lower()]
+    return alike[0] if len(alike) == 1 else None

@@ -1,0 +1,259 @@
+"""Measured moduli from the files of rheometers and DMA instruments."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from .._arrays import as_float
+from .._text import shown
+from .names import role_of
+from .text import Table, find_tables, read_text
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Isotherm", "RheologyData", "read_rheology"]
+
+_ROLES = ("frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
+
+#: Sweeps without numbers of their own are told apart by gaps of this size between their temperatures [K].
+_TEMPERATURE_GAP = 1.0
+
+Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Isotherm:
+    """One frequency sweep.
+
+    Attributes
+    ----------
+    temperature : float
+        Its mean [°C]; NaN where the file gives none.
+    frequency : ndarray
+        Angular frequency [rad/s], increasing.
+    storage, loss : ndarray
+        Shear moduli [Pa], > 0.
+    """
+
+    temperature: float
+    frequency: Floats
+    storage: Floats
+    loss: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class RheologyData:
+    """Measured shear moduli.
+
+    Attributes
+    ----------
+    isotherms : tuple of Isotherm
+        The sweeps, cold to hot.
+    source : str
+        Name of the file.
+    is_tensile : bool
+        Whether moduli of tension were measured; they have been divided by 2 (1 + ν).
+    poisson_ratio : float
+        ν [-] with which that was done.
+    dropped : int
+        Points left out because a modulus was not positive, or not a number.
+    """
+
+    isotherms: tuple[Isotherm, ...]
+    source: str
+    is_tensile: bool
+    poisson_ratio: float
+    dropped: int
+
+    def between(self, lowest: float, highest: float) -> RheologyData:
+        """Return the sweeps at temperatures from `lowest` to `highest` [°C].
+
+        Raises
+        ------
+        ValueError
+            Where there is none.
+        """
+        kept = tuple(isotherm for isotherm in self.isotherms if lowest <= isotherm.temperature <= highest)
+        if not kept:
+            raise ValueError(f"temperatures must include a sweep, got {lowest:g} to {highest:g} °C")
+        return replace(self, isotherms=kept)
+
+    def __repr__(self) -> str:
+        """Return what was read."""
+        points = sum(isotherm.frequency.size for isotherm in self.isotherms)
+        low = min(isotherm.frequency[0] for isotherm in self.isotherms)
+        high = max(isotherm.frequency[-1] for isotherm in self.isotherms)
+        kind = f"tension, by 2 (1 + {self.poisson_ratio:g}) to shear" if self.is_tensile else "shear"
+        degrees = [isotherm.temperature for isotherm in self.isotherms]
+        at = "" if math.isnan(degrees[0]) else f" at {degrees[0]:.4g} to {degrees[-1]:.4g} °C"
+        return (
+            f"RheologyData of {self.source}: {points} points in {len(self.isotherms)} sweeps{at}, "
+            f"{low:.4g} to {high:.4g} rad/s, moduli of {kind}; {self.dropped} points dropped"
+        )
+
+
+def read_rheology(
+    path: str | Path,
+    *,
+    columns: Columns | None = None,
+    tensile: bool | None = None,
+    poisson_ratio: float = 0.5,
+) -> RheologyData:
+    """Read frequency sweeps from a text or CSV export.
+
+    Understood are rows of names and units as TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass, Netzsch's
+    Proteus, pyvisco and people write them: comma, semicolon or tab; UTF-8, UTF-16 or Windows' code page; units in a row
+    of their own or with the names; decimal commas. Nothing is guessed: what a file does not say is asked for.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    columns : mapping of str to str or (str, str), optional
+        For "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep" the name of its column, or name and
+        unit, where names are not understood or units are missing. Units are mHz, Hz, kHz, rad/s; Pa, kPa, MPa, GPa;
+        C, K, F.
+    tensile : bool, optional
+        Whether the moduli are those of tension, E', E'', or of shear, G', G''; needed where names do not tell.
+    poisson_ratio : float, default 0.5
+        ν [-] by which moduli of tension become those of shear, G = E / (2 (1 + ν)), in (-1, 0.5].
+
+    Returns
+    -------
+    RheologyData
+        Shear moduli over angular frequency, sweep by sweep. Points with a modulus that is not positive are dropped and
+        counted.
+
+    Raises
+    ------
+    ValueError
+        Where the file has no table with frequency and moduli, where a unit is missing or unknown, and where it is not
+        said whether moduli are of tension; the message says what to pass.
+    OSError
+        Where it cannot be read.
+
+    Examples
+    --------
+    >>> import viscoroll as vr
+    >>> vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    RheologyData of pressure_sensitive_adhesive.txt: 339 points in 20 sweeps at -40 to 150 °C, 0.6283 to 125.7 rad/s,
+    moduli of shear; 1 points dropped
+    """
+    path = Path(path)
+    names = _named(columns)
+    nu = as_float("poisson_ratio", poisson_ratio)
+    if not -1.0 < nu <= 0.5:
+        raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
+    if tensile is not None and not isinstance(tensile, bool):
+        raise TypeError(f"tensile must be True, False or None, got {shown(tensile)}")
+    text = read_text(path)
+    try:
+        tables = find_tables(text, names)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    if not tables:
+        raise ValueError(_nothing_found(path, text))
+    is_tensile = _is_tensile(path, tables) if tensile is None else tensile
+    divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
+    isotherms: list[Isotherm] = []
+    dropped = 0
+    for table in tables:
+        found, left_out = _isotherms(table, path, divisor)
+        isotherms += found
+        dropped += left_out + table.unreadable
+    if not isotherms:
+        raise ValueError(f"{path}: needs points with moduli > 0, got none in {dropped}")
+    isotherms.sort(key=lambda isotherm: (isotherm.temperature, isotherm.frequency[0]))
+    return RheologyData(
+        isotherms=tuple(isotherms), source=path.name, is_tensile=is_tensile, poisson_ratio=nu, dropped=dropped
+    )
+
+
+def _named(columns: Columns | None) -> dict[str, tuple[str, str | None]]:
+    names: dict[str, tuple[str, str | None]] = {}
+    for role, value in (columns or {}).items():
+        if role not in _ROLES:
+            raise ValueError(f"columns must be of {', '.join(_ROLES)}, got {role!r}")
+        pair = (value, None) if isinstance(value, str) else value
+        if (
+            not isinstance(pair, tuple | list)
+            or len(pair) != 2
+            or not isinstance(pair[0], str)
+            or not isinstance(pair[1], str | None)
+        ):
+            raise TypeError(f"columns[{role!r}] must be a name, or a name and a unit, got {shown(value)}")
+        names[role] = (pair[0], pair[1])
+    return names
+
+
+def _nothing_found(path: Path, text: str) -> str:
+    lines = [line for line in text.splitlines() if line.strip()]
+    first = next((line for line in lines if any(role_of(cell) for cell in line.replace(";", ",").split(","))), None)
+    line = first or (lines[0] if lines else "")
+    return (
+        f"{path}: needs a row of names with a frequency and a storage modulus, and numbers below, "
+        f'got {shown(line[:80])}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}'
+    )
+
+
+def _is_tensile(path: Path, tables: list[Table]) -> bool:
+    said = {table.columns["storage"].is_tensile for table in tables}
+    if said <= {True, False} and len(said) == 1:
+        return bool(said.pop())
+    name = tables[0].columns["storage"].name
+    raise ValueError(
+        f"{path}: column {name!r} does not say whether it is a modulus of tension or of shear: "
+        "pass tensile=True or tensile=False"
+    )
+
+
+def _isotherms(table: Table, path: Path, divisor: float) -> tuple[list[Isotherm], int]:
+    columns = table.columns
+    values = {
+        role: column.converted([row[role] for row in table.rows], path)
+        for role, column in columns.items()
+        if role not in ("sweep", "tan_delta") and not (role == "temperature" and not column.unit)
+    }
+    if "temperature" in columns and not columns["temperature"].unit:
+        values["temperature"] = columns["temperature"].converted([], path)  # raises: a unit is wanted
+    if "loss" not in values:
+        if "tan_delta" not in columns:
+            raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
+        values["loss"] = values["storage"] * np.array([row["tan_delta"] for row in table.rows])
+    valid = (values["frequency"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
+    temperature = values.get("temperature", np.full(valid.size, np.nan))
+    numbers = np.array([row.get("sweep", math.nan) for row in table.rows])
+    sweeps = _grouped(numbers, temperature)
+    isotherms = []
+    for sweep in np.unique(sweeps[valid]):
+        chosen = np.flatnonzero(valid & (sweeps == sweep))
+        order = chosen[np.argsort(values["frequency"][chosen], kind="stable")]
+        isotherms.append(
+            Isotherm(
+                temperature=float(np.mean(temperature[order])),
+                frequency=values["frequency"][order],
+                storage=values["storage"][order] / divisor,
+                loss=values["loss"][order] / divisor,
+            )
+        )
+    return isotherms, int((~valid).sum())
+
+
+def _grouped(numbers: Floats, temperature: Floats) -> NDArray[np.int64]:
+    """Return the numbers of the sweeps of a table: as its column says, else by gaps between temperatures."""
+    if not np.isnan(numbers).any():
+        return np.unique(numbers, return_inverse=True)[1].astype(np.int64)
+    order = np.argsort(temperature, kind="stable")
+    steps = np.diff(temperature[order], prepend=temperature[order[0]] if order.size else np.nan)
+    groups = np.zeros(temperature.size, dtype=np.int64)
+    groups[order] = np.cumsum(steps > _TEMPERATURE_GAP)
+    return groups

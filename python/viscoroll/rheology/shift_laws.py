@@ -1,0 +1,226 @@
+"""How the shift factor depends on temperature."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._arrays import as_floats
+from .._extras import extra
+from ..studies.least_squares import Parameter
+from .names import parse_header
+from .text import read_text
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["ShiftFactors", "ShiftLaw", "fit_arrhenius", "fit_wlf"]
+
+_GAS_CONSTANT = 8.314462618  # [J/(mol K)]
+_ZERO_CELSIUS = 273.15
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ShiftFactors:
+    """Measured shift factors: at temperature T the modulus at ω is that of the reference at ω a_T.
+
+    Parameters
+    ----------
+    temperature : array_like
+        [°C], increasing, at least two.
+    log10_factor : array_like
+        log₁₀ a_T [-], as long as `temperature`; 0 at the reference.
+    """
+
+    temperature: tuple[float, ...]
+    log10_factor: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        """Check the table."""
+        for name in ("temperature", "log10_factor"):
+            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
+        if len(self.temperature) < 2 or len(self.temperature) != len(self.log10_factor):
+            raise ValueError(
+                "temperature and log10_factor must have the same length >= 2, "
+                f"got {len(self.temperature)} and {len(self.log10_factor)}"
+            )
+        if not (np.isfinite(self.temperature).all() and np.isfinite(self.log10_factor).all()):
+            raise ValueError("temperature and log10_factor must be finite")
+        if not (np.diff(self.temperature) > 0.0).all():
+            raise ValueError("temperature must increase from entry to entry")
+
+    def __call__(self, temperature: float) -> float:
+        """Return log₁₀ a_T by a monotonic cubic between the entries.
+
+        Raises
+        ------
+        ValueError
+            For a temperature outside the table.
+        """
+        with extra("studies"):
+            from scipy.interpolate import PchipInterpolator
+
+        low, high = self.temperature[0], self.temperature[-1]
+        if not low - 0.5 <= temperature <= high + 0.5:  # a sweep drifts by some tenths
+            raise ValueError(
+                f"temperature must be in [{low:g}, {high:g}] °C, where it was measured, got {temperature:g}"
+            )
+        return float(PchipInterpolator(self.temperature, self.log10_factor)(min(max(temperature, low), high)))
+
+    def relative_to(self, reference: float) -> ShiftFactors:
+        """Return the factors with respect to another temperature [°C]."""
+        offset = self(reference)
+        return ShiftFactors(
+            temperature=self.temperature, log10_factor=tuple(value - offset for value in self.log10_factor)
+        )
+
+    @classmethod
+    def read(cls, path: str | Path) -> ShiftFactors:
+        """Read a CSV file with a row of names, one of units, and rows of temperature [C] and log₁₀ a_T."""
+        rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
+        if len(rows) < 3 or parse_header(rows[0][0])[0].lower() not in ("t", "temperature", "temp."):
+            raise ValueError(f"{path}: needs a row of names (T, log_aT), a row of units (C, -) and rows of numbers")
+        if rows[1][0].strip().lower() not in ("c", "°c"):
+            raise ValueError(f"{path}: temperature must be in 'C' by the row of units, got {rows[1][0]!r}")
+        try:
+            pairs = sorted((float(row[0]), float(row[1])) for row in rows[2:])
+        except (ValueError, IndexError):
+            raise ValueError(f"{path}: needs two numbers in every row below the units") from None
+        return cls(temperature=tuple(t for t, _ in pairs), log10_factor=tuple(a for _, a in pairs))
+
+    def save(self, path: str | Path) -> None:
+        """Write the file that `read` reads."""
+        rows = "".join(f"{t!r},{a!r}\n" for t, a in zip(self.temperature, self.log10_factor, strict=True))
+        Path(path).write_text(f"T,log_aT\nC,-\n{rows}", encoding="utf-8")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ShiftLaw:
+    """A law fitted to shift factors.
+
+    Attributes
+    ----------
+    name : str
+        "WLF", log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r), or "Arrhenius", ln a_T = E_a / R (1/T - 1/T_r).
+    reference : float
+        T_r [°C].
+    parameters : dict of str to Parameter
+        c1 [1] and c2 [K], or activation_energy [J/mol], with their intervals.
+    confidence : float
+        Of the intervals [-].
+    residual : float
+        Root mean square of what the law leaves [decades].
+    """
+
+    name: str
+    reference: float
+    parameters: dict[str, Parameter]
+    confidence: float
+    residual: float
+
+    def __call__(self, temperature: ArrayLike) -> Floats:
+        """Return log₁₀ a_T at temperatures [°C]."""
+        values = [parameter.value for parameter in self.parameters.values()]
+        model = _wlf if self.name == "WLF" else _arrhenius
+        return model(np.asarray(temperature, dtype=float), self.reference, *values)
+
+    def __str__(self) -> str:
+        """Return law, intervals and residual in one line."""
+        terms = ", ".join(
+            f"{name} = {p.value:.5g} {'' if p.unit == '1' else p.unit + ' '}in [{p.lower:.5g}, {p.upper:.5g}]"
+            for name, p in self.parameters.items()
+        )
+        return f"{self.name} at {self.reference:g} °C: {terms}; residual {self.residual:.3f} decades"
+
+
+def fit_wlf(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:
+    """Fit Williams-Landel-Ferry constants; arguments as of `fit_arrhenius`."""
+    start = np.array([15.0, 60.0 + max(0.0, reference - factors.temperature[0])])
+    return _fit("WLF", _wlf, factors, reference, {"c1": "1", "c2": "K"}, start, **options)  # type: ignore[arg-type]
+
+
+def fit_arrhenius(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:
+    """Fit an activation energy.
+
+    Parameters
+    ----------
+    factors : ShiftFactors
+        What to fit.
+    reference : float
+        T_r [°C].
+    covariance : ndarray, optional
+        Of the factors but the one at `anchor`, which the others are counted from; without it, all are equally good.
+    anchor : int, optional
+        Entry that the others are counted from.
+    confidence : float, default 0.95
+        Of the intervals.
+    """
+    units = {"activation_energy": "J/mol"}
+    return _fit("Arrhenius", _arrhenius, factors, reference, units, np.array([1e5]), **options)  # type: ignore[arg-type]
+
+
+def _wlf(temperature: Floats, reference: float, c1: float, c2: float) -> Floats:
+    return -c1 * (temperature - reference) / (c2 + temperature - reference)
+
+
+def _arrhenius(temperature: Floats, reference: float, energy: float) -> Floats:
+    inverse = 1.0 / (temperature + _ZERO_CELSIUS) - 1.0 / (reference + _ZERO_CELSIUS)
+    return np.asarray(energy / (_GAS_CONSTANT * math.log(10.0)) * inverse)
+
+
+def _fit(
+    name: str,
+    model: Callable[..., Floats],
+    factors: ShiftFactors,
+    reference: float,
+    units: dict[str, str],
+    start: Floats,
+    *,
+    covariance: Floats | None = None,
+    anchor: int = 0,
+    confidence: float = 0.95,
+) -> ShiftLaw:
+    with extra("studies"):
+        from scipy.optimize import least_squares
+        from scipy.stats import t as student
+
+    temperature, measured = np.array(factors.temperature), np.array(factors.log10_factor)
+    others = np.arange(temperature.size) != anchor
+    # Factors of isotherms that were shifted together have errors in common: whiten by their covariance.
+    whiten = np.eye(int(others.sum())) if covariance is None else np.linalg.inv(np.linalg.cholesky(covariance))
+
+    def left(p: Floats) -> Floats:
+        law = model(temperature, reference, *(p * start))
+        return np.asarray((measured - measured[anchor]) - (law - law[anchor]))
+
+    def whitened(p: Floats) -> Floats:
+        with np.errstate(all="ignore"):
+            return np.asarray(np.nan_to_num(whiten @ left(p)[others], nan=1e9, posinf=1e9, neginf=-1e9))
+
+    # C₂ above T_r - T keeps the pole of the law below all temperatures.
+    lowest = [0.0, (reference - temperature.min() + 1.0) / start[1]] if name == "WLF" else [-np.inf]
+    found = least_squares(whitened, np.maximum(np.ones(start.size), np.array(lowest) * 1.1), bounds=(lowest, np.inf))
+    freedom = max(1, int(others.sum()) - start.size)
+    spread = 2.0 * found.cost / freedom
+    scale = spread if covariance is None else max(1.0, spread)
+    widths = np.sqrt(np.diag(np.linalg.pinv(found.jac.T @ found.jac)) * scale) * np.abs(start)
+    margins = float(student.ppf(0.5 + 0.5 * confidence, freedom)) * widths
+    values = found.x * start
+    return ShiftLaw(
+        name=name,
+        reference=reference,
+        parameters={
+            key: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
+            for (key, unit), v, m in zip(units.items(), values, margins, strict=True)
+        },
+        confidence=confidence,
+        residual=float(np.sqrt(np.mean(left(found.x)[others] ** 2))),
+    )

@@ -1,0 +1,162 @@
+"""Tables in the text files of rheometers and DMA instruments.
+
+A table is a row of names in which a frequency and a modulus are found, a row of units unless they stand with the names,
+and rows of numbers. What stands before, between and behind tables (headers of TRIOS, intervals of RheoCompass) is
+skipped. So are labels in the first column ("Data point", point numbers).
+"""
+
+from __future__ import annotations
+
+import codecs
+import csv
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .names import Column, is_unit, normalized, parse_header, role_of
+
+__all__ = ["Table", "find_tables", "read_text"]
+
+_SEPARATORS = ("\t", ";", ",")
+
+
+@dataclass(slots=True)
+class Table:
+    """One table of a file: its columns by role, and their numbers row by row."""
+
+    columns: dict[str, Column]
+    rows: list[dict[str, float]] = field(default_factory=list)
+    unreadable: int = 0
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a file in UTF-8, UTF-16 or the code page of Western Windows, whichever it is in."""
+    content = path.read_bytes()
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return content.decode("utf-16", errors="replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252", errors="replace")
+
+
+def find_tables(text: str, names: Mapping[str, tuple[str, str | None]]) -> list[Table]:
+    """Return the tables of a text.
+
+    Parameters
+    ----------
+    text : str
+        The content of a file.
+    names : mapping of str to (str, str or None)
+        For roles whose names the caller gives, the name and, unless the file's holds, the unit.
+
+    Raises
+    ------
+    ValueError
+        Where two columns of one table have the same role.
+    """
+    tables: list[Table] = []
+    separator = ","
+    waiting_for_units = False
+    for line in text.splitlines():
+        if not line.strip():
+            continue
+        if header := _header(line, names):
+            separator, columns = header
+            tables.append(Table(columns))
+            waiting_for_units = True
+        elif tables:
+            cells = _cells(line, separator)
+            if waiting_for_units and _is_unit_row(cells):
+                tables[-1].columns = _with_units(tables[-1].columns, cells, names)
+                waiting_for_units = False
+            else:
+                waiting_for_units = not _add_row(tables[-1], cells, separator) and waiting_for_units
+    return [table for table in tables if table.rows]
+
+
+def _header(line: str, names: Mapping[str, tuple[str, str | None]]) -> tuple[str, dict[str, Column]] | None:
+    """Return separator and columns of a row of names, or None where it is none."""
+    for separator in _SEPARATORS:
+        cells = _cells(line, separator)
+        columns = _columns(cells, names)
+        wanted = set(names) | {"frequency"} | ({"storage"} if "storage" not in names else set())
+        if len(cells) > 2 and wanted <= columns.keys():
+            return separator, columns
+    return None
+
+
+def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]]) -> dict[str, Column]:
+    given = {normalized(name): role for role, (name, _) in names.items()}
+    columns: dict[str, Column] = {}
+    for index, cell in enumerate(cells):
+        name, unit = parse_header(cell)
+        role = given.get(normalized(cell)) or given.get(normalized(name)) or role_of(name)
+        if role is None or (role in names and normalized(name) not in given and normalized(cell) not in given):
+            continue
+        if role in columns:
+            raise ValueError(
+                f'two columns hold {role}, {columns[role].name!r} and {name!r}: say which by columns={{"{role}": name}}'
+            )
+        if role in names:
+            unit = names[role][1] or unit
+        columns[role] = Column(index, name, unit, role)
+    return columns
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    if separator == "\t":  # E'' and G" stand unquoted in exports with tabs
+        return [cell.strip() for cell in line.split(separator)]
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    except csv.Error:  # no text at all
+        return []
+
+
+def _is_unit_row(cells: list[str]) -> bool:
+    return any(is_unit(cell) for cell in cells) and all(
+        math.isnan(_number(cell, "\t")) or cell == "1" for cell in cells
+    )
+
+
+def _with_units(
+    columns: dict[str, Column], cells: list[str], names: Mapping[str, tuple[str, str | None]]
+) -> dict[str, Column]:
+    found = {}
+    for role, column in columns.items():
+        unit = cells[column.index].strip("[]") if column.index < len(cells) else ""
+        given = names[role][1] if role in names else None
+        if role == "temperature" and unit.lower() in ("s", "min", "h"):
+            continue  # a column "t" is one of time, then
+        found[role] = Column(column.index, column.name, given or column.unit or unit, role)
+    return found
+
+
+def _add_row(table: Table, cells: list[str], separator: str) -> bool:
+    """Take a row of numbers, and return whether it was one; count one that holds a part of them."""
+    needed = [column for role, column in table.columns.items() if role != "sweep"]
+    numbers = {
+        column.role: _number(cells[column.index], separator) if column.index < len(cells) else math.nan
+        for column in table.columns.values()
+    }
+    readable = [not math.isnan(numbers[column.role]) for column in needed]
+    if all(readable):
+        table.rows.append(numbers)
+    elif any(readable) and not math.isnan(numbers["frequency"]):
+        table.unreadable += 1
+    else:
+        return False
+    return True
+
+
+def _number(cell: str, separator: str) -> float:
+    text = cell.strip()
+    if separator != "," and re.fullmatch(r"[-+]?\d*,\d+([eE][-+]?\d+)?", text):
+        text = text.replace(",", ".")
+    try:
+        value = float(text)
+    except ValueError:
+        return math.nan
+    return value if math.isfinite(value) else math.nan

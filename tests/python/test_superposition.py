@@ -1,0 +1,234 @@
+"""Shifting, fitting and checking of measured moduli: known materials with noise, and real data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll.rheology import Isotherm, RheologyData
+
+DATA = Path(__file__).parent / "data"
+
+#: A rubber of 25 terms over twelve decades, off the places where a fit puts its times.
+TIMES = 0.7 * np.logspace(-9, 3, 25)
+RUBBER = vr.Prony(
+    instantaneous_modulus=1e9,
+    weights=0.9995 * (shape := np.exp(-0.5 * ((np.log10(TIMES) + 5.0) / 1.8) ** 2)) / shape.sum(),
+    relaxation_times=TIMES,
+)
+C1, C2, REFERENCE = 12.0, 90.0, 30.0
+
+
+def wlf(temperature):
+    return -C1 * (temperature - REFERENCE) / (C2 + temperature - REFERENCE)
+
+
+def measured_isotherms(noise, seed=0, temperatures=tuple(range(0, 81, 10))):
+    """Isotherms of three decades of the rubber above, by its law, with relative noise on both moduli."""
+    generator = np.random.default_rng(seed)
+    omega = np.logspace(-1, 2, 22)
+    sweeps = []
+    for temperature in temperatures:
+        modulus = RUBBER.complex_modulus(omega * 10.0 ** wlf(temperature))
+        storage, loss = (
+            part * (1.0 + noise * generator.standard_normal(omega.size)) for part in (modulus.real, modulus.imag)
+        )
+        sweeps.append(Isotherm(temperature=float(temperature), frequency=omega, storage=storage, loss=loss))
+    return RheologyData(isotherms=tuple(sweeps), source="made", is_tensile=False, poisson_ratio=0.5, dropped=0)
+
+
+@pytest.fixture(scope="module")
+def adhesive():
+    return vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+
+
+@pytest.fixture(scope="module")
+def master(adhesive):
+    """Shift the adhesive without its coldest sweep, whose shift the data leave open."""
+    return vr.superpose(adhesive.between(-35.0, 160.0), reference=20.0)
+
+
+@pytest.fixture(scope="module")
+def noisy():
+    return vr.superpose(measured_isotherms(0.03, seed=1), reference=REFERENCE)
+
+
+def test_known_wlf_constants_lie_in_their_intervals(noisy):
+    assert noisy.law.name == "WLF"
+    c1, c2 = noisy.wlf.parameters["c1"], noisy.wlf.parameters["c2"]
+    assert c1.lower <= C1 <= c1.upper
+    assert c2.lower <= C2 <= c2.upper
+    # The intervals say something: within a tenth of the value.
+    assert c1.upper - c1.lower < 0.1 * C1
+    assert c2.upper - c2.lower < 0.1 * C2
+
+
+def test_master_curve_from_noise_of_3_percent_is_within_2_percent(noisy):
+    omega = np.geomspace(noisy.frequency[5], noisy.frequency[-5], 60)
+    true, found = RUBBER.complex_modulus(omega), noisy.fit.series.complex_modulus(omega)
+    assert np.sqrt(np.mean((found.real / true.real - 1.0) ** 2)) < 0.02
+    assert np.sqrt(np.mean((found.imag / true.imag - 1.0) ** 2)) < 0.02
+
+
+def test_modulus_at_another_temperature(noisy):
+    table = noisy.at(temperature=45.0)
+    omega = np.geomspace(1e-1, 1e2, 7)
+    true, found = RUBBER.complex_modulus(omega * 10.0 ** wlf(45.0)), table.complex_modulus(omega)
+    np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.04)  # three points of 3 % to an entry, and a_T
+    smooth = noisy.series_at(temperature=45.0).complex_modulus(omega)
+    np.testing.assert_allclose(np.abs(smooth), np.abs(true), rtol=0.02)
+    with pytest.raises(ValueError, match=r"temperature must be in \[0, 80\] °C, where it was measured, got 90"):
+        noisy.at(temperature=90.0)
+
+
+def test_coverage_of_the_intervals_of_wlf_constants():
+    """Both true constants in their 95 % intervals in most of 12 data sets: 8 or fewer has a chance of 1e-3."""
+    inside = 0
+    for seed in range(12):
+        data = measured_isotherms(0.03, seed=100 + seed, temperatures=(0, 20, 40, 60))
+        law = vr.superpose(data, reference=REFERENCE - 10.0).wlf
+        # The same law about another reference: C₂' = C₂ + T_r' - T_r, C₁' C₂' = C₁ C₂.
+        c2 = C2 - 10.0
+        c1 = C1 * C2 / c2
+        found = law.parameters
+        inside += found["c1"].lower <= c1 <= found["c1"].upper and found["c2"].lower <= c2 <= found["c2"].upper
+    assert inside >= 9
+
+
+def test_arrhenius_is_recognized():
+    energy, gas = 8e4, 8.314462618
+    data = measured_isotherms(0.01)
+    sweeps = []
+    for sweep in data.isotherms:
+        shift = energy / gas / np.log(10.0) * (1.0 / (sweep.temperature + 273.15) - 1.0 / 303.15)
+        modulus = RUBBER.complex_modulus(sweep.frequency * 10.0**shift)
+        sweeps.append(
+            Isotherm(temperature=sweep.temperature, frequency=sweep.frequency, storage=modulus.real, loss=modulus.imag)
+        )
+    curve = vr.superpose(_data(sweeps), reference=30.0)
+    assert curve.law.name == "Arrhenius"
+    assert curve.law.parameters["activation_energy"].value == pytest.approx(energy, rel=0.01)
+
+
+def _data(sweeps):
+    return RheologyData(isotherms=tuple(sweeps), source="made", is_tensile=False, poisson_ratio=0.5, dropped=0)
+
+
+def test_vertical_shift_is_found_where_it_is_asked_for():
+    lifts = np.linspace(0.9, 1.1, 9)
+    data = measured_isotherms(0.002)
+    sweeps = [
+        Isotherm(temperature=s.temperature, frequency=s.frequency, storage=s.storage * b, loss=s.loss * b)
+        for s, b in zip(data.isotherms, lifts, strict=True)
+    ]
+    plain = vr.superpose(_data(sweeps), reference=30.0)
+    lifted = vr.superpose(_data(sweeps), reference=30.0, vertical=True)
+    assert set(plain.vertical) == {0.0}
+    assert lifted.scatter < 0.5 * plain.scatter
+    found = 10.0 ** np.array(lifted.vertical)
+    np.testing.assert_allclose(found, lifts / lifts[3], rtol=0.02)
+
+
+def test_flat_sweeps_leave_their_shift_open():
+    omega = np.logspace(-1, 2, 16)
+    sweeps = [
+        Isotherm(temperature=t, frequency=omega, storage=np.full(16, 1e6), loss=np.full(16, 1e3)) for t in (0.0, 20.0)
+    ]
+    curve = vr.superpose(_data(sweeps), reference=0.0)
+    assert len(curve.undetermined) == 1
+    assert "0 to 20 °C: any shift from" in curve.undetermined[0]
+
+
+def test_shift_factors_of_the_user(tmp_path):
+    factors = vr.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
+    assert factors(-50.0) == 12.75
+    assert factors(-5.0) == 0.0
+    factors.save(tmp_path / "again.csv")
+    assert vr.ShiftFactors.read(tmp_path / "again.csv").log10_factor == factors.log10_factor
+    data = vr.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
+    curve = vr.superpose(data, reference=-5.0, factors=factors)
+    coldest = data.isotherms[0]
+    assert curve.factors.log10_factor[0] == pytest.approx(factors(coldest.temperature), abs=1e-12)
+    with pytest.raises(ValueError, match="temperature must be in"):
+        vr.superpose(data, reference=-5.0, factors=vr.ShiftFactors(temperature=(0.0, 20.0), log10_factor=(0.0, -1.0)))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"reference": 200.0}, r"reference must be in \[0, 80\] °C, where sweeps were measured, got 200"),
+        ({"data": measured_isotherms(0.0).between(0.0, 0.0)}, "at least 2 sweeps to be shifted, got 1"),
+    ],
+)
+def test_what_cannot_be_shifted(change, message):
+    with pytest.raises(ValueError, match=message):
+        vr.superpose(**({"data": measured_isotherms(0.0), "reference": 30.0} | change))
+
+
+def test_adhesive_is_fitted_to_1_percent_over_12_decades(master):
+    fit = vr.fit_prony(master)
+    assert np.log10(fit.frequency[-1] / fit.frequency[0]) > 12.0
+    assert fit.storage_rms < 0.01
+    assert fit.loss_rms < 0.01
+    assert all(check.passed for check in vr.check_modulus(master))
+
+
+def test_coldest_sweep_of_the_adhesive_is_named(adhesive):
+    curve = vr.superpose(adhesive, reference=20.0)
+    assert curve.undetermined[0].startswith("-40 to -29.99 °C: any shift from")
+    assert not all(check.passed for check in vr.check_modulus(curve))
+
+
+def test_pyvisco_data_are_named_as_inconsistent():
+    data = vr.read_rheology(DATA / "pyvisco_freq_user_raw.csv")
+    factors = vr.ShiftFactors.read(DATA / "pyvisco_shift_factors.csv")
+    for curve in (vr.superpose(data, reference=-5.0), vr.superpose(data, reference=-5.0, factors=factors)):
+        causal, passive, _ = vr.check_modulus(curve)
+        for check in (causal, passive):
+            assert not check.passed
+            assert check.value > 0.05
+            assert "INCONSISTENT" in str(check)
+            assert "%" in check.message
+
+
+@pytest.mark.parametrize("temperature", [0.0, 20.0, 40.0])
+@pytest.mark.parametrize("speed", [1e-3, 1e-2, 1e-1])
+def test_torque_of_the_fit_is_that_of_the_table(master, temperature, speed):
+    """File, shift, fit, torque: within 1 %, of which 0.2 % may be the meshes."""
+    torques = []
+    for material in (master.at(temperature=temperature), master.series_at(temperature=temperature)):
+        layer = vr.Layer(thickness=2e-3, shear_modulus=material, poisson_ratio=0.5)
+        ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+        torques.append(vr.solve(ball, load=0.2, angular_speed=speed, accuracy=5e-3).dissipated_power / speed)
+    assert torques[1] == pytest.approx(torques[0], rel=0.01)
+
+
+def test_checks_tell_what_is_wrong():
+    omega = np.logspace(-2, 4, 61)
+    modulus = RUBBER.complex_modulus(omega)
+    good = vr.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real, loss=modulus.imag))
+    assert all(check.passed for check in good)
+    causal, passive, monotony = vr.check_modulus(
+        SimpleNamespace(frequency=omega, storage=modulus.real, loss=2.0 * modulus.imag)
+    )
+    assert not causal.passed
+    assert not passive.passed
+    assert monotony.passed
+    falling = vr.check_modulus(SimpleNamespace(frequency=omega, storage=modulus.real[::-1], loss=modulus.imag))
+    assert not falling[2].passed
+
+
+def test_range_against_the_harmonics_of_rolling(rubber):
+    layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=0.5)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    low, high = vr.rolling_range(ball, load=100.0, angular_speed=2.5)
+    assert low == 2.5
+    assert 20.0 < high / low < 2000.0
+    curve = SimpleNamespace(frequency=[25.0, 50.0, 100.0], storage=[1e6] * 3, loss=[1e5] * 3)
+    check = vr.check_range(curve, lowest=2.5, highest=1000.0)
+    assert not check.passed
+    assert check.value == pytest.approx(2.0 / np.log10(400.0))
+    assert "1 decades below and 1 above are extrapolated" in check.message
