@@ -67,8 +67,9 @@ class LoadCaseSolver {
     };
     int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
     int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
-    const double thickness = detail::thickness(model_.pair());
-    for (bool is_likely = estimated_depth(estimate) < 0.5 * thickness;; is_likely = false) {
+    const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
+    const bool cheap = is_roller(model_.body());  // a single row of nodes
+    for (bool is_likely = cheap || shallow;; is_likely = cheap) {
       if (is_likely || holds_rough_contact(phi, theta, estimate)) {
         if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
       }
@@ -114,8 +115,8 @@ class LoadCaseSolver {
     const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
     const Mesh mesh{.nodes_per_revolution = coarsened(model_.mesh().nodes_per_revolution),
                     .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(model_.mesh()))};
-    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, model_.curvature(),
-                          options_.threads, execution_.watch);
+    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, model_.curvature(), options_.threads,
+                          execution_.watch);
     const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
     const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
     return LoadCaseSolver(rough, pressed, options_, execution_.watch)
