@@ -12,7 +12,16 @@ from ._core import InnerBoundary
 from ._text import shown
 from .materials import ShearModulusLike, as_modulus, to_core
 
-__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "HalfSpace", "Layer", "RollingBody"]
+__all__ = [
+    "CoatedCylinder",
+    "CoatedPlane",
+    "CoatedSphere",
+    "Counterpart",
+    "Groove",
+    "HalfSpace",
+    "Layer",
+    "RollingBody",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

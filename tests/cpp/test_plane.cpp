@@ -8,11 +8,14 @@
 #include <numbers>
 #include <vector>
 
+#include "contact/multilevel.hpp"
 #include "influence/coating_sum.hpp"
 #include "modal/flat_layers.hpp"
 #include "modal/harmonic_plane.hpp"
 #include "modal/order_by_order.hpp"
 #include "modal/spectrum.hpp"
+#include "surface/sum_operator.hpp"
+#include "surface/table_operator.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
@@ -318,6 +321,83 @@ TEST_F(PlaneTable, UnlikeLayersAreSummedLikeOneByOne) {
   const Table one = normal_table(plane(3e6), 2.5);
   const Table two = normal_table(plane(3e6 * (1.0 + 1e-11)), 2.5);
   for (int j = -kPhiReach; j <= kPhiReach; ++j) EXPECT_NEAR(one(j, 5) / one(0, 0), two(j, 5) / one(0, 0), 2e-9);
+}
+
+/// Surfaces of planes under the nodes of a ball.
+class PlaneContact : public testing::Test {
+ protected:
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> surface(const CoatedPlane& plane, double angular_speed,
+                                                               bool is_counterpart = true) {
+    const OrderSum orders = plane_sum(plane, angular_speed, grid_.radius, mesh_, 1, watch_);
+    const Formulation formulation{.compliance = Compliance::radial,
+                                  .patch_load = PatchLoad::flat,
+                                  .tangential = true,
+                                  .is_counterpart = is_counterpart};
+    const auto tables = [&](const std::vector<TableRequest>& requests) {
+      const WindowShape shape = window_.shape();
+      return std::make_shared<const std::vector<Table>>(
+          orders.tables(requests, shape.phi_nodes, shape.theta_nodes, 1, watch_));
+    };
+    return std::make_shared<TableOperator>(
+        formulation, nodes_, tables(displacement_tables(formulation)),
+        [dissipation = tables(dissipation_tables(formulation))](int, int) { return dissipation; },
+        Execution{1, watch_});
+  }
+
+  /// Moment of a rigid paraboloid on a plane, whose nodes are where the table has them: at the arcs of the ball.
+  [[nodiscard]] double moment_of_paraboloid(const CoatedPlane& plane, double speed, double load) {
+    const Eigen::ArrayXd along = (std::numbers::pi / 2.0 - nodes_.phi()) * grid_.radius;
+    const Eigen::ArrayXd across = (std::numbers::pi / 2.0 - nodes_.theta()) * grid_.radius;
+    const ContactProblem problem{.surface = surface(plane, speed / grid_.radius),
+                                 .initial_gap = (along.square() + across.square()) / (2.0 * grid_.radius),
+                                 .normal_force = load,
+                                 .friction = std::nullopt};
+    const LocatedContact located = solve_multilevel(problem, 1e-4, {.max_iterations = 100});
+    EXPECT_FALSE(touches_edge(located));
+    const ContactSolution contact = extended(located, problem);
+    return (along * pressing_force(contact)).sum();
+  }
+
+  Observer observer_;
+  Watch watch_{observer_};
+  Mesh mesh_{.nodes_per_revolution = 2000};
+  SurfaceGrid grid_{.radius = 21e-3, .phi_spacing = phi_spacing(mesh_), .theta_spacing = theta_spacing(mesh_)};
+  Window window_{{-52, 52}, {-52, 52}};
+  SurfaceWindow nodes_{grid_, window_};
+};
+
+TEST_F(PlaneContact, RigidParaboloidOnALayer) {
+  // R = 21 mm, 1 mm of the rubber, P = 100 N: numbers of an independent program, to 0.2 %.
+  const CoatedPlane mat{.layers = {layer(1e-3, 0.0)}};
+  EXPECT_NEAR(moment_of_paraboloid(mat, 10.5e-3, 100.0), 31.41e-3, 2e-3 * 31.41e-3);
+  EXPECT_NEAR(moment_of_paraboloid(mat, 52.5e-3, 100.0), 11.179e-3, 2e-3 * 11.179e-3);
+  EXPECT_NEAR(moment_of_paraboloid(mat, 0.21, 100.0), 3.109e-3, 2e-3 * 3.109e-3);
+}
+
+TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
+  // Two planes, each the mirror image of the other: the sum is symmetric, whatever Poisson's ratio and memory, and its
+  // normal and tangential compliances are those of one layer of half the modulus.
+  const auto plane = [](double share) {
+    Layer rubber = layer(1e-3, 0.0);
+    rubber.shear_modulus = standard_linear_solid(share * 6e6, share * 3e6, 0.125);
+    rubber.poisson_ratio = 0.3;
+    return CoatedPlane{.layers = {rubber}};
+  };
+  // On top, tangents turn around; a sphere's normals, which turn along the surface, are left out.
+  const auto lower = surface(plane(1.0), 2.5);
+  const auto soft = surface(plane(0.5), 2.5);
+  const auto upper = surface(plane(1.0), 2.5, false);
+  VectorField force = VectorField::Zero(window_.shape().size(), 3);
+  const Eigen::Index middle = window_.number_of(0, 0);
+  force(middle, kDown) = -1.0;
+  const SumOperator sum(lower, lower);
+  EXPECT_LT((sum.displacement(force) - soft->displacement(force)).abs().maxCoeff(),
+            1e-13 * soft->displacement(force).abs().maxCoeff());
+  const VectorField moved = upper->displacement(force) + lower->displacement(force);
+  EXPECT_LT(moved.col(kForward).abs().maxCoeff(), 1e-12 * moved.col(kDown).abs().maxCoeff());
+  EXPECT_GT(lower->displacement(force).col(kForward).abs().maxCoeff(), 1e-3 * moved.col(kDown).abs().maxCoeff());
+  EXPECT_LT((moved.col(kDown) - soft->displacement(force).col(kDown)).abs().maxCoeff(),
+            1e-12 * moved.col(kDown).abs().maxCoeff());
 }
 
 }  // namespace

@@ -312,9 +312,8 @@ class FrictionalContactSolver {
 
   /// How far the forces are from the drive's condition [N].
   [[nodiscard]] double drive_excess() const {
-    const DriveRow drive =
-        friction_.drive->row({*problem_.surface, friction_.arms, state_.force, state_.displacement},
-                             scales_.tangential * friction_.step);
+    const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state_.force, state_.displacement},
+                                                scales_.tangential * friction_.step);
     return drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value;
   }
 

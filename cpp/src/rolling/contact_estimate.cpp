@@ -82,7 +82,9 @@ double mean_radius(const RollingPair& pair) {
 double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, double load) {
   const double radius = is_roller(pair.body) ? relative_radius(pair) : mean_radius(pair);
   const bool roller = is_roller(pair.body);
-  const auto load_of = [&](const Part& part, double a) { return load_at(a, radius, part.thickness, part.moduli, roller); };
+  const auto load_of = [&](const Part& part, double a) {
+    return load_at(a, radius, part.thickness, part.moduli, roller);
+  };
   const auto bears = [&](double a) {
     if (parts.size() == 1) return load_of(parts.front(), a) >= load;
     double compliance = 0.0;  // they add up

@@ -129,8 +129,8 @@ void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch
   } else {
     counterpart_ = roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch);
   }
-  own_ = std::make_unique<const TableStore>(
-      std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get()), mesh_);
+  own_ = std::make_unique<const TableStore>(std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get()),
+                                            mesh_);
   alternating_ = {.normal = roller_.normal + counterpart_.normal, .along = roller_.along + counterpart_.along};
   stiffest_modulus_ = std::max(roller_.stiffest_modulus, counterpart_.stiffest_modulus);
   centrifugal_ = roller_.centrifugal + counterpart_.centrifugal;

@@ -107,7 +107,8 @@ void validate(const RollingPair& pair) {
   const double radius = outer_radius(pair.body);
   const auto require_room = [radius](const char* name, double curvature) {
     if (radius * curvature < kClosestFit) return;
-    reject(name, "larger than the ball's radius, " + text(radius) + " m, by 2 % at the least", text(1.0 / curvature) + " m");
+    reject(name, "larger than the ball's radius, " + text(radius) + " m, by 2 % at the least",
+           text(1.0 / curvature) + " m");
   };
   require_room("on.radius", track.across);
   require_room("on.path_radius", track.along);

@@ -155,9 +155,9 @@ class LoadCaseSolver {
       };
     };
     const WindowShape shape = nodes.shape();
-    return std::make_shared<TableOperator>(
-        formulation, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
-        tables(TableKind::dissipation), execution_);
+    return std::make_shared<TableOperator>(formulation, nodes,
+                                           tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
+                                           tables(TableKind::dissipation), execution_);
   }
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
@@ -181,8 +181,7 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
-    const RigidSlip slip =
-        rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
+    const RigidSlip slip = rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
     return {.coefficient = load_case_.friction,
             .rigid_slip = slip.own + slip.guided,
             .guided_slip = slip.guided,

@@ -19,8 +19,8 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
 }  // namespace
 
 std::shared_ptr<const std::vector<Table>> TableStore::tables(const Formulation& formulation, TableKind kind,
-                                                            int phi_reach, int theta_reach,
-                                                            const Execution& execution) const {
+                                                             int phi_reach, int theta_reach,
+                                                             const Execution& execution) const {
   const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
@@ -36,7 +36,7 @@ std::shared_ptr<const std::vector<Table>> TableStore::tables(const Formulation& 
 }
 
 void TableStore::add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
-                    const Execution& execution) const {
+                     const Execution& execution) const {
   std::vector<TableRequest> all;
   for (const TableKind kind : kinds) {
     const auto wanted = requests(formulation, kind);

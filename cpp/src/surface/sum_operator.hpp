@@ -39,7 +39,8 @@ class SumOperator : public SurfaceOperator {
     return std::make_shared<SumOperator>(rolling_->within(window), counterpart_->within(window));
   }
   [[nodiscard]] Losses dissipation(const VectorField& force) const override {
-    return {.rolling = rolling_->dissipation(force).rolling, .counterpart = counterpart_->dissipation(force).counterpart};
+    return {.rolling = rolling_->dissipation(force).rolling,
+            .counterpart = counterpart_->dissipation(force).counterpart};
   }
 
  private:

@@ -9,14 +9,14 @@ from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..geometry import CoatedCylinder, CoatedSphere, RollingBody
+from ..geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
 
 __all__ = ["NOT_OF_A_POINT", "LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: What points with one influence table have in common, besides the ball.
-_SHARED = ("angular_speed", "mesh", "compliance", "curvature", "patch_load")
+_SHARED = ("on", "angular_speed", "mesh", "compliance", "curvature", "patch_load")
 
 #: Exceptions that say nothing of the point at which they are raised.
 NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
@@ -107,7 +107,7 @@ class Plan:
         for i in indices:
             case = self.cases[i]
             if isinstance(case, LoadCase):
-                key = (id(case.ball), *(case.arguments.get(name) for name in _SHARED))
+                key = (id(case.ball), *(_mark(case.arguments.get(name)) for name in _SHARED))
                 groups.setdefault(key, []).append(i)
         # Every so many points to a task, and not a run of them: they tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
@@ -134,6 +134,11 @@ class Plan:
             **{name: _shortened(text) for name, value in self.fixed.items() if " at 0x" not in (text := label(value))},
             "points": digest(repr(points)),
         }
+
+
+def _mark(argument: object) -> object:
+    """Return what tells arguments apart: bodies by what they are, for their layers may hold lists."""
+    return id(argument) if isinstance(argument, CoatedPlane | Groove | CoatedCylinder) else argument
 
 
 def plan_sweep(

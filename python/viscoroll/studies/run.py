@@ -133,7 +133,7 @@ def _solver(
     """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
-    of_model = {name: value for name, value in shared.items() if name in ("angular_speed", "mesh", "curvature")}
+    of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
     model = RollingModel(ball, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)
