@@ -117,6 +117,15 @@ class HalfSpace:
 class CoatedPlane:
     def __init__(self, *, layers: collections.abc.Sequence[Layer], base: HalfSpace | None) -> None: ...
 
+class Groove:
+    def __init__(
+        self,
+        *,
+        radius: typing.SupportsFloat | typing.SupportsIndex | None,
+        path_radius: typing.SupportsFloat | typing.SupportsIndex | None,
+        surface: CoatedPlane,
+    ) -> None: ...
+
 class Mesh:
     def __init__(
         self,
@@ -195,6 +204,11 @@ class ResultScalars:
         contact area [m^2].
         """
     @property
+    def counterpart_bulk_power(self) -> float:
+        """
+        power lost in what it rolls on [W]. The other share.
+        """
+    @property
     def creepage(self) -> float | None:
         """
         creepage V_s / (Ω r_o) - 1 [1]. As determined as the speed.
@@ -245,6 +259,11 @@ class ResultScalars:
         what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
     @property
+    def operator_applications(self) -> int:
+        """
+        displacements of trial forces that solved them [1]. Applications of the surface operator: products with the influence tables.
+        """
+    @property
     def penetration(self) -> float | None:
         """
         penetration r_o - H [m]. None in line contact where anything rests on a half-space: it has no limit there.
@@ -265,6 +284,11 @@ class ResultScalars:
         resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p. It is what turns the ball where nothing pulls it, and no friction or no force on the center acts.
         """
     @property
+    def rolling_bulk_power(self) -> float:
+        """
+        power lost in what rolls [W]. Its share of bulk_power.
+        """
+    @property
     def rolling_resistance_coefficient(self) -> float:
         """
         rolling resistance coefficient, power lost / (P V) [1]. dissipated_power / (P |V|), whatever drives the ball. V is the speed of the center, or Ω r_o where that is undetermined; infinite where the center stands still.
@@ -283,6 +307,11 @@ class ResultScalars:
     def slip_power(self) -> float:
         """
         power lost by slip [W]. On the plane.
+        """
+    @property
+    def spin_moment(self) -> float:
+        """
+        spin moment on the ball [N m]. Σ (z t_x - x t_z), about the downward axis through the contact, of what it rolls on.
         """
     @property
     def strain(self) -> float | None:
@@ -350,6 +379,7 @@ class DriveCreepage:
         *,
         creepage: typing.SupportsFloat | typing.SupportsIndex,
         lateral_creepage: typing.SupportsFloat | typing.SupportsIndex,
+        spin: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
 class Options:
@@ -373,7 +403,7 @@ class RollingModel:
     def __init__(
         self,
         body: CoatedSphere | CoatedCylinder,
-        on: CoatedPlane | CoatedCylinder,
+        on: CoatedPlane | CoatedCylinder | Groove,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -441,7 +471,7 @@ def result_scalars() -> list[ScalarDescription]:
 
 def solve(
     body: CoatedSphere | CoatedCylinder,
-    on: CoatedPlane | CoatedCylinder,
+    on: CoatedPlane | CoatedCylinder | Groove,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,

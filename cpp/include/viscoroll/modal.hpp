@@ -87,7 +87,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Surface compliance of a plane, for waves of single wave numbers: displacement [m] per surface stress [Pa],
 /// both along the outward normal, along the way in which material crosses the contact (xi) and across both (zeta), with
-/// inertia. Theory.md section 9.
+/// inertia. Theory.md section 15.
 /// @param[in] plane layers and base, not rigid
 /// @param[in] speed V at which material crosses the contact [m/s], > 0: a wave has the frequency V k_xi
 /// @param[in] k_xi,k_zeta wave numbers [1/m], any sign, as many of each, not both 0

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The compliance of flat layers, carried outwards: theory.md section 9.
+/// @brief The compliance of flat layers, carried outwards: theory.md section 15.
 ///
 /// With n the outward normal and the stresses in units of mu k, the equations along and across the direction of k are
 ///

@@ -84,7 +84,7 @@ class SurfaceOperator {
   [[nodiscard]] virtual VectorField rolling_displacement(const VectorField& force) const { return displacement(force); }
 
   /// @brief The force with which pressure pushes the rolling body back along the deformed surface of what it rolls on:
-  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 9).
+  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 15).
   /// @param[in] force on every node [N]
   /// @return [N]
   [[nodiscard]] virtual double pushback(const VectorField& /*force*/) const { return 0.0; }
