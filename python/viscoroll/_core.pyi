@@ -316,7 +316,7 @@ class ResultScalars:
     @property
     def strain(self) -> float | None:
         """
-        strain, penetration per thickness of the coating [1]. The model's error grows with it. As determined as the penetration.
+        strain, penetration per thickness of the coating [1]. The model's error grows with it. As determined as the penetration. Of both bodies together; a half-space counts as thick as the contact is wide, times its softness beside the layers'.
         """
 
 class Result(ResultScalars):

@@ -273,8 +273,8 @@ def _counterpart(file: _File, folder: Path) -> Counterpart | None:
     if file.plane is not None and file.groove is not None:
         raise ValueError("plane or groove must be given, and not both, got both")
     if file.groove is not None:
-        radii = {"radius": file.groove.radius, "path_radius": file.groove.path_radius}
-        return Groove(**radii, **_surface(file.groove, "groove", folder))
+        surface = _surface(file.groove, "groove", folder)
+        return Groove(radius=file.groove.radius, path_radius=file.groove.path_radius, **surface)
     return None if file.plane is None else CoatedPlane(**_surface(file.plane, "plane", folder))
 
 

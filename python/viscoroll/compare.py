@@ -177,7 +177,7 @@ def compare_torques(
     results = Runner(report=report).map(point, omega.tolist())
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
-        for name, form in applicable(case.ball).items()
+        for name, form in (applicable(case.ball) if case.on is None else {}).items()
     }
     return Comparison(
         case=case,

@@ -182,6 +182,7 @@ class Result(ScalarFields):
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
             ("power lost in the coating", self._quantity("bulk_power")),
+            *self._pair_rows(),
             *self._extrapolation_rows(),
             *self._error_rows(),
             ("mesh", str(self.mesh)),
@@ -243,6 +244,12 @@ class Result(ScalarFields):
     def _extrapolation_rows(self) -> list[tuple[str, str]]:
         share = self.extrapolated_loss()
         return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
+
+    def _pair_rows(self) -> list[tuple[str, str]]:
+        if self.on is None:
+            return []
+        shares = f"{self._quantity('rolling_bulk_power')}, {self._quantity('counterpart_bulk_power')}"
+        return [("of that in what rolls, in what it rolls on", shares)]
 
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:

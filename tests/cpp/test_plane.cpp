@@ -397,7 +397,8 @@ TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
   for (int j = -50; j <= 50; ++j) {
     EXPECT_EQ(local.table(Entry::rphi)(j, 3), 0.0);
     EXPECT_EQ(local.table(Entry::rtheta)(j, 3), 0.0);
-    EXPECT_NEAR(local.table(Entry::rr)(j, 3), soft->local().table(Entry::rr)(j, 3), 1e-13 * local.table(Entry::rr)(0, 0));
+    EXPECT_NEAR(local.table(Entry::rr)(j, 3), soft->local().table(Entry::rr)(j, 3),
+                1e-13 * local.table(Entry::rr)(0, 0));
   }
   EXPECT_GT(std::abs(lower->local().table(Entry::rphi)(2, 0)), 1e-3 * local.table(Entry::rr)(0, 0));
 }

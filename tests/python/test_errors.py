@@ -173,7 +173,9 @@ def test_a_text_serves_where_a_member_does():
 
 
 def test_something_else_than_a_ball():
-    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere or viscoroll.CoatedCylinder, got 'ball'"):
+    with pytest.raises(
+        TypeError, match=r"ball must be a viscoroll.CoatedSphere or viscoroll.CoatedCylinder, got 'ball'"
+    ):
         vr.solve("ball", **CASE)
 
 

@@ -179,6 +179,9 @@ def test_elastic_ground_loses_nothing():
     assert abs(r.resisting_torque) < 1e-9 * 100.0 * r.semi_axis_x
     assert r.bulk_power < 1e-9
     assert r.strain == pytest.approx(r.penetration / r.semi_axis_x, rel=0.05)
+    coated = rolled(RIGID, CoatedPlane(layers=[LAYER], base=ground.base), mesh=Mesh(nodes_per_revolution=600))
+    width = math.sqrt(coated.semi_axis_x * coated.semi_axis_z)
+    assert coated.strain == pytest.approx(coated.penetration / (1e-3 + 0.3 * width), rel=1e-12)  # 3 MPa on 10 MPa
 
 
 def test_accuracy_refines_a_pair():

@@ -73,10 +73,9 @@ class Summary {
     const double penetration = contact_.penetration - given_.centrifugal;
     r.penetration = penetration;
     r.center_height = radius() - penetration;
-    // A half-space by itself is strained as deep as the contact is wide.
-    const double depth =
-        given_.thickness > 0.0 ? given_.thickness : std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
-    r.strain = penetration / depth;
+    // A half-space is strained as deep as the contact is wide.
+    const double width = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
+    r.strain = penetration / (given_.thickness + given_.half_space_share * width);
     r.model_error = kErrorPerStrain * std::abs(*r.strain);
   }
 

@@ -1,5 +1,7 @@
 #include "rolling/rolling_body.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -88,6 +90,19 @@ double layer_thickness(const RollingPair& pair) {
     if (std::isfinite(named.layer.thickness)) sum += named.layer.thickness;
   }
   return sum;
+}
+
+double half_space_share(const RollingPair& pair) {
+  double base = std::numeric_limits<double>::infinity();
+  double softest = std::numeric_limits<double>::infinity();
+  for (const NamedLayer& named : layers(pair)) {
+    const std::array rest{0.0};
+    const double modulus = complex_modulus(named.layer.shear_modulus, rest).front().real();
+    double& least = std::isinf(named.layer.thickness) ? base : softest;
+    least = std::min(least, modulus);
+  }
+  if (std::isinf(base)) return 0.0;
+  return std::min(1.0, softest / base);
 }
 
 void validate(const RollingPair& pair) {

@@ -61,6 +61,9 @@ struct TrackCurvature {
 /// @return the same without half-spaces [m]
 [[nodiscard]] double layer_thickness(const RollingPair& pair);
 
+/// @return how soft a half-space is, beside the softest layer, at rest: from 0, rigid or none, to 1
+[[nodiscard]] double half_space_share(const RollingPair& pair);
+
 /// @brief Check both bodies, and that they can roll on one another.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const RollingPair& pair);

@@ -281,6 +281,7 @@ class LoadCaseSolver {
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
                         .thickness = layer_thickness(model_.pair()),
+                        .half_space_share = half_space_share(model_.pair()),
                         .centrifugal = model_.centrifugal(),
                         .approach_exists = approach_exists(),
                         .height = points.height() + counterpart_drop(points, model_.pair().on),
