@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -175,7 +176,69 @@ void speed_sweep(benchmark::State& state) {
   state.counters["error"] = relative_error(torque, 11.348e-3);
 }
 
+/// The paper's example at pi/800, solved outside the clock.
+struct SolvedExample {
+  CoatedSphere sphere = cases::paper_sphere();
+  Options options{.mesh = Mesh{.nodes_per_revolution = 1600}};
+  Result result = solve(sphere, cases::kRolling, options);
+  Tractions tractions = tractions_of(result, cases::kRolling, options);
+};
+
+/// Fields at ten depths, 0.1 h to h, on all nodes of the window; the error is that of the largest pressure on the core,
+/// -7.41 MPa by an independent computation (three digits).
+void fields_inside(benchmark::State& state) {
+  const SolvedExample example;
+  std::vector<double> radii;
+  for (int i = 1; i < 10; ++i) radii.push_back(21e-3 - 0.1e-3 * i);
+  radii.push_back(example.sphere.core_radius);
+  const auto places = places_at(example.sphere, radii);
+  std::vector<double> angles;
+  const int half = example.result.phi_nodes / 2;
+  for (int i = -half; i <= half; ++i) {
+    angles.push_back(0.5 * std::numbers::pi + i * phi_spacing(example.result.mesh));
+  }
+  InteriorFields fields;
+  for (auto _ : state) {
+    fields = interior_fields(example.sphere, 2.5, example.tractions, places, angles, angles);
+  }
+  const auto size = static_cast<std::ptrdiff_t>(angles.size() * angles.size());
+  const auto core = fields.values.begin() + (9 * static_cast<std::ptrdiff_t>(kFieldComponents) + 3) * size;
+  state.counters["error"] = relative_error(*std::min_element(core, core + size), -7.41e6);
+}
+
+/// Loss density of all orders that matter; the error is what its volume integral differs from the power put in.
+void loss_inside(benchmark::State& state) {
+  const SolvedExample example;
+  LossDensity loss;
+  for (auto _ : state) loss = loss_density(example.sphere, 2.5, example.tractions, {}, 320);
+  state.counters["error"] = relative_error(loss.volume_power, loss.surface_power);
+}
+
+/// A revolution at 2.5 rad/s from a fresh start; tables are made before. The error is that of the torque of the steady
+/// state, as of `kRadialTorque`, averaged over the last spacing.
+void revolution(benchmark::State& state, int nodes, int lattices, int threads) {
+  constexpr double kSpeed = 2.5;
+  constexpr double kTurn = 6.283185307179586;
+  const RollingHistory fresh(cases::paper_sphere(), 100.0, Start::fresh,
+                             {.mesh = Mesh{nodes}, .lattices = lattices, .threads = threads});
+  double torque = 0.0;
+  double steps = 0.0;
+  for (auto _ : state) {
+    RollingHistory history(fresh);
+    const auto instants = roll(history, {.time = {0.0, kTurn / kSpeed}, .angle = {0.0, kTurn}, .load = {100.0, 100.0}});
+    steps = static_cast<double>(history.steps());
+    torque = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) torque += instants[instants.size() - 1 - i].resisting_torque / 4.0;
+  }
+  state.counters["error"] = relative_error(torque, 11.3867e-3);
+  state.counters["steps"] = steps;
+  state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
+}
+
 constexpr auto kUnit = benchmark::kMillisecond;
+
+BENCHMARK(fields_inside)->Unit(kUnit)->UseRealTime();
+BENCHMARK(loss_inside)->Unit(kUnit)->UseRealTime();
 
 BENCHMARK_CAPTURE(paper_example, pi_250_N_500, 500, 500, Compliance::radial, 11.348e-3)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(paper_example, pi_400_N_1500, 800, 1500, Compliance::radial, 11.412e-3)->Unit(kUnit)->UseRealTime();
@@ -196,6 +259,7 @@ BENCHMARK_CAPTURE(order_by_order_to_accuracy, unlike_layers, cases::unlike_layer
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK_CAPTURE(order_by_order_to_accuracy, stiff_skin, cases::stiff_skin(), 2.5, 1e-3)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(order_by_order_to_accuracy, measured, cases::measured_skin(), 2.5, 0.01)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(order_by_order_to_accuracy, without_inertia, cases::paper_sphere(0.0), 100.0, 0.01)
     ->Unit(kUnit)
     ->UseRealTime();
@@ -235,6 +299,11 @@ BENCHMARK_CAPTURE(fine_rolling, 1024_vertical, 14684, Compliance::vertical, kVer
 BENCHMARK_CAPTURE(fine_rolling, 2048_vertical, 29460, Compliance::vertical, kVerticalTorque)
     ->Unit(kUnit)
     ->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 300_one_lattice, 300, 1, 1)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 500_one_lattice, 500, 1, 1)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 1000_one_lattice, 1000, 1, 1)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(revolution, 300, 300, 4, 2)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(revolution, 500, 500, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(fine_friction, 256, 3650)->Unit(kUnit)->UseRealTime();
 
 }  // namespace

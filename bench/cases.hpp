@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <viscoroll/viscoroll.hpp>
 
 namespace cases {
@@ -43,6 +44,19 @@ inline viscoroll::CoatedSphere stiff_skin() {
           {.thickness = 0.5e-3,
            .shear_modulus = viscoroll::FractionalZener{60e6, 20e6, 0.01, 0.5},
            .poisson_ratio = 0.45}}};
+}
+
+/// The same with the skin measured at eight frequencies per decade.
+inline viscoroll::CoatedSphere measured_skin() {
+  viscoroll::CoatedSphere sphere = stiff_skin();
+  viscoroll::MasterCurve curve{.frequency = {0.0}};
+  for (int i = -8; i <= 56; ++i) curve.frequency.push_back(2.5 * std::pow(10.0, i / 8.0));
+  for (const auto& mu : viscoroll::complex_modulus(sphere.layers.back().shear_modulus, curve.frequency)) {
+    curve.storage.push_back(mu.real());
+    curve.loss.push_back(mu.imag());
+  }
+  sphere.layers.back().shear_modulus = curve;
+  return sphere;
 }
 
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};

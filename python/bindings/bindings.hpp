@@ -13,8 +13,10 @@
 namespace py = pybind11;
 
 void bind_inputs(py::module_& m);
+void bind_interior(py::module_& m);
 void bind_modal(py::module_& m);
 void bind_result(py::module_& m);
+void bind_roll(py::module_& m);
 void bind_solve(py::module_& m);
 
 /// One-dimensional C-contiguous array; other types and layouts are refused, not copied.

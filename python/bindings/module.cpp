@@ -14,4 +14,6 @@ PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   bind_modal(m);
   bind_result(m);
   bind_solve(m);
+  bind_interior(m);
+  bind_roll(m);
 }

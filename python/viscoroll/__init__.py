@@ -20,6 +20,7 @@ from ._core import (
     InnerBoundary,
     PatchLoad,
     SlipKinematics,
+    Start,
     Status,
     WarningKind,
     __version__,
@@ -28,6 +29,7 @@ from .caution import ResultWarning
 from .drive import Drive
 from .export import dem
 from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer
+from .interior import Core, Temperature, plane_cooling, self_heating, temperature
 from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
     Elastic,
@@ -64,14 +66,18 @@ from .rheology import (
 )
 from .rolling import RollingModel, solve
 from .rolling_resistance import RollingResistance
+from .shift import Arrhenius, WilliamsLandelFerry
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
+    "Arrhenius",
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
+    "Core",
     "Curvature",
     "Drive",
     "Elastic",
@@ -80,6 +86,7 @@ __all__ = [
     "FractionalZener",
     "Groove",
     "HalfSpace",
+    "History",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
@@ -93,14 +100,19 @@ __all__ = [
     "Refinement",
     "Result",
     "ResultWarning",
+    "RollingHistory",
     "RollingModel",
     "RollingResistance",
+    "RollingState",
     "ShearModulus",
     "ShiftFactors",
     "SlipKinematics",
     "StandardLinearSolid",
+    "Start",
     "Status",
+    "Temperature",
     "WarningKind",
+    "WilliamsLandelFerry",
     "__version__",
     "analytic",
     "centrifugal_displacement",
@@ -118,12 +130,16 @@ __all__ = [
     "influence_tables",
     "load_material",
     "loss_spectrum",
+    "plane_cooling",
     "read_rheology",
+    "roll",
     "rolling_range",
     "save_material",
+    "self_heating",
     "solve",
     "state_matrix",
     "superpose",
     "surface_compliance",
     "sweep",
+    "temperature",
 ]

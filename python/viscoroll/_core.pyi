@@ -426,9 +426,132 @@ class RollingModel:
         progress: typing.Any,
     ) -> Result: ...
 
+class Tractions:
+    def __init__(
+        self,
+        *,
+        mesh: Mesh,
+        pressure: numpy.typing.NDArray[numpy.float64],
+        shear_traction: numpy.typing.NDArray[numpy.float64],
+        friction: bool,
+        compliance: Compliance,
+        curvature: Curvature,
+        patch_load: PatchLoad,
+    ) -> None: ...
+
+class LossDensity:
+    @property
+    def density(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def order_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    @property
+    def radial_weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def surface_power(self) -> float: ...
+    @property
+    def theta(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def volume_power(self) -> float: ...
+
+class Start(enum.Enum):
+    """What the coating has gone through before the first instant."""
+
+    RELAXED = ...
+    FRESH = ...
+
+class HistoryOptions:
+    def __init__(self) -> None: ...
+    @property
+    def compliance(self) -> Compliance: ...
+    @property
+    def curvature(self) -> Curvature: ...
+    @property
+    def driving_force(self) -> float: ...
+    @property
+    def friction(self) -> float: ...
+    @property
+    def lattices(self) -> int: ...
+    @property
+    def longest_time(self) -> float: ...
+    @property
+    def shortest_time(self) -> float: ...
+    @property
+    def spectrum_tolerance(self) -> float: ...
+    @property
+    def steps_per_spacing(self) -> int | None: ...
+    @property
+    def threads(self) -> int: ...
+
+class ContactField:
+    @property
+    def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def time(self) -> float: ...
+    @property
+    def x(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def z(self) -> numpy.typing.NDArray[numpy.float64]: ...
+
+class RollingHistory:
+    def __init__(
+        self,
+        sphere: CoatedSphere,
+        *,
+        load: typing.SupportsFloat | typing.SupportsIndex,
+        start: Start,
+        mesh: Mesh | None,
+        compliance: Compliance,
+        curvature: Curvature,
+        friction: typing.SupportsFloat | typing.SupportsIndex,
+        driving_force: typing.SupportsFloat | typing.SupportsIndex,
+        lattices: typing.SupportsInt | typing.SupportsIndex,
+        steps_per_spacing: typing.SupportsInt | typing.SupportsIndex | None,
+        shortest_time: typing.SupportsFloat | typing.SupportsIndex,
+        longest_time: typing.SupportsFloat | typing.SupportsIndex,
+        spectrum_tolerance: typing.SupportsFloat | typing.SupportsIndex,
+        threads: typing.SupportsInt | typing.SupportsIndex,
+        time: typing.SupportsFloat | typing.SupportsIndex,
+        angle: typing.SupportsFloat | typing.SupportsIndex,
+        progress: typing.Any,
+    ) -> None: ...
+    def advance(
+        self,
+        *,
+        time: typing.SupportsFloat | typing.SupportsIndex,
+        angle: typing.SupportsFloat | typing.SupportsIndex,
+        load: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+    def contact(self) -> ContactField: ...
+    def copy(self) -> RollingHistory: ...
+    def now(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    def restore(self, numbers: numpy.typing.NDArray[numpy.float64]) -> None: ...
+    def roll(
+        self,
+        *,
+        time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        progress: typing.Any,
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def spectrum_error(self) -> float: ...
+    @property
+    def steps(self) -> int: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
+def check_motion(
+    *,
+    time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+) -> None: ...
 def complex_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
     omega: numpy.typing.NDArray[numpy.float64],
@@ -464,6 +587,47 @@ def influence_tables(
     curvature: Curvature,
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
+def instant_names() -> list[str]:
+    """
+    What the rows of a history are.
+    """
+
+def interior_fields(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    phi: numpy.typing.NDArray[numpy.float64],
+    theta: numpy.typing.NDArray[numpy.float64],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> numpy.typing.NDArray[numpy.float64]: ...
+def loss_density(
+    sphere: CoatedSphere,
+    tractions: Tractions,
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    max_order: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> LossDensity: ...
+def order_fields(
+    sphere: CoatedSphere,
+    m: numpy.typing.NDArray[numpy.int32],
+    n: numpy.typing.NDArray[numpy.int32],
+    *,
+    radius: numpy.typing.NDArray[numpy.float64],
+    layer: numpy.typing.NDArray[numpy.int32],
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+def places_at(
+    sphere: CoatedSphere, radius: numpy.typing.NDArray[numpy.float64]
+) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """
     What the scalar results are, in SI units.

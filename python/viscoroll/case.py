@@ -18,15 +18,29 @@ from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
 from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
 from .result import Result
 from .rheology import LossFactor, load_material
 from .rolling import solve
+from .shift import Arrhenius, WilliamsLandelFerry
 
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, ValidationError
 
-__all__ = ["Case", "build_case", "errors_in", "example_text", "load_case", "read_toml"]
+__all__ = [
+    "BallTable",
+    "Case",
+    "StrictTable",
+    "Thermal",
+    "build_ball",
+    "build_case",
+    "errors_in",
+    "example_text",
+    "first_line",
+    "load_case",
+    "read_toml",
+]
 
 _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "elastic": materials.Elastic,
@@ -38,6 +52,11 @@ _MATERIALS: dict[str, type[materials.ShearModulus]] = {
     "loss_factor": LossFactor,
 }
 
+_SHIFTS: dict[str, type[WilliamsLandelFerry] | type[Arrhenius]] = {
+    "williams_landel_ferry": WilliamsLandelFerry,
+    "arrhenius": Arrhenius,
+}
+
 _COLUMNS = ("frequency", "storage", "loss")
 
 _Choice = TypeVar("_Choice")
@@ -47,39 +66,42 @@ _Choice = TypeVar("_Choice")
 _ENCODING = "utf-8-sig"
 
 
-class _Table(BaseModel):
+class StrictTable(BaseModel):
     """A table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
 
 
-class _Layer(_Table):
+class _Layer(StrictTable):
     thickness: float
+    shear_modulus: dict[str, Any] | str | float
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+    conductivity: float | None = None
+
+
+class BallTable(StrictTable):
+    """The table `ball`."""
+
+    core_radius: float = 0.0
+    inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
+    layers: list[_Layer] = []
+
+
+class _Cylinder(StrictTable):
+    core_radius: float
+    layers: list[_Layer]
+
+
+class _Base(StrictTable):
     shear_modulus: dict[str, Any] | str | float
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
 
 
-class _Ball(_Table):
-    core_radius: float = 0.0
-    inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
-    layers: list[_Layer] = []
-
-
-class _Cylinder(_Table):
-    core_radius: float
-    layers: list[_Layer]
-
-
-class _Base(_Table):
-    shear_modulus: dict[str, Any]
-    poisson_ratio: float | None = None
-    bulk_modulus: float | None = None
-    density: float = 0.0
-
-
-class _Plane(_Table):
+class _Plane(StrictTable):
     layers: list[_Layer] = []
     base: _Base | None = None
 
@@ -89,7 +111,7 @@ class _Groove(_Plane):
     path_radius: float | None = None
 
 
-class _Drive(_Table):
+class _Drive(StrictTable):
     force: float | None = None
     torque: float | None = None
     creepage: float | None = None
@@ -97,14 +119,14 @@ class _Drive(_Table):
     spin: float = 0.0
 
 
-class _Rolling(_Table):
+class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
     drive: _Drive = _Drive(force=0.0)
 
 
-class _Numerics(_Table):
+class _Numerics(StrictTable):
     accuracy: float | None = None
     nodes_per_revolution: int | None = None
     max_order: int | None = None
@@ -115,13 +137,45 @@ class _Numerics(_Table):
     slip_kinematics: Literal["exact", "flat"] = "exact"
 
 
-class _File(_Table):
-    ball: _Ball | None = None
+class _Thermal(StrictTable):
+    convection: float
+    ambient: float
+    conductivity: float | list[float] | None = None
+    core: Literal["insulated", "isothermal"] | float = "insulated"
+    core_temperature: float | None = None
+    shift: dict[str, Any] | None = None
+    limit: float | None = None
+
+
+class _File(StrictTable):
+    ball: BallTable | None = None
     cylinder: _Cylinder | None = None
     plane: _Plane | None = None
     groove: _Groove | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
+    thermal: _Thermal | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Thermal:
+    """How a case is cooled. Parameters as of `viscoroll.temperature`, and `shift` and `limit` of `self_heating`."""
+
+    convection: float
+    ambient: float
+    conductivity: float | list[float] | None
+    core: Core | float
+    core_temperature: float | None
+    shift: WilliamsLandelFerry | Arrhenius | None
+    limit: float | None
+
+    def temperature(self, result: Result) -> Temperature:
+        """Temperature with the moduli as they are."""
+        return temperature(result, **self._cooling())
+
+    def _cooling(self) -> dict[str, Any]:
+        names = ("convection", "ambient", "conductivity", "core", "core_temperature")
+        return {name: getattr(self, name) for name in names}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -140,10 +194,23 @@ class Case:
     curvature: Curvature
     patch_load: PatchLoad
     slip_kinematics: SlipKinematics
+    thermal: Thermal | None = None
+
+    def arguments(self) -> dict[str, Any]:
+        """Return the arguments of `viscoroll.solve`."""
+        return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
 
     def solve(self, **options: Any) -> Result:
         """Solve the case; `options` go to `viscoroll.solve`."""
-        return solve(**{field.name: getattr(self, field.name) for field in fields(self)}, **options)
+        return solve(**self.arguments(), **options)
+
+    def self_heating(self, **options: Any) -> SelfHeating:
+        """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
+        thermal = self.thermal
+        shift = None if thermal is None else thermal.shift
+        if thermal is None or shift is None:
+            raise ValueError("thermal.shift must be given for self-heating")
+        return self_heating(**self.arguments(), **thermal._cooling(), shift=shift, limit=thermal.limit, **options)
 
 
 def load_case(path: str | Path) -> Case:
@@ -216,12 +283,12 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     try:
         file = _File.model_validate(document)
     except ValidationError as error:
-        raise ValueError(_first_line(error)) from None
+        raise ValueError(first_line(error)) from None
     return _build(file, folder)
 
 
-def example_text(name: Literal["case", "sweep"] = "case") -> str:
-    """Return the commented example of a case file, or of the table that makes a study of it."""
+def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
+    """Return the commented example of a case file, of a motion, or of the table that makes a study of a case."""
     return resources.files(__package__).joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
 
 
@@ -251,6 +318,30 @@ def _build(file: _File, folder: Path) -> Case:
         curvature=Curvature[numerics.curvature.upper()],
         patch_load=PatchLoad[numerics.patch_load.upper()],
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
+        thermal=None if file.thermal is None else _thermal(file.thermal),
+    )
+
+
+def _thermal(table: _Thermal) -> Thermal:
+    core = Core[table.core.upper()] if isinstance(table.core, str) else table.core
+    return Thermal(**dict(table) | {"core": core, "shift": None if table.shift is None else _shift(dict(table.shift))})
+
+
+def _shift(table: dict[str, Any]) -> WilliamsLandelFerry | Arrhenius:
+    kind = table.pop("type", None)
+    shift = _chosen("thermal.shift.type", kind, _SHIFTS)
+    wanted = {field.name for field in fields(shift)}
+    if table.keys() != wanted:
+        raise ValueError(f"thermal.shift of type {kind} must have {', '.join(sorted(wanted))}, got {sorted(table)}")
+    return shift(**table)
+
+
+def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
+    """Return the ball that a table describes; its master curves are files in a folder."""
+    return CoatedSphere(
+        core_radius=ball.core_radius,
+        inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
+        layers=_layers(ball.layers, "ball", folder),
     )
 
 
@@ -262,11 +353,7 @@ def _rolling_body(file: _File, folder: Path) -> RollingBody:
             core_radius=file.cylinder.core_radius, layers=_layers(file.cylinder.layers, "cylinder", folder)
         )
     assert file.ball is not None
-    return CoatedSphere(
-        core_radius=file.ball.core_radius,
-        inner_boundary=InnerBoundary[file.ball.inner_boundary.upper()],
-        layers=_layers(file.ball.layers, "ball", folder),
-    )
+    return build_ball(file.ball, folder)
 
 
 def _counterpart(file: _File, folder: Path) -> Counterpart | None:
@@ -281,7 +368,7 @@ def _counterpart(file: _File, folder: Path) -> Counterpart | None:
 def _surface(surface: _Plane, name: str, folder: Path) -> dict[str, Any]:
     base = None
     if surface.base is not None:
-        modulus = _shear_modulus(dict(surface.base.shear_modulus), folder)
+        modulus = _shear_modulus(surface.base.shear_modulus, folder)
         base = HalfSpace(**dict(surface.base) | {"shear_modulus": modulus})
     return {"layers": _layers(surface.layers, name, folder), "base": base}
 
@@ -367,7 +454,8 @@ def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice
     return choices[value]
 
 
-def _first_line(error: ValidationError) -> str:
+def first_line(error: ValidationError) -> str:
+    """Return what is wrong first, with its place in the file."""
     first = error.errors()[0]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""

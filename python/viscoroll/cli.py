@@ -31,6 +31,7 @@ with extra("cli"):
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from .interior import SelfHeating, Temperature
     from .reproduce import Verdict
 
 __all__ = ["run"]
@@ -98,24 +99,85 @@ def solve(
     as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
+    section: Annotated[
+        Path | None, typer.Option(help="Draw the stress in the section through the contact to this picture.")
+    ] = None,
 ) -> None:
     """Solve the load case of a file and report torque, penetration, pressure and power balance."""
     _check_target("--plot", plot, _PICTURES)
+    _check_target("--section", section, _PICTURES)
     _check_target("--save", save, SUFFIXES)
     loaded = load_case(case)
-    with _progress_bar() as bar:
+    heated = None
+    with _progress_bar() as bar, warnings.catch_warnings(record=True) as doubts:
+        warnings.simplefilter("always", ResultWarning)
         task = bar.add_task("starting", total=1.0)
-        result = loaded.solve(progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction))
+        report = lambda stage, fraction: bar.update(task, description=stage, completed=fraction)  # noqa: E731
+        if loaded.thermal is not None and loaded.thermal.shift is not None:
+            heated = loaded.self_heating(progress=report)
+            result = heated.states[0].result  # of a cold start
+        else:
+            result = loaded.solve(progress=report)
+        temperatures = [] if heated is None else [state.temperature for state in heated.states]
+        if loaded.thermal is not None and heated is None:
+            temperatures = [loaded.thermal.temperature(result)]
     if as_json:
-        typer.echo(_json(result.scalars()))
+        scalars = result.scalars()
+        if temperatures:
+            scalars["thermal"] = _thermal_scalars(temperatures, heated)  # type: ignore[assignment]
+        typer.echo(_json(scalars))
     else:
         _output.print(_result_table(result))
-    for message in result.warnings.values():
+        if temperatures:
+            _output.print(_thermal_table(_thermal_scalars(temperatures, heated)))
+    said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
+    for message in dict.fromkeys([*result.warnings.values(), *said]):
         _print_message(f"warning: {message}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
+    if section is not None:
+        from .interior.picture import plot_section
+
+        plot_section(result).savefig(section, dpi=150)
     if save is not None:
         result.save(save)
+
+
+@app.command()
+def roll(
+    case: Annotated[
+        Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
+    ],
+    as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
+    checkpoint: Annotated[Path | None, typer.Option(help="State of an interrupted run, to go on from (.npy).")] = None,
+) -> None:
+    """Roll, stop, stand and turn back: follow the motion of a file."""
+    from .transient.history import SUFFIXES as HISTORY_SUFFIXES
+    from .transient.motion_file import load_motion
+    from .transient.rolling_history import RollingState
+
+    _check_target("--plot", plot, _PICTURES)
+    _check_target("--save", save, HISTORY_SUFFIXES)
+    _check_target("--checkpoint", checkpoint, (".npy",))
+    loaded = load_motion(case)
+    resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
+    with _progress_bar() as bar:
+        task = bar.add_task("starting", total=1.0)
+        history = loaded.roll(
+            progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction),
+            checkpoint=checkpoint,
+            **resumed,
+        )
+    if as_json:
+        typer.echo(_json(history.scalars()))
+    else:
+        _output.print(repr(history), markup=False, emoji=False, highlight=False, soft_wrap=True)
+    if plot is not None:
+        history.plot().savefig(plot, dpi=150)
+    if save is not None:
+        history.save(save)
 
 
 @app.command()
@@ -165,8 +227,14 @@ def plot(
 @app.command()
 def example(
     with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
+    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
 ) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
+    if motion:
+        if with_sweep:
+            raise ValueError("--sweep must be left out with --motion: studies are of steady rolling")
+        typer.echo(example_text("motion"), nl=False)
+        return
     typer.echo(example_text() + (example_text("sweep") if with_sweep else ""), nl=False)
 
 
@@ -327,6 +395,43 @@ def _result_table(result: Result) -> Table:
         table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")
     table.add_row("mesh", str(result.mesh))
     table.add_row("status", result.status.name, "")
+    return table
+
+
+def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
+    """Return what is reported of every steady state, in SI units."""
+    names = ("maximum", "surface_maximum", "mean", "heat", "heat_to_core", "heat_to_surroundings", "ripple")
+    scalars: list[dict[str, float | str]] = []
+    for number, found in enumerate(temperatures):
+        row: dict[str, float | str] = {name: getattr(found, name) for name in names}
+        if heated is not None:
+            state = heated.states[number]
+            row |= {
+                "mean_temperature": state.mean_temperature,
+                "resisting_torque": state.result.resisting_torque,
+                "stability": "stable" if state.stable else "unstable",
+            }
+        scalars.append(row)
+    return scalars
+
+
+def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
+    text = {
+        "maximum": "largest temperature rise [K]",
+        "surface_maximum": "largest rise on the surface [K]",
+        "mean": "rise weighted by the loss [K]",
+        "heat": "heat [W]",
+        "heat_to_core": "of it, to the core [W]",
+        "heat_to_surroundings": "of it, to the surroundings [W]",
+        "ripple": "swing over a revolution, at most [K]",
+        "mean_temperature": "temperature of the moduli [K]",
+        "resisting_torque": "resisting torque T_r [N m]",
+        "stability": "steady state",
+    }
+    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+    table = Table(title=title, title_justify="left", show_header=False)
+    for name in scalars[0]:
+        table.add_row(escape(text[name]), *(v if isinstance(v := row[name], str) else f"{v:.6g}" for row in scalars))
     return table
 
 

@@ -132,7 +132,7 @@ def add_commands(
         write(f"{found.variable} = {found.best:.6g}: power lost {found.result.dissipated_power:.6g} W")
         for name, limit in found.limits.items():
             reached = ", reached" if name in found.active else ""
-            write(f"  {name} = {getattr(found.result, name):.6g}, limit {limit:.6g}{reached}")
+            write(f"  {name} = {found.outcome.value(name):.6g}, limit {limit:.6g}{reached}")
         if plot is not None:
             found.plot().savefig(plot, dpi=150)
             write(f"power and limits drawn to {plot}")

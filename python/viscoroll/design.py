@@ -26,6 +26,34 @@ __all__ = ["Design", "design_case"]
 _POINTS = 15
 
 
+#: The limit that is no scalar result: the hottest place of the coating.
+_TEMPERATURE = "temperature"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Outcome:
+    """What came of one value.
+
+    Attributes
+    ----------
+    result : Result
+        The solved case.
+    temperature : float or None
+        Of the hottest place of the coating [K], where that is limited.
+    """
+
+    result: Result
+    temperature: float | None
+
+    def value(self, name: str) -> float:
+        """Return a scalar result, or the temperature [K], by its name."""
+        return float(self.temperature if name == _TEMPERATURE else getattr(self.result, name))  # type: ignore[arg-type]
+
+    def violation(self, limits: Mapping[str, float]) -> float:
+        """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
+        return max((self.value(name) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Design:
     """What a search found.
@@ -36,13 +64,13 @@ class Design:
         Place of the number in the case file.
     best : float
         Its value, in the unit of the file.
-    result : Result
+    outcome : Outcome
         At the best value.
     limits : mapping of str to float
-        Largest values allowed, by the names of scalar results [SI].
+        Largest values allowed, by the names of scalar results, or "temperature" [SI].
     values : tuple of float
         All that were tried, increasing.
-    results : tuple of Result or None
+    outcomes : tuple of Outcome or None
         Of each; None where it was refused or not found.
     active : tuple of str
         Limits that the best value exhausts, to 1 %.
@@ -50,11 +78,16 @@ class Design:
 
     variable: str
     best: float
-    result: Result
+    outcome: Outcome
     limits: Mapping[str, float]
     values: tuple[float, ...]
-    results: tuple[Result | None, ...]
+    outcomes: tuple[Outcome | None, ...]
     active: tuple[str, ...]
+
+    @property
+    def result(self) -> Result:
+        """The solved case of the best value."""
+        return self.outcome.result
 
     def plot(self) -> Figure:
         """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`)."""
@@ -63,18 +96,18 @@ class Design:
 
         figure = Figure(figsize=(7.0, 5.0), layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
-        solved = [(v, r) for v, r in zip(self.values, self.results, strict=True) if r is not None]
+        solved = [(v, r) for v, r in zip(self.values, self.outcomes, strict=True) if r is not None]
         above.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
-        kept = [pair for pair in solved if violation(pair[1], self.limits) <= 0.0]
+        kept = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
         above.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
-        left_out = [pair for pair in solved if violation(pair[1], self.limits) > 0.0]
+        left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
         above.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
         above.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
         above.set_ylabel("power lost [W]")
         above.legend()
         for name, limit in self.limits.items():
             x, values = _column(solved, name)
-            below.plot(x, np.array(values) / limit, label=SCALARS[name][1])
+            below.plot(x, np.array(values) / limit, label=name.replace("_", " "))
         below.axhline(1.0, color="gray", linewidth=0.8)
         below.set_ylabel("result / limit")
         below.set_xlabel(self.variable)
@@ -82,21 +115,21 @@ class Design:
         return figure
 
 
-def _column(solved: list[tuple[float, Result]], name: str) -> tuple[list[float], list[float]]:
+def _column(solved: list[tuple[float, Outcome]], name: str) -> tuple[list[float], list[float]]:
     """Return values and what came of them."""
-    return [value for value, _ in solved], [float(getattr(result, name)) for _, result in solved]
+    return [value for value, _ in solved], [outcome.value(name) for _, outcome in solved]
 
 
 @dataclass(slots=True)
 class _Search:
     """Results by value, each solved once."""
 
-    solve: Callable[[float], Result]
+    solve: Callable[[float], Outcome]
     report: Callable[[int], object] | None
-    found: dict[float, Result | None] = field(default_factory=dict)
+    found: dict[float, Outcome | None] = field(default_factory=dict)
     reasons: list[str] = field(default_factory=list)
 
-    def __call__(self, value: float) -> Result | None:
+    def __call__(self, value: float) -> Outcome | None:
         if value not in self.found:
             try:
                 self.found[value] = self.solve(value)
@@ -119,7 +152,8 @@ def design_case(path: str | Path, *, report: Callable[[int], object] | None = No
         to = 5e-3
         limits = { max_pressure = 2e6, strain = 0.2 }
 
-    where limits are upper bounds of scalar results, by their names. Values at equal ratios show where the limits are
+    where limits are upper bounds of scalar results, by their names, or of the temperature [K] of the hottest place of
+    the coating, where the file has a table [thermal]. Values at equal ratios show where the limits are
     kept; then SciPy finds the ends of that range, and the least power in it.
 
     Parameters
@@ -145,18 +179,22 @@ def design_case(path: str | Path, *, report: Callable[[int], object] | None = No
         variable, low, high, limits = _checked(document.pop("design", None))
         place = place_of(variable)
 
-        def solve(value: float) -> Result:
-            return build_case(substituted(document, {place: value}), path.parent).solve()
+        def solve(value: float) -> Outcome:
+            case = build_case(substituted(document, {place: value}), path.parent)
+            result = case.solve()
+            if _TEMPERATURE not in limits:
+                return Outcome(result=result, temperature=None)
+            if case.thermal is None:
+                raise ValueError(
+                    "design.limits.temperature needs a table [thermal] that says how the coating is cooled"
+                )
+            heated = case.thermal.temperature(result)
+            return Outcome(result=result, temperature=heated.ambient + heated.maximum)
 
         search = _Search(solve, report)
         with kept_in_results():
             solve(float(np.sqrt(low * high)))  # says what is wrong with the file, if anything is
             return _best(variable, low, high, limits, search)
-
-
-def violation(result: Result, limits: Mapping[str, float]) -> float:
-    """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
-    return max((float(getattr(result, name)) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
 
 
 def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
@@ -174,8 +212,8 @@ def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
     if not isinstance(limits, dict):
         raise ValueError(f"design.limits must be a table, got {shown(limits)}")
     for name, value in limits.items():
-        if name not in SCALARS:
-            raise ValueError(f"design.limits must be of {', '.join(SCALARS)}, got {name!r}")
+        if name not in SCALARS and name != _TEMPERATURE:
+            raise ValueError(f"design.limits must be of {', '.join([*SCALARS, _TEMPERATURE])}, got {name!r}")
         if not _number(f"limits.{name}", value) > 0.0:
             raise ValueError(f"design.limits.{name} must be > 0, got {shown(value)}")
     return variable, low, high, {name: float(value) for name, value in limits.items()}
@@ -203,23 +241,23 @@ def _best(variable: str, low: float, high: float, limits: dict[str, float], sear
         start = _edge(search, limits, grid, first, -1)
         stop = _edge(search, limits, grid, last, +1)
         candidates += _least(search, limits, start, stop)
-    best = min(candidates, key=lambda pair: pair[1].dissipated_power)
+    best = min(candidates, key=lambda pair: pair[1].value("dissipated_power"))
     values = sorted(search.found)
-    active = tuple(name for name, limit in limits.items() if getattr(best[1], name) > 0.99 * limit)
+    active = tuple(name for name, limit in limits.items() if best[1].value(name) > 0.99 * limit)
     return Design(
         variable=variable,
         best=best[0],
-        result=best[1],
+        outcome=best[1],
         limits=limits,
         values=tuple(values),
-        results=tuple(search.found[value] for value in values),
+        outcomes=tuple(search.found[value] for value in values),
         active=active,
     )
 
 
 def _excess(search: _Search, value: float, limits: Mapping[str, float]) -> float:
-    result = search(value)
-    return np.inf if result is None else violation(result, limits)
+    outcome = search(value)
+    return np.inf if outcome is None else outcome.violation(limits)
 
 
 def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
@@ -248,16 +286,20 @@ def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index
     return edge + 2e-4 * (inside - edge) if _excess(search, edge, limits) > 0.0 else edge
 
 
-def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Result]]:
+def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Outcome]]:
     """Return the ends of an allowed range, and the least power between them."""
     with extra("studies"):
         from scipy.optimize import minimize_scalar
 
     found = [start, stop]
     if stop > start * (1.0 + 1e-9):
-        power = lambda x: getattr(search(float(np.exp(x))), "dissipated_power", np.inf)  # noqa: E731
+
+        def power(x: float) -> float:
+            outcome = search(float(np.exp(x)))
+            return np.inf if outcome is None else outcome.value("dissipated_power")
+
         inner = minimize_scalar(power, bounds=(np.log(start), np.log(stop)), method="bounded", options={"xatol": 1e-3})
         found.append(float(np.exp(inner.x)))
     found += [value for value in search.found if start <= value <= stop]
-    pairs = [(value, result) for value in found if (result := search(value)) is not None]
-    return [(value, result) for value, result in pairs if violation(result, limits) <= 1e-9] or pairs[:1]
+    pairs = [(value, outcome) for value in found if (outcome := search(value)) is not None]
+    return [(value, outcome) for value, outcome in pairs if outcome.violation(limits) <= 1e-9] or pairs[:1]

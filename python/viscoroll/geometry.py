@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -44,12 +45,15 @@ class Layer:
         Real, constant bulk modulus [Pa], > 0; Poisson's ratio is then complex and depends on frequency.
     density : float, default 0
         [kg/m³], ≥ 0; 0 leaves inertia out.
+    conductivity : float, optional
+        Of heat [W/(m K)], > 0; only temperatures need it.
 
     Examples
     --------
     >>> from viscoroll import Elastic
     >>> Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
-    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, density=0.0)
+    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, \
+density=0.0, conductivity=None)
     """
 
     thickness: float
@@ -57,11 +61,14 @@ class Layer:
     poisson_ratio: float | None = None
     bulk_modulus: float | None = None
     density: float = 0.0
+    conductivity: float | None = None
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
-        store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus"))
+        store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus", "conductivity"))
         object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
+        if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
+            raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
         self._to_core()
 
     def _to_core(self) -> _core.Layer:

@@ -21,7 +21,7 @@ from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scala
 if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from . import _core
 
@@ -296,12 +296,8 @@ class Result(ScalarFields):
         with extra("files"):
             import xarray
 
-        spacings = (self.mesh.spacing, self.mesh.theta_spacing)
-        angles = {
-            name: 0.5 * np.pi + spacing * (np.arange(count) - count // 2)
-            for name, count, spacing in zip(("phi", "theta"), self.pressure.shape, spacings, strict=True)
-        }
-        coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles.items()}
+        angles = zip(("phi", "theta"), self._angles(), strict=True)
+        coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles}
         variables = {
             name: (dimensions, getattr(self, name), {"units": unit, "long_name": description})
             for table, dimensions in ((FIELDS, ("phi", "theta")), (VECTOR_FIELDS, ("direction", "phi", "theta")))
@@ -309,6 +305,152 @@ class Result(ScalarFields):
         }
         attributes = {name: value for name, value in self.scalars().items() if value is not None}
         return xarray.Dataset(variables, coordinates | {"direction": ["x", "z"]}, attrs=attributes)
+
+    def _angles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return φ of the rows and θ of the columns of the fields [rad]."""
+        spacings = (self.mesh.spacing, self.mesh.theta_spacing)
+        phi, theta = (
+            0.5 * np.pi + spacing * (np.arange(count) - count // 2)
+            for count, spacing in zip(self.pressure.shape, spacings, strict=True)
+        )
+        return phi, theta
+
+    def interior(
+        self,
+        *,
+        depth: ArrayLike | None = None,
+        radius: ArrayLike | None = None,
+        phi: ArrayLike | None = None,
+        theta: ArrayLike | None = None,
+        threads: int = 0,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> xarray.Dataset:
+        """Displacement, strain and stress inside the coating.
+
+        Parameters
+        ----------
+        depth : array_like
+            Below the surface [m], within the coating; or `radius`. Where layers meet, strains and stresses along the
+            surface jump: such a depth comes twice, the outer layer first, see the coordinate `layer`.
+        radius : array_like
+            r [m], in place of `depth`.
+        phi, theta : array_like, optional
+            Angles [rad] within half a revolution of the lowest point, π/2; by default those of the nodes.
+            ``theta=[π/2]`` with many depths is the section through the contact.
+        threads : int, default 0
+            Number of threads; 0 for all cores.
+        progress : callable, optional
+            Called as progress(stage, fraction) about every 20 ms.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over (depth, phi, theta): `displacement` [m] by `direction`, `stress` [Pa] (tension positive) and `strain`
+            [-] by `component`, and of them `von_mises`, `principal_stress` (largest first), `hydrostatic_pressure`,
+            and the traction on the surface r = const: `opening_traction`, its tension where there is any, and
+            `shear_traction` [Pa].
+
+        Raises
+        ------
+        TypeError, ValueError
+            For bad input; also with curvature EXACT, which has no orders (m, n).
+        ImportError
+            Without the extra `viscoroll[files]`.
+
+        Warns
+        -----
+        ResultWarning
+            For depths where the mesh is too coarse: less than a quarter of a spacing, between nodes half of one.
+
+        Notes
+        -----
+        Stresses are those of the compliance of the solve. With VERTICAL pressure acts along the plane's normal and so
+        has a share along the coating, up to p x/r_o, which raises the largest von Mises stress near the surface.
+
+        Examples
+        --------
+        >>> from viscoroll import Mesh, paper, solve
+        >>> r = solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=Mesh(nodes_per_revolution=400))
+        >>> inside = r.interior(depth=[0.3e-3, 1e-3])
+        >>> print(f"{inside.von_mises.max().item() / 1e6:.1f} MPa")
+        3.8 MPa
+        """
+        from .interior.fields import interior_fields
+
+        return interior_fields(
+            self, depth=depth, radius=radius, phi=phi, theta=theta, threads=threads, progress=progress
+        )
+
+    def bonds(self) -> xarray.Dataset:
+        """Fields where layers are bonded, to the core and to one another: what debonds.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of `interior`, at the core of a ball with a rigid one, and on both sides of every boundary between
+            layers.
+
+        Raises
+        ------
+        ValueError
+            Where nothing is bonded to anything.
+        """
+        from .interior.fields import bond_fields
+
+        return bond_fields(self)
+
+    def loss(
+        self,
+        *,
+        depth: ArrayLike | None = None,
+        max_order: int | None = None,
+        threads: int = 0,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> xarray.Dataset:
+        """Energy lost inside the coating, per volume and revolution.
+
+        Parameters
+        ----------
+        depth : array_like, optional
+            Where the densities are wanted [m]; by default at the nodes of the volume integral.
+        max_order : int, optional
+            Orders |m|, |n| up to this one are summed; by default those of the mesh or 40 r_o/a, whichever are fewer, a
+            the contact's semi-axis: 0.9999 of the loss, on coarse meshes 0.998.
+        threads : int, default 0
+            Number of threads; 0 for all cores.
+        progress : callable, optional
+            Called as progress(stage, fraction) about every 20 ms.
+
+        Returns
+        -------
+        xarray.Dataset
+            `loss_density` w [J/m³ per revolution] and `power_density` Ωw/2π [W/m³], its mean over a revolution, over
+            (radius, theta); `layer_power` [W] by `layer`, and `relaxation_power` [W] by `layer` and `term` for layers
+            that are Prony series. Attributes: `power`, the volume integral [W], `surface_power`, what the tractions put
+            into the same orders, and `bulk_power`, that of all orders; each of what rolls alone.
+
+        Raises
+        ------
+        TypeError, ValueError
+            For bad input; also with curvature EXACT.
+        ImportError
+            Without the extra `viscoroll[files]`.
+
+        Notes
+        -----
+        The model's volume is r² dr dθ dφ, without sin θ.
+
+        Examples
+        --------
+        >>> from viscoroll import Mesh, paper, solve
+        >>> r = solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=Mesh(nodes_per_revolution=400))
+        >>> loss = r.loss(depth=[0.5e-3])
+        >>> print(f"{loss.attrs['power'] / r.bulk_power:.3f} {loss.power_density.max().item() / 1e3:.0f} kW/m³")
+        0.998 50 kW/m³
+        """
+        from .interior.loss import loss_of
+
+        return loss_of(self, depth=depth, max_order=max_order, threads=threads, progress=progress)
 
     def save(self, path: str | Path) -> None:
         """Write the fields to a file, in the format of its suffix.

@@ -57,8 +57,9 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
   const Model model(lossless ? elastic_sphere() : cases::unlike_layers(),
                     {.compliance = compliance, .patch_load = patch_load, .tangential = false}, {{-10, 10}, {-9, 9}});
   const ContactProblem problem = model.problem(60.0);
-  const NormalContactGuess guess{
-      .contact = {model.nodes.window().number_of(0, 0)}, .pressing = Eigen::ArrayXd::Zero(21 * 19), .penetration = 0.0};
+  const NormalContactGuess guess{.contact = {model.nodes.window().number_of(0, 0)},
+                                 .pressing = Eigen::ArrayXd::Zero(Eigen::Index{21} * 19),
+                                 .penetration = 0.0};
   const ContactSolution contact = solve_normal_contact(problem, guess, {.max_iterations = 100});
   EXPECT_TRUE(contact.converged);
   EXPECT_GT(contact.contact.size(), 40);

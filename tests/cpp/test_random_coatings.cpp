@@ -3,13 +3,16 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "influence/order_bands.hpp"
 #include "modal/layer_system.hpp"
+#include "modal/order_by_order.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/spectrum.hpp"
 #include "viscoroll/modal.hpp"
@@ -114,6 +117,16 @@ class RandomCoating {
     return sphere;
   }
 
+  /// The same with one to all layers measured at up to 1e4 times a frequency.
+  [[nodiscard]] CoatedSphere measured_sphere(bool with_inertia, double frequency) {
+    CoatedSphere sphere = this->sphere(with_inertia);
+    const int first = integer(0, static_cast<int>(sphere.layers.size()) - 1);
+    for (std::size_t j = static_cast<std::size_t>(first); j < sphere.layers.size(); ++j) {
+      sphere.layers[j].shear_modulus = measured_modulus(frequency);
+    }
+    return sphere;
+  }
+
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   double logarithmic(double low, double high) { return low * std::pow(high / low, uniform(0.0, 1.0)); }
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
@@ -132,6 +145,31 @@ class RandomCoating {
       default:
         return Elastic{soft};
     }
+  }
+
+  /// Rough values, with kinks between: as a table, straight in the logarithm of frequency, or as a function that is
+  /// straight in frequency itself.
+  ShearModulus measured_modulus(double frequency) {
+    const FractionalZener solid{logarithmic(1e7, 1e8), logarithmic(1e5, 1e7), logarithmic(1e-4, 1.0) / frequency, 0.7};
+    MasterCurve curve{.extrapolation = Extrapolation::hold};
+    const double step = std::pow(10.0, 1.0 / integer(1, 12));
+    for (double w = 0.01 * frequency; w < 1e4 * frequency; w *= step * uniform(0.9, 1.1)) curve.frequency.push_back(w);
+    for (const cplx mu : complex_modulus(solid, curve.frequency)) {
+      curve.storage.push_back(mu.real() * uniform(0.95, 1.05));
+      curve.loss.push_back(mu.imag() * uniform(0.8, 1.2));
+    }
+    if (integer(0, 1) == 0) return curve;
+    return CustomModulus{[curve](std::span<const double> omega, std::span<cplx> modulus) {
+      for (std::size_t i = 0; i < omega.size(); ++i) {
+        const auto above = std::ranges::upper_bound(curve.frequency, omega[i]) - curve.frequency.begin();
+        const auto last = static_cast<std::ptrdiff_t>(curve.frequency.size()) - 1;
+        const auto high = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, last));
+        const double width = curve.frequency[high] - curve.frequency[high - 1];
+        const double t = std::clamp((omega[i] - curve.frequency[high - 1]) / width, 0.0, 1.0);
+        modulus[i] = cplx(std::lerp(curve.storage[high - 1], curve.storage[high], t),
+                          std::lerp(curve.loss[high - 1], curve.loss[high], t));
+      }
+    }};
   }
 
   std::mt19937 random_;
@@ -177,6 +215,48 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
   }
   EXPECT_GT(panels, 9);
   EXPECT_LT(refused, 5);
+}
+
+/// Series of an order, to the last bit.
+bool are_same(const OrderSeries& a, const OrderSeries& b) {
+  return std::ranges::equal(a, b, [](const auto& p, const auto& q) { return p.low == q.low && p.series == q.series; });
+}
+
+TEST_P(RandomCoatings, MeasuredModuliAreSolvedBetweenTheirKinks) {
+  const bool with_inertia = GetParam();
+  const Observer observer;
+  Watch watch(observer);
+  int refused = 0;
+  int samples = 0;
+  int one_by_one = 0;
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    RandomCoating random(seed);
+    const double speed = random.logarithmic(0.1, 100.0);
+    const CoatedSphere sphere = random.measured_sphere(with_inertia, speed);
+    const Mesh mesh{.nodes_per_revolution = random.integer(100, 4000)};
+    try {
+      const HarmonicCoating coating(sphere, speed, all_orders(phi_bands(sphere, speed, mesh)), measured_order(mesh));
+      const double highest_n = theta_bands(sphere, speed, mesh).back().orders.maxCoeff();
+      const auto spectrum = make_spectrum(coating, highest_n, 2, watch);
+      const OrderByOrderSpectrum recursion(std::make_shared<const HarmonicCoating>(coating), highest_n);
+      for (int sample = 0; sample < 25; ++sample) {
+        const auto i = static_cast<std::size_t>(random.integer(1, static_cast<int>(coating.orders().size()) - 1));
+        const double n = random.integer(0, 4) == 0 ? 0.0 : random.logarithmic(0.5, highest_n);
+        EXPECT_LT(error_at(*spectrum, coating, i, n), 1e-10)
+            << "coating " << seed << ", m = " << coating.orders()[i] << ", n = " << n << ", speed " << speed;
+        OrderSeries taken;
+        OrderSeries solved;
+        spectrum->series(i, taken);
+        recursion.series(i, solved);
+        ++samples;
+        one_by_one += are_same(taken, solved);
+      }
+    } catch (const std::invalid_argument&) {
+      ++refused;  // beyond the critical speed
+    }
+  }
+  EXPECT_LT(refused, 5);
+  EXPECT_LT(one_by_one, samples / 5);  // or it would not pay
 }
 
 INSTANTIATE_TEST_SUITE_P(Inertia, RandomCoatings, testing::Bool(),

@@ -324,3 +324,52 @@ vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_rev
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert "pip install 'viscoroll[cli,plot]'" in done.stderr
+
+
+def test_roll_follows_the_example_motion(tmp_path):
+    file = tmp_path / "motion.toml"
+    text = example_text("motion").replace("nodes_per_revolution = 300", "nodes_per_revolution = 100")
+    file.write_text(text, encoding="utf-8")
+    done = run("roll", file, "--plot", tmp_path / "h.png", "--save", tmp_path / "h.csv")
+    assert done.returncode == 0, done.stderr
+    assert "largest torque T_r" in done.stdout
+    assert (tmp_path / "h.png").stat().st_size > 1000
+    numbers = json.loads(run("roll", file, "--json").stdout)
+    assert 0.04 < numbers["largest_resisting_torque"] < 0.06
+    assert run("example", "--motion").stdout == example_text("motion")
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
+        ("time = [0.0, 1.0]", "motion needs angle and load with time"),
+        ("load = 1.0", "motion must have one of time, file and amplitude, got none"),
+        ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be > 0 Hz, got 0.0"),
+        ("file = 'none.csv'\nload = 1.0", "No such file"),
+        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time, angle and maybe load"),
+        ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed: extra inputs"),
+    ],
+)
+def test_roll_refuses_in_one_line(tmp_path, lines, message):
+    head, tail = example_text("motion").split("[motion]")
+    numerics = tail[tail.index("[numerics]") :]
+    (tmp_path / "bad.csv").write_text("time,angle\n0,x\n")
+    (tmp_path / "motion.toml").write_text(f"{head}[motion]\n{lines}\n{numerics}", encoding="utf-8")
+    assert_refused(run("roll", tmp_path / "motion.toml"), message)
+
+
+def test_roll_reads_motions_from_files_and_oscillations(tmp_path):
+    from viscoroll.transient.motion_file import load_motion
+
+    head, tail = example_text("motion").split("[motion]")
+    numerics = tail[tail.index("[numerics]") :]
+    (tmp_path / "motion.csv").write_text("time,angle,load\n0,0,10\n1,0.5,20\n")
+    (tmp_path / "a.toml").write_text(f"{head}[motion]\nfile = 'motion.csv'\n{numerics}", encoding="utf-8")
+    case = load_motion(tmp_path / "a.toml")
+    assert case.load == [10.0, 20.0]
+    swing = "amplitude = 0.1\nfrequency = 2.0\ncycles = 3\nload = 50.0"
+    (tmp_path / "b.toml").write_text(f"{head}[motion]\n{swing}\n{numerics}", encoding="utf-8")
+    case = load_motion(tmp_path / "b.toml")
+    assert case.time[-1] == pytest.approx(1.5)
+    assert np.abs(case.angle).max() == pytest.approx(0.1, rel=1e-3)

@@ -213,6 +213,20 @@ def test_design_stops_at_the_limit(tmp_path):
     assert found.plot().axes[0].get_ylabel() == "power lost [W]"
 
 
+@pytest.mark.slow
+def test_design_under_a_temperature(tmp_path):
+    """What is found is no hotter than the limit; without a table of how it is cooled there is none."""
+    cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
+    middle = load_case(case_file(tmp_path, RUBBER, cooled))
+    heated = middle.thermal.temperature(middle.solve())
+    hottest = heated.ambient + 0.999 * heated.maximum
+    table = DESIGN.replace("{limits}", f"{{ temperature = {hottest!r} }}")
+    found = design_case(case_file(tmp_path, RUBBER, cooled + table))
+    assert found.outcome.temperature <= hottest
+    with pytest.raises(ValueError, match=r"design.limits.temperature needs a table \[thermal\]"):
+        design_case(case_file(tmp_path, RUBBER, table))
+
+
 def test_design_of_any_number(tmp_path):
     """Of the load itself power is least at the lower end."""
     table = (

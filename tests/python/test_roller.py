@@ -93,7 +93,7 @@ def test_rigid_roller_on_a_half_plane_is_hunters(angular_speed):
 
 @pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
 def test_roller_on_a_rigid_plane(angular_speed, moment):
-    # By an independent code (docs/theory.md, section 10), to its own 0.3 %.
+    # By an independent code (docs/theory.md, section 14), to its own 0.3 %.
     r = vr.solve(ROLLER, load=5e3, angular_speed=angular_speed, accuracy=1e-3)
     assert r.resisting_torque == pytest.approx(moment, rel=3e-3)
     assert r.power_balance_error < 1e-3
@@ -222,7 +222,7 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
 @pytest.mark.parametrize(
     ("roller", "given", "message"),
     [
-        (STEEL, {}, "layers must be at least one, of what rolls or of what it rolls on"),
+        (STEEL, {}, "layers must be a list of at least one layer, of what rolls or of what it rolls on"),
         (ROLLER, {"load": -1.0}, "load must be > 0 N/m, got -1"),
         (ROLLER, {"load": 1e9}, "load must be small enough for the coating, got 1e[+]09 N/m .the roller"),
         (ROLLER, {"curvature": vr.Curvature.EXACT}, "curvature must be left out with a cylinder"),

@@ -28,6 +28,8 @@ PUBLIC = {
     "modal": {"cylinder", "plane", "rolling_body", "sphere", "modal"},
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "solve"},
+    "transient": {"rolling_history"},
+    "interior": {"interior"},
 }
 
 RANK = {stage: rank for rank, stages in enumerate(STAGES) for stage in stages}

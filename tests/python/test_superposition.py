@@ -84,6 +84,12 @@ def test_modulus_at_another_temperature(noisy):
         noisy.at(temperature=90.0)
 
 
+def test_a_fitted_law_shifts_moduli_in_kelvin(noisy):
+    shift = noisy.wlf.shift()
+    assert isinstance(shift, vr.WilliamsLandelFerry)
+    assert np.log10(shift(45.0 + 273.15)) == pytest.approx(float(noisy.wlf(45.0)))
+
+
 def test_coverage_of_the_intervals_of_wlf_constants():
     """Both true constants in their 95 % intervals in most of 12 data sets: 8 or fewer has a chance of 1e-3."""
     inside = 0

@@ -26,7 +26,7 @@ namespace viscoroll {
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
 /// @brief The same on something that deforms, without friction: a roller on a coated plane, a half-space or another
-/// roller (theory.md section 10).
+/// roller (theory.md section 14).
 /// @param[in] body a cylinder, rigid if it has no layers, unless `on` is a rigid plane
 /// @param[in] on what it rolls on; not both may be rigid
 /// @param[in] load_case without friction; the surface of both passes the contact at Omega times the outer radius

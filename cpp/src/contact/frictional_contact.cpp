@@ -45,7 +45,7 @@ class CycleBreaker {
   bool free_undecided(ContactSets& sets) {
     before_last_.swap(last_);
     last_.swap(now_);
-    std::fill(now_.begin(), now_.end(), kApart);
+    std::ranges::fill(now_, kApart);
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       now_[static_cast<std::size_t>(sets.contact[i])] = sets.states[i].stick ? kStick : kSlip;
     }

@@ -91,7 +91,7 @@ std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window&
 bool touches_edge(const LocatedContact& located) {
   const WindowShape shape = located.window().shape();
   const bool line = located.window().is_line();
-  return std::any_of(located.contact.contact.begin(), located.contact.contact.end(), [&](Index node) {
+  return std::ranges::any_of(located.contact.contact, [&](Index node) {
     const Index i = node / shape.theta_nodes;
     const Index k = node % shape.theta_nodes;
     return i <= 1 || i == shape.phi_nodes - 1 || (!line && (k == 0 || k == shape.theta_nodes - 1));

@@ -63,23 +63,36 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
 
 namespace {
 
-/// Octaves from the middle of one step on, up to the highest order of a mesh.
-void append_octaves(Step below, double top, double refinement, int nodes_per_revolution,
-                    std::vector<OrderBand>& bands) {
-  using std::numbers::pi;
-  const double spacing = 2.0 * pi / nodes_per_revolution;
+/// Octaves from the middle of one step on, up to `top`. `stride_of` is told how far from the load a band reaches [rad].
+template <class Stride>
+void append_octaves(Step below, double top, double spacing, const Stride& stride_of, std::vector<OrderBand>& bands) {
+  const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
   const double first = below.middle;
   const auto count = static_cast<int>(std::ceil(std::log2(top / first)));
   for (int octave = 1; octave <= count; ++octave) {
     const Step step{.middle = first * std::pow(top / first, static_cast<double>(octave) / count)};
     // Transform of the lower, narrower step: exp(-(sigma x / 2)^2), sigma = middle / sharpness; then two patches.
     const double confined = 2.0 * kSharpness * below.sharpness / below.middle + spacing;
-    const double stride = pi / confined / refinement;  // images of the load stay apart
-    const int reach = std::min(nodes_per_revolution / 2, static_cast<int>(confined / spacing));
-    bands.push_back(make_band(stride, step.end(), reach, [&](double order) { return step(order) - below(order); }));
+    const int reach = std::min(half, static_cast<int>(confined / spacing));
+    bands.push_back(
+        make_band(stride_of(confined), step.end(), reach, [&](double order) { return step(order) - below(order); }));
     below = step;
   }
 }
+
+/// Bands up to `top`, of which the first is of whole orders.
+template <class Stride>
+std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
+  const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
+  const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
+  const bool sharp = rough_orders > 0.0 && first < top;
+  const Step lowest{.middle = first, .sharpness = sharp ? kSharpnessOfMeasured : kSharpness};
+  std::vector<OrderBand> bands{make_band(1.0, lowest.end(), half, lowest)};
+  append_octaves(lowest, top, spacing, stride_of, bands);
+  return bands;
+}
+
+double spacing_of(int nodes_per_revolution) { return 2.0 * std::numbers::pi / nodes_per_revolution; }
 
 double highest_order(int nodes_per_revolution, double finest_order) {
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
@@ -104,18 +117,24 @@ OrderBand low_orders(const Step& step, double refinement, int nodes_per_revoluti
 std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement) {
   const Step first{.middle = kFirstUnboundedOctave};
   std::vector<OrderBand> bands{low_orders(first, refinement, nodes_per_revolution)};
-  append_octaves(first, highest_order(nodes_per_revolution, finest_order), refinement, nodes_per_revolution, bands);
+  append_octaves(
+      first, highest_order(nodes_per_revolution, finest_order), spacing_of(nodes_per_revolution),
+      [refinement](double confined) { return std::numbers::pi / confined / refinement; }, bands);
   return bands;
 }
 
 std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
-  const double top = highest_order(nodes_per_revolution, finest_order);
-  const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
-  const bool sharp = rough_orders > 0.0 && first < top;
-  const Step lowest{.middle = first, .sharpness = sharp ? kSharpnessOfMeasured : kSharpness};
-  std::vector<OrderBand> bands{make_band(1.0, lowest.end(), nodes_per_revolution / 2, lowest)};
-  append_octaves(lowest, top, 1.0, nodes_per_revolution, bands);
-  return bands;
+  // Images of the load stay apart.
+  return split(spacing_of(nodes_per_revolution), highest_order(nodes_per_revolution, finest_order), rough_orders,
+               [](double confined) { return std::numbers::pi / confined; });
+}
+
+std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset, double rough_orders) {
+  using std::numbers::pi;
+  const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
+  // Images of the load stay out of the window.
+  return split(spacing, highest, rough_orders,
+               [&](double confined) { return std::max(1.0, 2.0 * pi / (largest_offset + confined)); });
 }
 
 namespace {
@@ -143,7 +162,9 @@ double finest_order(const CoatedSphere& sphere, double angular_speed) {
   return finest_order(sphere.layers, outer_radius(sphere), angular_speed);
 }
 
-/// Tables are interpolated with kinks, and users' functions may be.
+}  // namespace
+
+// Tables are interpolated with kinks, and users' functions may be.
 double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
   double highest = 0.0;
   for (const Layer& layer : sphere.layers) {
@@ -155,8 +176,6 @@ double material_rough_orders(const CoatedSphere& sphere, double angular_speed, c
   }
   return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // which is approached slowly
 }
-
-}  // namespace
 
 double exact_share(double wave_number, double middle) {
   return std::isinf(middle) ? 1.0 : Step{.middle = middle}(wave_number);

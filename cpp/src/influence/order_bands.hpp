@@ -43,6 +43,17 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order = 0.0,
                                                        double refinement = 1.0);
 
+/// @brief Orders for sums at offsets from a load that are no larger than a window.
+/// @param[in] spacing of the patches [rad]
+/// @param[in] top order at which the sum ends, smoothly
+/// @param[in] largest_offset [rad], at most half a revolution
+/// @param[in] rough_orders orders up to which the response may change abruptly: these are summed one by one
+[[nodiscard]] std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset,
+                                                    double rough_orders);
+
+/// @return orders along phi up to which a measured modulus is taken point by point
+[[nodiscard]] double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh);
+
 /// @brief Smooth step between the degrees of a sphere that are summed one by one and those of the local metric.
 /// @param[in] wave_number k, or l + 1/2
 /// @param[in] middle of the step, maybe infinite

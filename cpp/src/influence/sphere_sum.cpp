@@ -32,7 +32,7 @@ Harmonics harmonics_at(int order, int highest, const Eigen::ArrayXd& theta) {
   const Index count = harmonics.p.rows();
   Eigen::ArrayXd scale(count);
   for (Index row = 0; row < count; ++row) {
-    const double degree = static_cast<double>(order + row);
+    const auto degree = static_cast<double>(order + row);
     scale[row] = degree > 0.0 ? 1.0 / std::sqrt(degree * (degree + 1.0)) : 0.0;
   }
   harmonics.d.array().colwise() *= scale;
@@ -162,8 +162,8 @@ class MetricNodes {
 
 }  // namespace
 
-SphereSum::SphereSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, double exact_degree)
-    : sphere_(sphere),
+SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree)
+    : sphere_(std::move(sphere)),
       angular_speed_(angular_speed),
       mesh_(mesh),
       exact_degree_(mesh.max_order ? std::numeric_limits<double>::infinity() : exact_degree),

@@ -58,7 +58,7 @@ class SphereSum {
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacings, and the highest degree as its truncation
   /// @param[in] exact_degree middle of the step between degrees summed one by one and those of the local metric
-  SphereSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
+  SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
 
   /// @brief Sum all degrees and orders.
   /// @param[in] request which tables

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "viscoroll/modal.hpp"
 
@@ -46,12 +47,22 @@ Eigen::Matrix2d cylinder_matrix(double mu, double b) {
   return Eigen::Matrix2d{{2.0 * b - 1.0, b / mu}, {4.0 * mu * (1.0 - b), 1.0 - 2.0 * b}};
 }
 
-double uniform_displacement(std::span<const Medium<std::complex<double>>> media, ElasticMatrix elastic_matrix) {
+/// At the inner boundary of the innermost layer and at the outer radius of each.
+std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<double>>> media,
+                                        ElasticMatrix elastic_matrix) {
   const double stress_unit = media.back().mu.real();
 
   // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
   double compliance = 0.0;
   double offset = 0.0;
+  struct Step {
+    double stress;  // at the outer end, per what it starts from
+    double load;    // at the outer end, by the load within the step
+    double compliance;
+    double offset;
+    bool ends_layer;
+  };
+  std::vector<Step> taken;
   for (const auto& medium : media) {
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
@@ -71,12 +82,35 @@ double uniform_displacement(std::span<const Medium<std::complex<double>>> media,
       compliance = unit_stress(0) / unit_stress(1);
       offset = loaded(0) - compliance * loaded(1);
       free = false;
+      taken.push_back({.stress = unit_stress(1),
+                       .load = loaded(1),
+                       .compliance = compliance,
+                       .offset = offset,
+                       .ends_layer = step == steps - 1});
     }
   }
-  return offset;
+
+  std::vector<State> states;
+  double stress = 0.0;
+  for (auto step = taken.rbegin(); step != taken.rend(); ++step) {
+    if (step->ends_layer) states.emplace_back(step->compliance * stress + step->offset, stress * stress_unit);
+    stress = (stress - step->load) / step->stress;
+  }
+  const bool free = media.front().within == InnerBoundary::hollow;
+  states.emplace_back(free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
+  std::reverse(states.begin(), states.end());
+  return states;
+}
+
+double uniform_displacement(std::span<const Medium<std::complex<double>>> media, ElasticMatrix elastic_matrix) {
+  return states_at_boundaries(media, elastic_matrix).back()(0);
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media) {
+  return states_at_boundaries(media, sphere_matrix);
+}
 
 double centrifugal_displacement(const HarmonicCoating& coating) {
   return uniform_displacement(coating.media(0), sphere_matrix);

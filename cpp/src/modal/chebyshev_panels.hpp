@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,28 +26,36 @@ struct Panel {
 };
 
 /// @return Chebyshev nodes of the first kind in [low, high], logarithmically
-template <int Nodes = kPanelNodes>
-[[nodiscard]] std::array<double, Nodes> panel_nodes(double low, double high) {
-  std::array<double, Nodes> nodes{};
-  for (int j = 0; j < Nodes; ++j) {
-    const double coordinate = std::cos(std::numbers::pi * (j + 0.5) / Nodes);
-    nodes[static_cast<std::size_t>(j)] = std::sqrt(low * high) * std::pow(high / low, 0.5 * coordinate);
+[[nodiscard]] inline std::vector<double> chebyshev_nodes(double low, double high, int count) {
+  std::vector<double> nodes;
+  for (int j = 0; j < count; ++j) {
+    const double coordinate = std::cos(std::numbers::pi * (j + 0.5) / count);
+    nodes.push_back(std::sqrt(low * high) * std::pow(high / low, 0.5 * coordinate));
   }
   return nodes;
 }
 
-/// @return matrix that takes values at `panel_nodes` (columns of the factor before it) to series
-template <int Nodes = kPanelNodes>
-[[nodiscard]] const Eigen::Matrix<double, Nodes, Nodes>& chebyshev_transform() {
-  static const auto transform = [] {
-    Eigen::Matrix<double, Nodes, Nodes> matrix;
-    for (int node = 0; node < Nodes; ++node) {
-      for (int term = 0; term < Nodes; ++term) {
-        matrix(node, term) = (term == 0 ? 1.0 : 2.0) / Nodes * std::cos(std::numbers::pi * (node + 0.5) * term / Nodes);
-      }
+/// @return matrix that takes values at `chebyshev_nodes` (columns of the factor before it) to series
+[[nodiscard]] inline Eigen::MatrixXd chebyshev_transform(int count) {
+  Eigen::MatrixXd matrix(count, count);
+  for (int node = 0; node < count; ++node) {
+    for (int term = 0; term < count; ++term) {
+      matrix(node, term) = (term == 0 ? 1.0 : 2.0) / count * std::cos(std::numbers::pi * (node + 0.5) * term / count);
     }
-    return matrix;
-  }();
+  }
+  return matrix;
+}
+
+/// @return nodes of a panel
+[[nodiscard]] inline std::array<double, kPanelNodes> panel_nodes(double low, double high) {
+  std::array<double, kPanelNodes> nodes{};
+  std::ranges::copy(chebyshev_nodes(low, high, kPanelNodes), nodes.begin());
+  return nodes;
+}
+
+/// @return matrix that takes values at the nodes of a panel (columns of the factor before it) to series
+[[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes>& panel_transform() {
+  static const Eigen::Matrix<double, kPanelNodes, kPanelNodes> transform = chebyshev_transform(kPanelNodes);
   return transform;
 }
 
@@ -71,7 +80,7 @@ void append_panels(double low, double high, const Sample& sample, const Resolved
   constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
   if (high / low <= kLargestPanelRatio) {
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values = sample(panel_nodes(low, high));
-    Panel<Scalar> panel{low, high, values * chebyshev_transform().template cast<Scalar>()};
+    Panel<Scalar> panel{low, high, values * panel_transform().template cast<Scalar>()};
     if (high / low < kSmallestRatio || resolved(panel)) {
       panels.push_back(std::move(panel));
       return;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 #include "modal/radial_step.hpp"
 
@@ -11,6 +13,7 @@ namespace viscoroll::detail {
 namespace {
 
 constexpr double kDepth = 24.0;        // exponent beyond which material is out of reach of the surface
+constexpr double kDepthInside = 36.0;  // exponent beyond which nothing is left of what the surface bears
 constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
 constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
 
@@ -25,13 +28,13 @@ double decay(const Medium<Scalar>& medium, double cosine) {
 
 /// Radius below which material is out of reach of the surface.
 template <class Scalar>
-double deepest_radius(const OrderInLayers<Scalar>& order, double k) {
+double deepest_radius(const OrderInLayers<Scalar>& order, double k, double depth) {
   // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
   // whose two solutions differ by the third power of the radius.
   const bool held = order.media.front().within == InnerBoundary::rigid;
   const double exponent = std::max(k, held ? 1e-300 : 0.5);
   const double cosine = k > 0.0 ? order.m / k : 0.0;
-  double left = kDepth;
+  double left = depth;
   for (auto medium = order.media.rbegin(); medium != order.media.rend(); ++medium) {
     const double rate = exponent * decay(*medium, cosine);
     const double reach = medium->outer_radius * std::exp(-left / rate);
@@ -45,12 +48,12 @@ double deepest_radius(const OrderInLayers<Scalar>& order, double k) {
 template <class Scalar>
 class Batch {
  public:
-  explicit Batch(std::span<const OrderInLayers<Scalar>> orders) : orders_(orders) {
+  explicit Batch(std::span<const OrderInLayers<Scalar>> orders, double depth = kDepth) : orders_(orders) {
     for (std::size_t l = 0; l < kLanes; ++l) {
       const double m = at(l).m;
       const double n = at(l).n;
       const double k = std::hypot(m, n);
-      deepest_[l] = deepest_radius(at(l), k);
+      deepest_[l] = deepest_radius(at(l), k, depth);
       step_.k.set(l, k);
       step_.membrane.set(l, membrane_stiffness(at(l).media.back().curvature, m * m + n * n));
       const double cosine = k > 0.0 ? m / k : 1.0;
@@ -79,12 +82,46 @@ class Batch {
     return true;
   }
 
-  /// Surface compliance of one lane [m/Pa] in the directions r, phi, theta.
-  [[nodiscard]] Matrix3<Scalar> surface_compliance(std::size_t l) const {
+  /// Carry Y likewise, keeping it at the outer radius of every layer with what takes stresses down through the layer.
+  /// @param[in] keep called with lane, Y in the layer's unit, and the product of all F^-1 of the layer
+  template <class Keep>
+  void carry_keeping(const Keep& keep) {
+    std::array<Matrix3<Scalar>, kLanes> down;
+    MatrixLanes<Scalar> inverse_stress;
+    for (std::size_t layer = 0; layer < at(0).media.size(); ++layer) {
+      const int steps = enter(layer);
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        // An order that starts above the layer's inner radius has died out there.
+        const bool whole = inner_[l] == at(l).media[layer].inner_radius;
+        down[l] = whole ? Matrix3<Scalar>(Matrix3<Scalar>::Identity()) : Matrix3<Scalar>(Matrix3<Scalar>::Zero());
+      }
+      for (int step = 0; step < steps; ++step) {
+        advance(step_, start(), compliance_, inverse_stress);
+        for (std::size_t l = 0; l < kLanes; ++l) {
+          Matrix3<Scalar> inverse;
+          for (std::size_t i = 0; i < 9; ++i) {
+            inverse(static_cast<int>(i) / 3, static_cast<int>(i) % 3) = inverse_stress[i].value(l);
+          }
+          down[l] *= inverse;
+        }
+        leave_step();
+      }
+      for (std::size_t l = 0; l < kLanes; ++l) keep(l, matrix(l), down[l]);
+    }
+  }
+
+  /// From the directions r, k and across k to r, phi and theta.
+  [[nodiscard]] Eigen::Matrix3d turn(std::size_t l) const {
     const double k = step_.k.value(l);
     const double cosine = k > 0.0 ? at(l).m / k : 1.0;
     const double sine = k > 0.0 ? at(l).n / k : 0.0;
-    const Eigen::Matrix3d turn{{1.0, 0.0, 0.0}, {0.0, cosine, -sine}, {0.0, sine, cosine}};
+    return Eigen::Matrix3d{{1.0, 0.0, 0.0}, {0.0, cosine, -sine}, {0.0, sine, cosine}};
+  }
+
+  /// Surface compliance of one lane [m/Pa] in the directions r, phi, theta.
+  [[nodiscard]] Matrix3<Scalar> surface_compliance(std::size_t l) const {
+    const double k = step_.k.value(l);
+    const Eigen::Matrix3d turn = this->turn(l);
     Matrix3<Scalar> y = turn.cast<Scalar>() * matrix(l) * turn.transpose().cast<Scalar>();
     if (!is_held() && k == 0.0) y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
     return y * (surface() / at(l).media.back().mu);
@@ -187,6 +224,72 @@ void surface_compliances(std::span<const OrderInLayers<Scalar>> orders, std::spa
     Batch<Scalar> batch(orders.subspan(first, count));
     batch.carry([](const Batch<Scalar>&) { return true; });
     for (std::size_t l = 0; l < count; ++l) compliances[first + l] = batch.surface_compliance(l);
+  }
+}
+
+namespace {
+
+using cplx = std::complex<double>;
+
+/// What the recursion keeps of one order.
+struct KeptOrder {
+  std::vector<Matrix3<cplx>> compliance;  // Y at the outer radius of each layer, per modulus of the layer
+  std::vector<Matrix3<cplx>> down;        // through each layer
+};
+
+/// States of one order in the directions r, k and across k, from the surface down.
+std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrder& kept) {
+  const auto& media = order.media;
+  const bool held = media.front().within == InnerBoundary::rigid;
+  const bool uniform = order.m == 0.0 && order.n == 0.0;
+  std::vector<DepthState> states(media.size() + 1, DepthState::Zero());
+  Matrix3<cplx> stress = Matrix3<cplx>::Identity();
+  for (std::size_t layer = media.size(); layer-- > 0;) {
+    DepthState& state = states[layer + 1];
+    state.topRows<3>() = kept.compliance[layer] * stress / media[layer].mu;
+    state.bottomRows<3>() = stress;
+    stress = kept.down[layer] * stress;
+  }
+  DepthState& inner = states.front();
+  if (media.front().within == InnerBoundary::hollow) {
+    // The first step started from displacements; order (0, 0) from stresses along the surface, for it turns freely.
+    const int free = uniform ? 1 : 3;
+    inner.topRows(free) = stress.topRows(free) / media.front().mu;
+    inner.bottomRows(3 - free) = stress.bottomRows(3 - free);
+  } else {
+    inner.bottomRows<3>() = stress;
+  }
+  if (!held && uniform) {
+    // No mean rotation of the surface.
+    const Eigen::Matrix<cplx, 2, 3> turning = states.back().middleRows<2>(1) / media.back().outer_radius;
+    inner.middleRows<2>(1) -= media.front().inner_radius * turning;
+    for (std::size_t layer = 0; layer < media.size(); ++layer) {
+      states[layer + 1].middleRows<2>(1) -= media[layer].outer_radius * turning;
+    }
+  }
+  return states;
+}
+
+}  // namespace
+
+void depth_states(std::span<const OrderInLayers<cplx>> orders, std::span<std::vector<DepthState>> states) {
+  std::array<KeptOrder, kLanes> kept;
+  for (std::size_t first = 0; first < orders.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, orders.size() - first);
+    Batch<cplx> batch(orders.subspan(first, count), kDepthInside);
+    for (KeptOrder& order : kept) order = {};
+    batch.carry_keeping([&](std::size_t l, const Matrix3<cplx>& y, const Matrix3<cplx>& down) {
+      kept[l].compliance.push_back(y);
+      kept[l].down.push_back(down);
+    });
+    for (std::size_t l = 0; l < count; ++l) {
+      const Eigen::Matrix3cd turn = batch.turn(l).cast<cplx>();
+      states[first + l] = descend(orders[first + l], kept[l]);
+      for (DepthState& state : states[first + l]) {
+        state.topRows<3>() = turn * state.topRows<3>() * turn.transpose();
+        state.bottomRows<3>() = turn * state.bottomRows<3>() * turn.transpose();
+      }
+    }
   }
 }
 

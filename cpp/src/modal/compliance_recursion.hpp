@@ -2,7 +2,9 @@
 /// @brief The compliance of the surface, carried outwards through the layers.
 #pragma once
 
+#include <complex>
 #include <span>
+#include <vector>
 
 #include "modal/layer_system.hpp"
 
@@ -36,6 +38,20 @@ template <class Scalar>
 /// lies below this speed.
 /// @param[in] orders with real moduli
 [[nodiscard]] bool are_subcritical(std::span<const OrderInLayers<double>> orders);
+
+/// @brief State at one radius per r sigma at the surface: rows u_r, v_phi, v_theta [m], s, tau_phi, tau_theta [N/m], a
+/// column for each of s, tau_phi and tau_theta there [N/m].
+using DepthState = Eigen::Matrix<std::complex<double>, 6, 3>;
+
+/// @brief States inside the layers, in the real form of layer_system.hpp.
+///
+/// On its way outwards every step of the recursion inverts F = T21 Y + T22, the stresses at its outer end per stresses
+/// at its inner one. Kept, these inverses take the stresses at the surface down again, f = F^-1 f_outer and u = Y f:
+/// they fall with depth, so nothing overflows. Below 36 e-folds the state is 0. Theory.md section 10.
+/// @param[in] orders all with layers of the same radii
+/// @param[out] states for each order, at the inner boundary of the innermost layer and at the outer radius of each
+void depth_states(std::span<const OrderInLayers<std::complex<double>>> orders,
+                  std::span<std::vector<DepthState>> states);
 
 extern template void surface_compliances(std::span<const OrderInLayers<double>>, std::span<Matrix3<double>>);
 extern template void surface_compliances(std::span<const OrderInLayers<std::complex<double>>>,

@@ -1,7 +1,7 @@
 /// @file
 /// @brief The surface compliance of a layered cylinder under tractions that do not vary along its axis.
 ///
-/// Plane strain, theory.md section 10. With ' = d/d ln r, u_phi = i v, stresses times r, s = r sigma_rr and
+/// Plane strain, theory.md section 14. With ' = d/d ln r, u_phi = i v, stresses times r, s = r sigma_rr and
 /// r sigma_rphi = i tau, order m obeys
 ///
 ///     u' = a t + (b/mu) s         s'   = -epsilon t + a s + m tau - q ((1 + m^2) u - 2 m v)

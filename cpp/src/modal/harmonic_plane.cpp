@@ -37,9 +37,7 @@ HarmonicPlane::HarmonicPlane(const CoatedPlane& plane, double speed, double radi
   require_subcritical(plane, speed, highest_frequency(rate, orders_, measured_order));
 }
 
-bool HarmonicPlane::has_measured_moduli() const {
-  return std::ranges::any_of(layers_, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
-}
+std::vector<std::size_t> HarmonicPlane::measured_layers() const { return detail::measured_layers(layers_); }
 
 std::vector<FlatMedium<cplx>> HarmonicPlane::media(std::size_t i) const {
   std::vector<FlatMedium<cplx>> media;
@@ -54,14 +52,13 @@ std::vector<FlatMedium<cplx>> HarmonicPlane::media(std::size_t i) const {
   return media;
 }
 
-std::unique_ptr<LayeredSurface> HarmonicPlane::resampled(std::vector<double> orders) const {
+std::unique_ptr<LayeredSurface> HarmonicPlane::resampled(std::vector<double> orders,
+                                                         const Eigen::ArrayXXcd& measured) const {
   auto other = std::make_unique<HarmonicPlane>(*this);
   other->orders_ = std::move(orders);
   std::vector<double> omega;
   for (const double m : other->orders_) omega.push_back(m * speed_ / radius_);
-  for (std::size_t j = 0; j < layers_.size(); ++j) {
-    other->moduli_[j] = complex_modulus(layers_[j].shear_modulus, omega);
-  }
+  other->moduli_ = resampled_moduli(layers_, omega, measured);
   return other;
 }
 

@@ -27,14 +27,8 @@ class HarmonicPlane final : public LayeredSurface {
   HarmonicPlane(const CoatedPlane& plane, double speed, double radius, std::vector<double> orders,
                 double measured_order = std::numeric_limits<double>::infinity());
 
-  /// @brief Whether a modulus was measured, and so may have kinks.
-  [[nodiscard]] bool has_measured_moduli() const;
-
   /// @brief Base, unless it is rigid, and layers at the i-th order, base outwards.
   [[nodiscard]] std::vector<FlatMedium<std::complex<double>>> media(std::size_t i) const;
-
-  /// @return complex shear modulus of a layer at the i-th order [Pa]
-  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
 
   /// @return what the moduli are of: the base, unless it is rigid, as a layer of infinite thickness, and the layers
   [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
@@ -42,7 +36,12 @@ class HarmonicPlane final : public LayeredSurface {
   [[nodiscard]] double radius() const { return radius_; }
 
   [[nodiscard]] const std::vector<double>& orders() const override { return orders_; }
-  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders) const override;
+  [[nodiscard]] std::vector<std::size_t> measured_layers() const override;
+  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const override {
+    return moduli_[layer][i];
+  }
+  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders,
+                                                          const Eigen::ArrayXXcd& measured) const override;
   [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const override { return moduli_.back()[i]; }
   void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const override;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,8 +25,17 @@ class LayeredSurface {
   /// @return the orders m
   [[nodiscard]] virtual const std::vector<double>& orders() const = 0;
 
-  /// @return the same surface at other orders, within the range of these; not for measured materials
-  [[nodiscard]] virtual std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders) const = 0;
+  /// @return layers of which the modulus was measured, and so may have kinks
+  [[nodiscard]] virtual std::vector<std::size_t> measured_layers() const = 0;
+
+  /// @return complex shear modulus of a layer at the i-th order [Pa]
+  [[nodiscard]] virtual std::complex<double> modulus(std::size_t layer, std::size_t i) const = 0;
+
+  /// @brief The same layers at other orders, within the range of these.
+  /// @param[in] orders m
+  /// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
+  [[nodiscard]] virtual std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders,
+                                                                  const Eigen::ArrayXXcd& measured) const = 0;
 
   /// @return modulus of the outermost material at the i-th order [Pa], by which compliances are scaled
   [[nodiscard]] virtual std::complex<double> outer_modulus(std::size_t i) const = 0;

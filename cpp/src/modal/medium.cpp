@@ -21,6 +21,31 @@ bool is_measured(const ShearModulus& modulus) {
   return std::holds_alternative<MasterCurve>(modulus) || std::holds_alternative<CustomModulus>(modulus);
 }
 
+std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers) {
+  std::vector<std::size_t> measured;
+  for (std::size_t j = 0; j < layers.size(); ++j) {
+    if (is_measured(layers[j].shear_modulus)) measured.push_back(j);
+  }
+  return measured;
+}
+
+std::vector<std::vector<cplx>> resampled_moduli(const std::vector<Layer>& layers,
+                                                const std::vector<double>& frequencies,
+                                                const Eigen::ArrayXXcd& measured) {
+  std::vector<std::vector<cplx>> moduli;
+  moduli.reserve(layers.size());
+  Eigen::Index column = 0;
+  for (const Layer& layer : layers) {
+    if (is_measured(layer.shear_modulus)) {
+      const auto values = measured.col(column++);
+      moduli.emplace_back(values.begin(), values.end());
+    } else {
+      moduli.push_back(complex_modulus(layer.shear_modulus, frequencies));
+    }
+  }
+  return moduli;
+}
+
 double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
 
 std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers, double angular_speed,
@@ -56,20 +81,17 @@ HarmonicCoating::HarmonicCoating(const CoatedSphere& sphere, double angular_spee
   require_damped_waves(sphere, angular_speed, orders_, moduli_, curvature);
 }
 
-HarmonicCoating HarmonicCoating::at(std::vector<double> orders) const {
-  HarmonicCoating other(*this);
-  other.orders_ = std::move(orders);
-  std::vector<double> omega;
-  omega.reserve(other.orders_.size());
-  for (const double m : other.orders_) omega.push_back(m * angular_speed_);
-  for (std::size_t j = 0; j < moduli_.size(); ++j) {
-    other.moduli_[j] = complex_modulus(sphere_.layers[j].shear_modulus, omega);
-  }
-  return other;
-}
+std::vector<std::size_t> HarmonicCoating::measured_layers() const { return detail::measured_layers(sphere_.layers); }
 
-bool HarmonicCoating::has_measured_moduli() const {
-  return std::ranges::any_of(sphere_.layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+std::unique_ptr<LayeredSurface> HarmonicCoating::resampled(std::vector<double> orders,
+                                                           const Eigen::ArrayXXcd& measured) const {
+  auto other = std::make_unique<HarmonicCoating>(*this);
+  other->orders_ = std::move(orders);
+  std::vector<double> omega;
+  omega.reserve(other->orders_.size());
+  for (const double m : other->orders_) omega.push_back(m * angular_speed_);
+  other->moduli_ = resampled_moduli(sphere_.layers, omega, measured);
+  return other;
 }
 
 std::vector<Medium<std::complex<double>>> HarmonicCoating::media(std::size_t i) const {

@@ -2,7 +2,9 @@
 /// @brief One layer as the material of one order sees it, and the layers of a coating at all harmonics.
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
@@ -73,6 +75,18 @@ template <class Scalar>
 /// @return whether a modulus was measured, and so may have kinks
 [[nodiscard]] bool is_measured(const ShearModulus& modulus);
 
+/// @return those of some layers
+[[nodiscard]] std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers);
+
+/// @brief Moduli of layers at other orders.
+/// @param[in] layers of a body
+/// @param[in] frequencies of the orders [rad/s]
+/// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
+/// @return [layer][order] [Pa]
+[[nodiscard]] std::vector<std::vector<std::complex<double>>> resampled_moduli(const std::vector<Layer>& layers,
+                                                                              const std::vector<double>& frequencies,
+                                                                              const Eigen::ArrayXXcd& measured);
+
 /// @return an order that approaches a limit smoothly: series over such orders stay smooth
 [[nodiscard]] double limited(double order, double limit);
 
@@ -90,22 +104,16 @@ class HarmonicCoating final : public LayeredSurface {
                   double measured_order = std::numeric_limits<double>::infinity(),
                   Curvature curvature = Curvature::sphere);
 
-  /// @brief The same layers at other orders, within the range of these; not for measured materials.
-  [[nodiscard]] HarmonicCoating at(std::vector<double> orders) const;
-
-  /// @brief Whether a modulus was measured, and so may have kinks.
-  [[nodiscard]] bool has_measured_moduli() const;
-
   /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
 
-  /// @return complex shear modulus of a layer at the i-th order [Pa]
-  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
-
   [[nodiscard]] const std::vector<double>& orders() const override { return orders_; }
-  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders) const override {
-    return std::make_unique<HarmonicCoating>(at(std::move(orders)));
+  [[nodiscard]] std::vector<std::size_t> measured_layers() const override;
+  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const override {
+    return moduli_[layer][i];
   }
+  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders,
+                                                          const Eigen::ArrayXXcd& measured) const override;
   [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const override { return moduli_.back()[i]; }
   void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const override;
 

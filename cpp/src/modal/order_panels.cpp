@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace viscoroll::detail {
@@ -11,14 +14,27 @@ namespace {
 
 using cplx = std::complex<double>;
 using Cell = OrderPanels::Cell;
+using SmoothRun = OrderPanels::SmoothRun;
 using CellTerms = decltype(Cell::series);
-constexpr int kOrderNodes = OrderPanels::kOrderNodes;
+
+constexpr int kLeastOrderNodes = 6;  // Chebyshev nodes, and so terms, in ln m
+constexpr int kMostOrderNodes = 24;
+// Distance in ln m of what orders do not see from the real axis.
+constexpr double kNearestPole = 0.5 * std::numbers::pi;   // of a modulus of frequency, or cut
+constexpr double kNearestBend = 0.25 * std::numbers::pi;  // of measured frequencies, where they near their highest
 
 constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
 constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
 
-auto k_transform() { return chebyshev_transform().cast<cplx>(); }
-auto m_transform() { return chebyshev_transform<kOrderNodes>().transpose().cast<cplx>(); }
+auto k_transform() { return panel_transform().cast<cplx>(); }
+
+/// Chebyshev terms in ln m of a function on a range, as far from its poles and cuts: terms fall like powers of the sum
+/// of the half axes of the ellipse about the range that reaches them.
+int order_terms(double lowest_m, double highest_m, double distance) {
+  const double reach = 2.0 * distance / std::log(highest_m / lowest_m);  // per half the range
+  const double terms = -std::log(kSeriesTolerance) / std::asinh(reach);
+  return std::clamp(static_cast<int>(std::ceil(terms)) + 1, kLeastOrderNodes, kMostOrderNodes);
+}
 
 /// Compliance times m and the modulus of the outer layer, of entries odd in n divided by n / m, at the nodes of a cell.
 ///
@@ -26,30 +42,33 @@ auto m_transform() { return chebyshev_transform<kOrderNodes>().transpose().cast<
 /// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
 class CellSamples {
  public:
-  CellSamples(const LayeredSurface& surface, const Cell& cell)
-      : m_(panel_nodes<kOrderNodes>(cell.lowest_m, cell.highest_m)),
+  CellSamples(const LayeredSurface& surface, const SmoothRun& run, const Cell& cell)
+      : m_(chebyshev_nodes(cell.lowest_m, cell.highest_m, run.nodes)),
+        m_count_(run.nodes),
+        m_transform_(chebyshev_transform(m_count_).transpose().cast<cplx>()),
         ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
         highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)),
-        surface_(surface.resampled({m_.begin(), m_.end()})) {}
+        surface_(surface.resampled(m_, run.measured.at(m_))),
+        values_(m_count_, kEntries * kPanelNodes) {}
 
   /// Whether the last terms along k are negligible at the outermost m.
   [[nodiscard]] bool is_resolved_along_k() {
-    solve({0, kOrderNodes - 1}, inner_nodes(kPanelNodes, 0));
+    solve({0, m_count_ - 1}, inner_nodes(kPanelNodes, 0));
     return is_resolved([&](int entry) { return (rows(entry) * k_transform()).eval(); }, kLastColumns);
   }
 
   /// Whether the last terms along m are negligible at the outermost k.
   [[nodiscard]] bool is_resolved_along_m() {
-    solve(inner_nodes(kOrderNodes, 1), {0, kPanelNodes - 1});
-    return is_resolved([&](int entry) { return (m_transform() * columns(entry)).eval(); }, kLastRows);
+    solve(inner_nodes(m_count_, 1), {0, kPanelNodes - 1});
+    return is_resolved([&](int entry) { return (m_transform_ * columns(entry)).eval(); }, kLastRows);
   }
 
   /// Solve the remaining nodes; series in both directions.
   void complete() {
-    solve(inner_nodes(kOrderNodes, 1), inner_nodes(kPanelNodes, 1));
+    solve(inner_nodes(m_count_, 1), inner_nodes(kPanelNodes, 1));
     for (int entry = 0; entry < kEntries; ++entry) {
       auto block = values_.middleCols<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
-      block = (m_transform() * block * k_transform()).eval();
+      block = (m_transform_ * block * k_transform()).eval();
     }
   }
 
@@ -61,7 +80,7 @@ class CellSamples {
     return is_resolved([this](int entry) { return block(entry); }, kLastRows);
   }
 
-  [[nodiscard]] const CellTerms& terms() const { return values_; }
+  [[nodiscard]] CellTerms take_terms() { return std::move(values_); }
 
  private:
   static std::vector<int> inner_nodes(int count, int margin) {
@@ -73,15 +92,15 @@ class CellSamples {
   static constexpr auto kLastColumns = [](const auto& series) { return series.template rightCols<2>(); };
   static constexpr auto kLastRows = [](const auto& series) { return series.template bottomRows<2>(); };
 
-  [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, kPanelNodes> block(int entry) const {
+  [[nodiscard]] Eigen::Matrix<cplx, Eigen::Dynamic, kPanelNodes> block(int entry) const {
     return values_.middleCols<kPanelNodes>(Eigen::Index{entry} * kPanelNodes);
   }
   /// An entry at the outermost m.
   [[nodiscard]] Eigen::Matrix<cplx, 2, kPanelNodes> rows(int entry) const {
-    return values_(std::array{0, kOrderNodes - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
+    return values_(std::array{0, m_count_ - 1}, Eigen::seqN(entry * kPanelNodes, kPanelNodes));
   }
   /// An entry at the outermost k.
-  [[nodiscard]] Eigen::Matrix<cplx, kOrderNodes, 2> columns(int entry) const {
+  [[nodiscard]] Eigen::Matrix<cplx, Eigen::Dynamic, 2> columns(int entry) const {
     return values_(Eigen::all, std::array{entry * kPanelNodes, (entry + 1) * kPanelNodes - 1});
   }
 
@@ -123,7 +142,9 @@ class CellSamples {
     }
   }
 
-  std::array<double, kOrderNodes> m_;
+  std::vector<double> m_;
+  int m_count_;
+  Eigen::MatrixXcd m_transform_;
   std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
   double highest_n_ratio_;
   std::unique_ptr<LayeredSurface> surface_;  // at each m
@@ -131,38 +152,74 @@ class CellSamples {
 };
 
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
-void append_cells(const LayeredSurface& surface, Cell cell, const Worker& worker, std::vector<Cell>& cells) {
+void append_cells(const LayeredSurface& surface, const SmoothRun& run, Cell cell, const Worker& worker,
+                  std::vector<Cell>& cells) {
   worker.checkpoint();
   const bool is_wide_along_k = cell.highest_ratio / cell.lowest_ratio > kSmallestRatio;
   const bool is_wide_along_m = cell.highest_m / cell.lowest_m > kSmallestRatio;
+  const auto append = [&](double lowest_m, double highest_m, double lowest_ratio, double highest_ratio) {
+    append_cells(surface, run, {lowest_m, highest_m, lowest_ratio, highest_ratio, {}}, worker, cells);
+  };
   const auto halve_along_k = [&] {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
-    append_cells(surface, {cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle, {}}, worker, cells);
-    append_cells(surface, {cell.lowest_m, cell.highest_m, middle, cell.highest_ratio, {}}, worker, cells);
+    append(cell.lowest_m, cell.highest_m, cell.lowest_ratio, middle);
+    append(cell.lowest_m, cell.highest_m, middle, cell.highest_ratio);
   };
   const auto halve_along_m = [&] {
     const double middle = std::sqrt(cell.lowest_m * cell.highest_m);
-    append_cells(surface, {cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
-    append_cells(surface, {middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio, {}}, worker, cells);
+    append(cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio);
+    append(middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio);
   };
-  CellSamples samples(surface, cell);
+  CellSamples samples(surface, run, cell);
   if (!samples.is_resolved_along_k() && is_wide_along_k) return halve_along_k();
   if (!samples.is_resolved_along_m() && is_wide_along_m) return halve_along_m();
   samples.complete();
   if (!samples.is_complete_along_k() && is_wide_along_k) return halve_along_k();
   if (!samples.is_complete_along_m() && is_wide_along_m) return halve_along_m();
-  cell.series = samples.terms();
-  cells.push_back(cell);
+  cell.series = samples.take_terms();
+  cells.push_back(std::move(cell));
 }
 
-/// T_0 ... T_23 of the coordinate of m in a cell.
-Eigen::Matrix<double, 1, kOrderNodes> chebyshev_polynomials(const Cell& cell, double m) {
+/// T_0, T_1, ... of the coordinate of m in a cell.
+Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
   const double x = 2.0 * std::log(m / cell.lowest_m) / std::log(cell.highest_m / cell.lowest_m) - 1.0;
-  Eigen::Matrix<double, 1, kOrderNodes> values;
+  Eigen::RowVectorXd values(cell.series.rows());
   values[0] = 1.0;
   values[1] = x;
-  for (int i = 2; i < kOrderNodes; ++i) values[i] = 2.0 * x * values[i - 1] - values[i - 2];
+  for (Eigen::Index i = 2; i < values.size(); ++i) values[i] = 2.0 * x * values[i - 1] - values[i - 2];
   return values;
+}
+
+/// The longest run at the beginning of some orders, by their numbers.
+SmoothRun first_smooth_run(const LayeredSurface& surface, std::span<const std::size_t> orders) {
+  const auto order = [&](std::size_t i) { return surface.orders()[i]; };
+  const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * order(orders.front()), {}, order);
+  const auto most = static_cast<std::size_t>(end - orders.begin());
+  const bool has_measured = !surface.measured_layers().empty();
+  SmoothRun run;
+  const auto extend_to = [&](std::size_t count) {
+    const double lowest = order(orders.front());
+    const double highest = order(orders[count - 1]);
+    auto measured = MeasuredModuli::try_make(surface, orders.first(count), order_terms(lowest, highest, kNearestPole));
+    if (!measured) return false;
+    const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMostOrderNodes;
+    run = {.lowest_m = lowest, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
+    return true;
+  };
+  extend_to(1);
+  // Twice as long until a kink lies within, then by halves up to the kink.
+  std::size_t beyond = most + 1;
+  while (run.count < most) {
+    const std::size_t longer = std::min(2 * run.count, most);
+    if (extend_to(longer)) continue;
+    beyond = longer;
+    break;
+  }
+  while (run.count + 1 < beyond) {
+    const std::size_t middle = run.count + (beyond - run.count) / 2;
+    if (!extend_to(middle)) beyond = middle;
+  }
+  return run;
 }
 
 }  // namespace
@@ -170,18 +227,7 @@ Eigen::Matrix<double, 1, kOrderNodes> chebyshev_polynomials(const Cell& cell, do
 OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
                          Watch& watch)
     : surface_(std::move(surface)), one_by_one_(surface_, highest_n) {
-  std::vector<double> orders = surface_->orders();
-  std::ranges::sort(orders);
-  for (auto first = std::ranges::lower_bound(orders, lowest_m); first != orders.end();) {
-    const auto end = std::upper_bound(first, orders.end(), kLargestOrderRatio * *first);
-    if (end - first > kOrderNodes) {
-      ranges_.push_back({.lowest_m = *first, .highest_m = *(end - 1), .cells = {}});
-      first = end;
-    } else {
-      ++first;
-    }
-  }
-
+  find_ranges(lowest_m);
   struct Part {
     std::size_t range;
     Cell cell;
@@ -189,29 +235,46 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
   };
   std::vector<Part> parts;
   for (std::size_t r = 0; r < ranges_.size(); ++r) {
-    const double highest = 1.0 + std::pow(highest_n / ranges_[r].lowest_m, 2);
+    const double highest = 1.0 + std::pow(highest_n / ranges_[r].run.lowest_m, 2);
     const int count = static_cast<int>(std::ceil(std::log(highest) / std::log(kLargestPanelRatio)));
     const auto bound = [&](int i) { return std::pow(highest, static_cast<double>(i) / count); };
     for (int i = 0; i < count; ++i) {
       parts.push_back({.range = r,
-                       .cell = {.lowest_m = ranges_[r].lowest_m,
-                                .highest_m = ranges_[r].highest_m,
+                       .cell = {.lowest_m = ranges_[r].run.lowest_m,
+                                .highest_m = ranges_[r].run.highest_m,
                                 .lowest_ratio = bound(i),
                                 .highest_ratio = bound(i + 1)}});
     }
   }
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_cells(*surface_, parts[p].cell, worker, parts[p].cells);
+    append_cells(*surface_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
   });
   for (Part& part : parts) {
     auto& cells = ranges_[part.range].cells;
-    cells.insert(cells.end(), part.cells.begin(), part.cells.end());
+    std::ranges::move(part.cells, std::back_inserter(cells));
+  }
+}
+
+void OrderPanels::find_ranges(double lowest_m) {
+  const std::vector<double>& m = surface_->orders();
+  std::vector<std::size_t> ascending(m.size());
+  std::iota(ascending.begin(), ascending.end(), std::size_t{0});
+  std::ranges::sort(ascending, {}, [&](std::size_t i) { return m[i]; });
+  const auto lowest = std::ranges::lower_bound(ascending, lowest_m, {}, [&](std::size_t i) { return m[i]; });
+  for (std::span<const std::size_t> left(lowest, ascending.end()); !left.empty();) {
+    SmoothRun run = first_smooth_run(*surface_, left);
+    if (static_cast<int>(run.count) > run.nodes) {
+      left = left.subspan(run.count);
+      ranges_.push_back({.run = std::move(run), .cells = {}});
+    } else {
+      left = left.subspan(1);
+    }
   }
 }
 
 const OrderPanels::Range* OrderPanels::range_of(double m) const {
-  const auto range = std::ranges::find_if(ranges_, [m](const Range& r) { return m <= r.highest_m; });
-  return range != ranges_.end() && m >= range->lowest_m ? &*range : nullptr;
+  const auto range = std::ranges::find_if(ranges_, [m](const Range& r) { return m <= r.run.highest_m; });
+  return range != ranges_.end() && m >= range->run.lowest_m ? &*range : nullptr;
 }
 
 void OrderPanels::series(std::size_t i, OrderSeries& series) const {
@@ -222,7 +285,7 @@ void OrderPanels::series(std::size_t i, OrderSeries& series) const {
   const cplx unit = 1.0 / (m * surface_->outer_modulus(i));
   std::size_t used = 0;
   for (const Cell& cell : range->cells) {
-    const bool is_last = cell.highest_m == range->highest_m;
+    const bool is_last = cell.highest_m == range->run.highest_m;
     if (m < cell.lowest_m || (m >= cell.highest_m && !is_last)) continue;
     if (used == series.size()) series.emplace_back();
     auto& panel = series[used++];

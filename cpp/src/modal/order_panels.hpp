@@ -1,10 +1,11 @@
 /// @file
-/// @brief Spectrum of any surface whose moduli are smooth: sampled in both directions of order.
+/// @brief Spectrum of any surface: sampled in both directions of order, where its moduli are smooth.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "modal/measured_moduli.hpp"
 #include "modal/order_by_order.hpp"
 #include "modal/spectrum.hpp"
 
@@ -14,10 +15,11 @@ namespace viscoroll::detail {
 ///
 /// Multiplied by m and the modulus of the outer layer, the compliance is as smooth in ln m as it is in ln k: moduli of
 /// frequency have their poles and cuts where ln m is half of pi off the real axis. So some 24 solutions stand for as
-/// many orders m as there are in three octaves. Orders that lie less closely are solved one by one.
+/// many orders m as there are in three octaves. Measured moduli have kinks, between which 6 to 24 solutions stand for
+/// the orders. Orders that lie less closely are solved one by one.
 class OrderPanels final : public Spectrum {
  public:
-  /// @param[in] surface layers at the orders m, with smooth moduli
+  /// @param[in] surface layers at the orders m
   /// @param[in] lowest_m from which on series stand for orders
   /// @param[in] highest_n largest order n that is asked for
   /// @param[in] threads number of threads, 0 for all cores
@@ -27,7 +29,14 @@ class OrderPanels final : public Spectrum {
 
   void series(std::size_t i, OrderSeries& series) const override;
 
-  static constexpr int kOrderNodes = 24;  ///< Chebyshev nodes, and so terms, in ln m
+  /// @brief Orders, from one to the next, over which the moduli are smooth.
+  struct SmoothRun {
+    double lowest_m = 0.0;
+    double highest_m = 0.0;
+    std::size_t count = 0;
+    MeasuredModuli measured;
+    int nodes = 0;  ///< Chebyshev nodes in ln m that are thought to resolve the compliance
+  };
 
   /// @brief Series on a range of m and one of k^2 / m^2.
   struct Cell {
@@ -36,17 +45,16 @@ class OrderPanels final : public Spectrum {
     double lowest_ratio;
     double highest_ratio;
     /// Row i holds the coefficients of T_i in ln m: kPanelNodes in ln(k^2 / m^2) for each entry.
-    Eigen::Matrix<std::complex<double>, kOrderNodes, kEntries * kPanelNodes, Eigen::RowMajor> series;
+    Eigen::Matrix<std::complex<double>, Eigen::Dynamic, kEntries * kPanelNodes, Eigen::RowMajor> series;
   };
 
  private:
-  /// @brief Range of m.
   struct Range {
-    double lowest_m;
-    double highest_m;
+    SmoothRun run;
     std::vector<Cell> cells;  ///< at any m in the order of k^2 / m^2
   };
 
+  void find_ranges(double lowest_m);
   [[nodiscard]] const Range* range_of(double m) const;
 
   std::shared_ptr<const LayeredSurface> surface_;

@@ -130,15 +130,28 @@ VISCOROLL_PART_OF_CALLER void divide(const std::array<SolutionLanes<Scalar>, 3>&
   }
 }
 
+/// F^-1 by cofactors: row p is what start p contributes to the stresses at the outer end.
 template <class Scalar>
-VISCOROLL_PART_OF_CALLER void advance_all(const StepLanes<Scalar>& step,
-                                          const std::array<SolutionLanes<Scalar>, 3>& start,
-                                          SymmetricLanes<Scalar>& compliance) {
+VISCOROLL_PART_OF_CALLER void invert_stress(const std::array<SolutionLanes<Scalar>, 3>& z,
+                                            MatrixLanes<Scalar>& inverse_stress) {
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const auto scale = inverse(z[0][3][l] * cofactor(z, l, 0, 0) + z[1][3][l] * cofactor(z, l, 0, 1) +
+                               z[2][3][l] * cofactor(z, l, 0, 2));
+    for (std::size_t p = 0; p < 3; ++p) {
+      for (std::size_t i = 0; i < 3; ++i) inverse_stress[3 * p + i].set(l, scale * cofactor(z, l, i, p));
+    }
+  }
+}
+
+/// All three solutions at the outer end.
+template <class Scalar>
+VISCOROLL_PART_OF_CALLER std::array<SolutionLanes<Scalar>, 3> advanced(
+    const StepLanes<Scalar>& step, const std::array<SolutionLanes<Scalar>, 3>& start) {
   std::array<SolutionLanes<Scalar>, 3> states = start;
   for (SolutionLanes<Scalar>& solution : states) {
     step.has_inertia ? sum_series<true>(step, solution) : sum_series<false>(step, solution);
   }
-  divide(states, compliance);
+  return states;
 }
 
 }  // namespace
@@ -146,14 +159,23 @@ VISCOROLL_PART_OF_CALLER void advance_all(const StepLanes<Scalar>& step,
 VISCOROLL_BEST_INSTRUCTIONS
 void advance(const StepLanes<double>& step, const std::array<SolutionLanes<double>, 3>& start,
              SymmetricLanes<double>& compliance) {
-  advance_all(step, start, compliance);
+  divide(advanced(step, start), compliance);
 }
 
 VISCOROLL_BEST_INSTRUCTIONS
 void advance(const StepLanes<std::complex<double>>& step,
              const std::array<SolutionLanes<std::complex<double>>, 3>& start,
              SymmetricLanes<std::complex<double>>& compliance) {
-  advance_all(step, start, compliance);
+  divide(advanced(step, start), compliance);
+}
+
+VISCOROLL_BEST_INSTRUCTIONS
+void advance(const StepLanes<std::complex<double>>& step,
+             const std::array<SolutionLanes<std::complex<double>>, 3>& start,
+             SymmetricLanes<std::complex<double>>& compliance, MatrixLanes<std::complex<double>>& inverse_stress) {
+  const auto states = advanced(step, start);
+  divide(states, compliance);
+  invert_stress(states, inverse_stress);
 }
 
 }  // namespace viscoroll::detail

@@ -37,6 +37,10 @@ struct StepLanes {
   SymmetricLanes<double> inertia;  ///< M
 };
 
+/// @brief 3 x 3 matrices in the directions r, k and across k, row-major.
+template <class Scalar>
+using MatrixLanes = std::array<Lanes<Scalar>, 9>;
+
 /// @brief One solution of the equations: u_r, v_k, v_x, s, tau_k, tau_x.
 template <class Scalar>
 using SolutionLanes = std::array<Lanes<Scalar>, 6>;
@@ -48,5 +52,10 @@ void advance(const StepLanes<double>& step, const std::array<SolutionLanes<doubl
 void advance(const StepLanes<std::complex<double>>& step,
              const std::array<SolutionLanes<std::complex<double>>, 3>& start,
              SymmetricLanes<std::complex<double>>& compliance);
+
+/// @brief The same, and F^-1 itself: what the stresses at the outer end make of the three starts.
+void advance(const StepLanes<std::complex<double>>& step,
+             const std::array<SolutionLanes<std::complex<double>>, 3>& start,
+             SymmetricLanes<std::complex<double>>& compliance, MatrixLanes<std::complex<double>>& inverse_stress);
 
 }  // namespace viscoroll::detail

@@ -140,6 +140,7 @@ class InertiaSeries {
   /// Coefficients at the nodes of a panel, a column for each.
   [[nodiscard]] Eigen::MatrixXd sample(const std::array<double, kPanelNodes>& k2) const {
     std::vector<OrderInLayers<double>> orders;
+    orders.reserve(k2.size() * (1 + (media_.size() - 1) * static_cast<std::size_t>(angles_.size())));
     for (const double square : k2) orders.push_back({.media = media_.front(), .m = std::sqrt(square), .n = 0.0});
     for (std::size_t j = 1; j < media_.size(); ++j) {
       for (const double t : angles_) {
@@ -251,9 +252,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
                                                                    double inertia_tolerance, int threads,
                                                                    Watch& watch) {
   const auto& layers = coating.sphere().layers;
-  const double density = std::max_element(layers.begin(), layers.end(), [](const Layer& a, const Layer& b) {
-                           return a.density < b.density;
-                         })->density;
+  const double density = std::ranges::max(layers, {}, &Layer::density).density;
   const std::size_t reference = softest_layer(coating);
   const auto media = scaled_media(coating, reference, density);
   if (!media) return nullptr;
@@ -275,7 +274,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   const InertiaSeries inertia_series(*media, highest_eta, *order);
   spectrum->orders_ = coating.orders();
   spectrum->highest_n_ = highest_n;
-  const double highest_m = *std::max_element(coating.orders().begin(), coating.orders().end());
+  const double highest_m = std::ranges::max(coating.orders());
   append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
   const double most = highest_m * highest_m + highest_n * highest_n;
   std::vector<double> bounds{kZeroOrder};
@@ -287,7 +286,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
         bounds[p], bounds[p + 1], [&](const auto& nodes) { return inertia_series.sample(nodes); },
         [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
   });
-  for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(spectrum->panels_));
+  for (auto& part : parts) std::ranges::move(part, std::back_inserter(spectrum->panels_));
   return spectrum;
 }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "instruction_sets.hpp"
-#include "modal/order_by_order.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
 #include "modal/self_similar_plane.hpp"
@@ -41,16 +40,13 @@ std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double h
                                         double inertia_tolerance) {
   if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, inertia_tolerance, threads, watch)) return shared;
   constexpr double kLowestOrder = 2.0;  // orders below are few
-  auto surface = std::make_shared<const HarmonicCoating>(coating);
-  if (coating.has_measured_moduli()) return std::make_unique<OrderByOrderSpectrum>(std::move(surface), highest_n);
-  return std::make_unique<OrderPanels>(std::move(surface), kLowestOrder, highest_n, threads, watch);
+  return std::make_unique<OrderPanels>(std::make_shared<const HarmonicCoating>(coating), kLowestOrder, highest_n,
+                                       threads, watch);
 }
 
 std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads, Watch& watch) {
   if (auto shared = SelfSimilarPlane::try_make(plane, highest_n)) return shared;
-  auto surface = std::make_shared<const HarmonicPlane>(plane);
-  if (plane.has_measured_moduli()) return std::make_unique<OrderByOrderSpectrum>(std::move(surface), highest_n);
-  return std::make_unique<OrderPanels>(std::move(surface), 0.0, highest_n, threads, watch);
+  return std::make_unique<OrderPanels>(std::make_shared<const HarmonicPlane>(plane), 0.0, highest_n, threads, watch);
 }
 
 OrderValues::OrderValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series)

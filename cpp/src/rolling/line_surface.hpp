@@ -1,5 +1,5 @@
 /// @file
-/// @brief Surfaces of rollers, and of what they roll on, in line contact: theory.md section 10.
+/// @brief Surfaces of rollers, and of what they roll on, in line contact: theory.md section 14.
 #pragma once
 
 #include <complex>

@@ -28,6 +28,8 @@ class SurfaceWindow {
   [[nodiscard]] WindowShape shape() const { return window_.shape(); }
   [[nodiscard]] const SurfaceGrid& grid() const { return grid_; }
   [[nodiscard]] const Window& window() const { return window_; }
+  /// @return how far downstream of the nodes the points are [spacings]
+  [[nodiscard]] double shift() const { return shift_; }
 
   /// Undeformed positions [m]: x forward, y down, z sideways.
   [[nodiscard]] const Eigen::ArrayXd& x() const { return x_; }

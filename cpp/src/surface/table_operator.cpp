@@ -83,12 +83,14 @@ class Terms {
   }
 
   [[nodiscard]] static std::size_t index_of(const TableRequest& request, const std::vector<TableRequest>& requests) {
-    return static_cast<std::size_t>(std::find(requests.begin(), requests.end(), request) - requests.begin());
+    return static_cast<std::size_t>(std::ranges::find(requests, request) - requests.begin());
   }
 
   Formulation formulation_;
   std::size_t shapes_;
 };
+
+}  // namespace
 
 std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
                                                            const SurfaceWindow& window) {
@@ -96,7 +98,7 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
   std::vector<std::array<ArrayXd, 3>> directions(components(formulation));
   if (formulation.compliance == Compliance::radial) {
     const Eigen::Index count = window.shape().size();
-    const std::array<Axis, 3> axis_of{kDown, kForward, kSideways};
+    const std::array<std::size_t, 3> axis_of{kDown, kForward, kSideways};
     for (std::size_t p = 0; p < directions.size(); ++p) {
       directions[p].fill(ArrayXd::Zero(count));
       directions[p][axis_of[p]].setConstant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
@@ -115,12 +117,15 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
 std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfaceWindow& window) {
   if (formulation.patch_load == PatchLoad::flat) return {Eigen::ArrayXd::Ones(window.shape().size())};
   std::vector<Eigen::ArrayXd> weights;
+  weights.reserve(shapes(formulation));
   for (std::size_t shape = 0; shape < shapes(formulation); ++shape) {
     weights.emplace_back(window.theta().unaryExpr(
         [&](double theta) { return spherical_patch_weights(theta, window.grid().theta_spacing)[shape]; }));
   }
   return weights;
 }
+
+namespace {
 
 /// Sums of a table over patches of two spacings: a quarter, a half and a quarter each way; at every `stride`-th offset.
 /// A line has one way.
@@ -215,7 +220,7 @@ VectorField TableOperator::displacement(const VectorField& force) const {
   const auto& directions = local_.displaced_directions;
   for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += directions[p][axis] * components.col(static_cast<Eigen::Index>(p));
+      result.col(axis) += directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
     }
   }
   return result;
@@ -265,7 +270,7 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
     const auto requests = requests_of(formulation);
     std::vector<Table> coarse;
     for (const TableRequest& request : requests_of(flat)) {
-      const auto place = std::find(requests.begin(), requests.end(), request) - requests.begin();
+      const auto place = std::ranges::find(requests, request) - requests.begin();
       coarse.push_back(widen(fine[static_cast<std::size_t>(place)]));
     }
     return std::make_shared<const std::vector<Table>>(std::move(coarse));

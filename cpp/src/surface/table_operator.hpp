@@ -35,6 +35,13 @@ struct Formulation {
 /// @brief Tables that the work lost in the body is made of.
 [[nodiscard]] std::vector<TableRequest> dissipation_tables(const Formulation& formulation);
 
+/// @return [component][axis] of r, phi and theta, or of r alone, at every node: what forces along the axes load
+[[nodiscard]] std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
+                                                                         const SurfaceWindow& window);
+
+/// @return [shape] the share of every node's load that its patch bears in the shape of a Legendre polynomial
+[[nodiscard]] std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfaceWindow& window);
+
 /// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
 /// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along
 /// the plane press with their share of r, and u_r moves the surface along the plane.

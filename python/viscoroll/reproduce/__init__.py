@@ -2,12 +2,14 @@
 
 from .convergence import compute_table2
 from .friction import compute_figure9
+from .frictional_start import compute_figure8
 from .inertia import compute_figure13
 from .item import Item, Outcome, Runner, Verdict, write_files, write_verdicts
 from .load import compute_figure10, compute_table3
 from .radial import compute_figure4
 from .sigmoid import compute_table4
 from .speed import compute_figure7, compute_figure12
+from .start import compute_figure6
 from .thickness import compute_figure11
 
 __all__ = ["ITEMS", "Item", "Outcome", "Runner", "Verdict", "write_files", "write_verdicts"]
@@ -18,7 +20,9 @@ ITEMS = {
     for item in (
         Item(name="table2", title="convergence with mesh and truncation", compute=compute_table2),
         Item(name="figure4", title="radial sub-intervals", compute=compute_figure4),
+        Item(name="figure6", title="sudden starts", compute=compute_figure6),
         Item(name="figure7", title="torque against speed", compute=compute_figure7),
+        Item(name="figure8", title="sudden starts with friction", compute=compute_figure8),
         Item(name="figure9", title="surface friction", compute=compute_figure9),
         Item(name="table3", title="power laws of the load", compute=compute_table3),
         Item(name="figure10", title="torque against load", compute=compute_figure10),

@@ -13,6 +13,7 @@ import numpy as np
 
 from .._arrays import as_floats
 from .._extras import extra
+from ..shift import Arrhenius, WilliamsLandelFerry
 from ..studies.least_squares import Parameter
 from .names import parse_header
 from .text import read_text
@@ -131,6 +132,12 @@ class ShiftLaw:
         values = [parameter.value for parameter in self.parameters.values()]
         model = _wlf if self.name == "WLF" else _arrhenius
         return model(np.asarray(temperature, dtype=float), self.reference, *values)
+
+    def shift(self) -> WilliamsLandelFerry | Arrhenius:
+        """Return a_T of temperatures in kelvin, as `viscoroll.self_heating` takes it."""
+        values = {name: parameter.value for name, parameter in self.parameters.items()}
+        kind = WilliamsLandelFerry if self.name == "WLF" else Arrhenius
+        return kind(**values, reference_temperature=self.reference + 273.15)
 
     def __str__(self) -> str:
         """Return law, intervals and residual in one line."""

@@ -6,7 +6,6 @@ import copy
 import itertools
 import re
 from collections.abc import Mapping
-from dataclasses import fields
 from pathlib import Path
 from typing import Any, Literal
 
@@ -110,7 +109,7 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
 
 
 def _arguments(case: Case) -> dict[str, Any]:
-    return {field.name: getattr(case, field.name) for field in fields(case) if field.name != "ball"}
+    return {name: value for name, value in case.arguments().items() if name != "ball"}
 
 
 def place_of(key: str) -> _Place:

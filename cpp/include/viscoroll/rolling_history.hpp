@@ -1,0 +1,153 @@
+/// @file
+/// @brief Transient rolling of a coated sphere on a rigid plane: start, stop, stand, reverse.
+///
+/// Frame as in solve.hpp: an angle that grows rolls forward. Layers share one relaxation function, inertia is left out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "viscoroll/formulation.hpp"
+#include "viscoroll/mesh.hpp"
+#include "viscoroll/observer.hpp"
+#include "viscoroll/sphere.hpp"
+
+namespace viscoroll {
+
+/// @brief What the coating has gone through before the first instant. It decides the first turn.
+enum class Start {
+  relaxed,  ///< it has borne the load for ever
+  fresh,    ///< it is pressed on in no time
+};
+
+/// @brief How a history is computed.
+struct HistoryOptions {
+  std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest
+  Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
+  Curvature curvature = Curvature::sphere;     ///< sphere or paper
+  double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], >= 0
+  double driving_force = 0.0;                  ///< Q on the center, forward [N], below friction * load in magnitude
+  int lattices = 4;                            ///< shifted lattices that are averaged, 1 to 16
+  /// Steps while the coating turns by a spacing, 1 to 64; none: one step from each knot to the next.
+  std::optional<int> steps_per_spacing = 4;
+  double shortest_time = 1e-4;       ///< of what a modulus with a continuous spectrum is resolved for [s], > 0
+  double longest_time = 1e4;         ///< likewise [s]
+  double spectrum_tolerance = 0.01;  ///< largest relative error of the compliance by discrete times [-], in (0, 1)
+  int threads = 0;                   ///< 0 for all cores
+};
+
+/// @brief A history at an instant. Energies are counted from the first instant, and means over the lattices.
+struct RollingInstant {
+  double time = 0.0;               ///< [s]
+  double angle = 0.0;              ///< psi, turned forward [rad]
+  double load = 0.0;               ///< P [N]
+  double resisting_torque = 0.0;   ///< T_r = sum of x p [N m]
+  double driving_torque = 0.0;     ///< T, moment of the contact forces about the center, which does the work [N m]
+  double penetration = 0.0;        ///< r_o - H [m]
+  double contact_area = 0.0;       ///< [m^2]
+  double semi_axis_x = 0.0;        ///< of the ellipse with the contact's second moments [m]
+  double semi_axis_z = 0.0;        ///< likewise [m]
+  double max_pressure = 0.0;       ///< [Pa]
+  double stored_energy = 0.0;      ///< in the coating [J]
+  double dissipated_energy = 0.0;  ///< lost in the coating and by slip since the start [J]
+  double work = 0.0;               ///< of torque and load since the start, by the trapezoidal rule [J]
+  double energy_imbalance = 0.0;   ///< work - change of stored energy - dissipated_energy [J]
+  double driving_force = 0.0;      ///< Q = -sum of t_x, force on the center, forward [N]; 0 without friction
+  double center_way = 0.0;         ///< of the center since the start [m]; 0 without friction
+  double slip_energy = 0.0;        ///< part of dissipated_energy that slip on the plane takes [J]
+  double stick_share = 0.0;        ///< of the nodes in contact [-]; 0 without friction
+  double error_estimate = 0.0;     ///< of the torque: standard error of the mean over the lattices [N m]
+};
+
+/// @brief Fields of the contact of one lattice at an instant, row-major [phi][theta].
+struct ContactField {
+  double time = 0.0;             ///< [s]
+  int phi_nodes = 0;             ///< rows
+  int theta_nodes = 0;           ///< columns
+  std::vector<double> x;         ///< forward coordinate of the undeformed nodes [m]
+  std::vector<double> z;         ///< lateral coordinate [m]
+  std::vector<double> pressure;  ///< [Pa]
+};
+
+/// @brief A motion between knots: angle and load linear in time. Two knots at one time are a jump.
+struct Motion {
+  std::vector<double> time;   ///< [s], at least one, not decreasing
+  std::vector<double> angle;  ///< psi [rad], as many
+  std::vector<double> load;   ///< P [N], as many, > 0
+};
+
+/// @brief Check a motion.
+/// @throws std::invalid_argument naming parameter, value, unit and range
+void validate(const Motion& motion);
+
+/// @brief Everything that a history remembers, as numbers to be stored.
+struct RollingState {
+  std::vector<double> numbers;  ///< in an order of the library's own
+};
+
+/// @brief A coated sphere on its way: state in, state out. Copies are independent of each other and share tables, so
+/// that a step can be tried and taken back.
+class RollingHistory {
+ public:
+  /// @param[in] sphere core and layers that share one relaxation function, with constant Poisson's ratios
+  /// @param[in] load P at the first instant [N], > 0
+  /// @param[in] start what was before
+  /// @param[in] options how to compute
+  /// @param[in] time,angle of the first instant [s], [rad]
+  /// @param[in] observer progress and cancellation
+  /// @throws std::invalid_argument for bad input, and coatings that are not for this method
+  RollingHistory(const CoatedSphere& sphere, double load, Start start = Start::relaxed,
+                 const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
+                 const Observer& observer = {});
+  RollingHistory(const RollingHistory& other);
+  RollingHistory(RollingHistory&& other) noexcept;
+  RollingHistory& operator=(const RollingHistory& other);
+  RollingHistory& operator=(RollingHistory&& other) noexcept;
+  ~RollingHistory();
+
+  /// @brief Turn and load linearly in time, in steps of the library's choice.
+  /// @param[in] time [s], not before now; now for a jump
+  /// @param[in] angle [rad]
+  /// @param[in] load [N], > 0
+  /// @param[in] observer progress and cancellation
+  /// @return the instant at the end
+  /// @throws std::invalid_argument for bad input, ConvergenceError, Cancelled; the history is then as it was before
+  RollingInstant advance(double time, double angle, double load, const Observer& observer = {});
+
+  /// @return the instant reached
+  [[nodiscard]] const RollingInstant& now() const;
+  /// @return contact of the first lattice at the instant reached
+  [[nodiscard]] ContactField contact() const;
+  /// @return steps taken since the first instant
+  [[nodiscard]] std::int64_t steps() const;
+  /// @return the mesh
+  [[nodiscard]] const Mesh& mesh() const;
+  /// @return largest relative error of the creep compliance by discrete retardation times [-]
+  [[nodiscard]] double spectrum_error() const;
+
+  /// @return what is needed to go on from here, in a history of the same sphere and options
+  [[nodiscard]] RollingState state() const;
+  /// @brief Go on from a state.
+  /// @throws std::invalid_argument where it is of another sphere or of other options
+  void restore(const RollingState& state);
+
+ private:
+  friend std::vector<RollingInstant> roll(RollingHistory&, const Motion&, const Observer&);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// @brief Follow a motion.
+/// @param[in,out] history at the first knot; where it is later, the motion is followed from there on. After an
+/// exception it is at the last instant that was reached
+/// @param[in] motion knots
+/// @param[in] observer progress and cancellation
+/// @return all instants, that of the start first
+/// @throws std::invalid_argument for bad input
+/// @throws ConvergenceError, Cancelled
+[[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,
+                                               const Observer& observer = {});
+
+}  // namespace viscoroll

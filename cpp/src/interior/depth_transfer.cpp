@@ -1,0 +1,235 @@
+#include "interior/depth_transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "modal/compliance_recursion.hpp"
+#include "modal/spectrum.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::Index;
+
+constexpr std::size_t kStates = 6;
+
+/// Of k^2 at the ends of a panel: wider ones hold exp(-k depth) only rarely, and would be sampled in vain.
+constexpr double kPanelRatio = 8.0;
+
+/// All entries under the loaded components. With k along theta, theta and r keep to themselves, and phi does.
+std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool along_theta) {
+  const bool tangential = loaded[1] || loaded[2];
+  std::vector<DepthSeries::Entry> entries;
+  for (std::size_t component = 0; component < kStates; ++component) {
+    for (std::size_t column = 0; column < loaded.size(); ++column) {
+      const bool apart = along_theta && (component % 3 == 1) != (column == 1);
+      const bool wanted = along_theta && column > 0 ? tangential : loaded[column];
+      if (wanted && !apart) entries.push_back({component, column});
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+DepthSeries::DepthSeries(std::vector<Medium<cplx>> pieces, std::vector<std::size_t> boundaries, double m,
+                         double highest_n, std::vector<Entry> entries, double tolerance)
+    : pieces_(std::move(pieces)),
+      boundaries_(std::move(boundaries)),
+      m_(m),
+      entries_(std::move(entries)),
+      tolerance_(tolerance) {
+  double lowest = m * m;
+  if (m == 0.0) {
+    const std::array zero{0.0};
+    append_constants<cplx>(kZeroOrder, solve(zero).col(0), panels_);
+    lowest = kZeroOrder;
+  }
+  const double highest = m * m + std::max(highest_n * highest_n, 1.0);
+  if (lowest < kLowOrders && kLowOrders < highest) {
+    append(lowest, kLowOrders);
+    lowest = kLowOrders;
+  }
+  append(lowest, highest);
+  is_real_ = std::all_of(panels_.begin(), panels_.end(),
+                         [](const Panel<cplx>& panel) { return panel.series.imag().isZero(0.0); });
+}
+
+void DepthSeries::append(double low, double high) {
+  if (high / low > kPanelRatio) {
+    const double middle = std::max(high / kPanelRatio, std::sqrt(low * high));
+    append(low, middle);
+    append(middle, high);
+    return;
+  }
+  append_panels(
+      low, high, [this](const std::array<double, kPanelNodes>& nodes) { return solve(nodes); },
+      [this](const Panel<cplx>& panel) { return is_resolved(panel); }, panels_);
+}
+
+DepthSeries::Values DepthSeries::solve(std::span<const double> squares) const {
+  std::vector<OrderInLayers<cplx>> orders;
+  for (const double square : squares) {
+    orders.push_back({.media = pieces_, .m = m_, .n = std::sqrt(std::max(square - m_ * m_, 0.0))});
+  }
+  std::vector<std::vector<DepthState>> states(orders.size());
+  depth_states(orders, states);
+  Values values(static_cast<Index>(boundaries_.size() * entries_.size()), static_cast<Index>(orders.size()));
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    Index row = 0;
+    for (const std::size_t boundary : boundaries_) {
+      for (const Entry& entry : entries_) {
+        const cplx value = states[i][boundary](static_cast<Index>(entry.component), static_cast<Index>(entry.column));
+        const double divisor = entry.is_odd() && orders[i].n > 0.0 ? orders[i].n : 1.0;
+        values(row++, static_cast<Index>(i)) = value / divisor;
+      }
+    }
+  }
+  return values;
+}
+
+bool DepthSeries::is_resolved(const Panel<cplx>& panel) const {
+  const double highest_n = std::sqrt(std::max(panel.high - m_ * m_, 1.0));
+  const auto for_rows = [&](const auto& function) {
+    Index row = 0;
+    for (std::size_t boundary = 0; boundary < boundaries_.size(); ++boundary) {
+      for (const Entry& entry : entries_) function(row++, entry.component < 3, entry.is_odd() ? highest_n : 1.0);
+    }
+  };
+  // Stresses are of the size of their load; displacements are judged by the largest of them.
+  double displacement = 0.0;
+  for_rows([&](Index row, bool displaced, double scale) {
+    if (displaced) displacement = std::max(displacement, scale * panel.series.row(row).cwiseAbs().maxCoeff());
+  });
+  bool resolved = true;
+  for_rows([&](Index row, bool displaced, double scale) {
+    const double last = scale * panel.series.row(row).template tail<2>().cwiseAbs().maxCoeff();
+    resolved = resolved && last <= tolerance_ * (displaced ? displacement : 1.0);
+  });
+  return resolved;
+}
+
+DepthTransfer::DepthTransfer(std::shared_ptr<const DepthSeries> series, double m, const Eigen::ArrayXd& n,
+                             cplx modulus_ratio)
+    : series_(std::move(series)), modulus_ratio_(modulus_ratio) {
+  const Eigen::ArrayXd squares = m * m + n.square();
+  if (is_shared()) {
+    const Eigen::ArrayXd k = squares.sqrt();
+    const Eigen::ArrayXd safe = k.max(1e-300);
+    odd_factor_ = k.transpose().cast<cplx>();
+    cosine_ = (m / safe).transpose().cast<cplx>();
+    sine_ = (k > 0.0).select(n / safe, 1.0).transpose().cast<cplx>();
+    if (m == 0.0) cosine_.setZero();
+  } else {
+    odd_factor_ = n.transpose().cast<cplx>();
+  }
+  Index first = 0;
+  for (const Panel<cplx>& panel : series_->panels()) {
+    const double* end = std::upper_bound(squares.data() + first, squares.data() + squares.size(), panel.high);
+    const Index last = &panel == &series_->panels().back() ? squares.size() : end - squares.data();
+    const Index count = last - first;
+    first_.push_back(first);
+    Eigen::MatrixXd& chebyshev = chebyshev_.emplace_back(Eigen::MatrixXd::Zero(kPanelNodes, count));
+    first = last;
+    if (count == 0) continue;
+    chebyshev.row(0).setOnes();
+    if (panel.low == 0.0) continue;
+    const double scale = 2.0 / std::log(panel.high / panel.low);
+    const Eigen::Array<double, 1, Eigen::Dynamic> x =
+        (squares.segment(last - count, count) / panel.low).log().transpose() * scale - 1.0;
+    chebyshev.row(1) = x;
+    for (int j = 2; j < kPanelNodes; ++j) {
+      chebyshev.row(j) = 2.0 * x * chebyshev.row(j - 1).array() - chebyshev.row(j - 2).array();
+    }
+  }
+  first_.push_back(first);
+}
+
+ComponentRows DepthTransfer::values(std::size_t boundary, Index count) const {
+  const auto rows = static_cast<Index>(series_->entries().size());
+  ComponentRows values = ComponentRows::Zero(rows, count);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part;
+  for (std::size_t p = 0; p < series_->panels().size() && first_[p] < count; ++p) {
+    const Index width = std::min(first_[p + 1], count) - first_[p];
+    if (width == 0) continue;
+    const auto series = series_->panels()[p].series.middleRows(static_cast<Index>(boundary) * rows, rows);
+    part.noalias() = series.real() * chebyshev_[p].leftCols(width);
+    values.middleCols(first_[p], width).real() = part;
+    if (series_->is_real()) continue;
+    part.noalias() = series.imag() * chebyshev_[p].leftCols(width);
+    values.middleCols(first_[p], width).imag() = part;
+  }
+  return values;
+}
+
+void DepthTransfer::state(std::size_t boundary, Index count, const LoadRows& loads, ComponentRows& state) const {
+  const ComponentRows values = this->values(boundary, count);
+  LoadRows turned = loads.leftCols(count);
+  const auto cosine = cosine_.head(is_shared() ? count : 0);
+  const auto sine = sine_.head(is_shared() ? count : 0);
+  if (is_shared()) {
+    // With k along theta: theta is along k, phi opposite to the direction across it.
+    turned.row(1) = sine * loads.row(1).head(count) - cosine * loads.row(2).head(count);
+    turned.row(2) = cosine * loads.row(1).head(count) + sine * loads.row(2).head(count);
+  }
+  state.setZero(kStates, count);
+  for (std::size_t row = 0; row < series_->entries().size(); ++row) {
+    const DepthSeries::Entry& entry = series_->entries()[row];
+    auto sum = state.row(static_cast<Index>(entry.component));
+    const auto share = values.row(static_cast<Index>(row)) * turned.row(static_cast<Index>(entry.column));
+    if (entry.is_odd()) {
+      sum += odd_factor_.head(count) * share;
+    } else {
+      sum += share;
+    }
+  }
+  if (!is_shared()) return;
+  for (const Index phi : {1, 4}) {
+    const Eigen::Array<cplx, 1, Eigen::Dynamic> across = state.row(phi);
+    const Eigen::Array<cplx, 1, Eigen::Dynamic> along = state.row(phi + 1);
+    state.row(phi) = sine * across + cosine * along;
+    state.row(phi + 1) = sine * along - cosine * across;
+  }
+  state.topRows(3) /= modulus_ratio_;
+}
+
+DepthTransfers::DepthTransfers(const HarmonicCoating& coating, const LayerCuts& cuts,
+                               std::vector<std::size_t> boundaries, double highest_k, const LoadedComponents& loaded,
+                               const Accuracy& accuracy)
+    : coating_(coating), cuts_(cuts), boundaries_(std::move(boundaries)), tolerance_(accuracy.tolerance) {
+  const bool shares = can_share(accuracy.inertia);
+  entries_ = entries_of(loaded, shares);
+  if (!shares) return;
+  auto pieces = cuts_.pieces(coating_.media(0));
+  for (auto& piece : pieces) piece.inertia = 0.0;
+  shared_ = std::make_shared<const DepthSeries>(std::move(pieces), boundaries_, 0.0, highest_k, entries_, tolerance_);
+}
+
+bool DepthTransfers::can_share(double negligible_inertia) const {
+  constexpr double kSame = 1e-12;
+  const std::vector<Layer>& layers = coating_.sphere().layers;
+  const double speed = coating_.angular_speed() * coating_.outer_radius();
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    if (!layers[l].poisson_ratio ||
+        layers[l].density * speed * speed > negligible_inertia * coating_.modulus(l, 0).real()) {
+      return false;
+    }
+    const cplx ratio = coating_.modulus(l, 0) / coating_.modulus(0, 0);
+    for (std::size_t i = 0; i < coating_.orders().size(); ++i) {
+      if (std::abs(coating_.modulus(l, i) / coating_.modulus(0, i) - ratio) > kSame * std::abs(ratio)) return false;
+    }
+  }
+  return true;
+}
+
+DepthTransfer DepthTransfers::at(std::size_t i, const Eigen::ArrayXd& n) const {
+  const double m = coating_.orders()[i];
+  if (shared_) return {shared_, m, n, coating_.modulus(0, i) / coating_.modulus(0, 0)};
+  return {std::make_shared<const DepthSeries>(cuts_.pieces(coating_.media(i)), boundaries_, m, n[n.size() - 1],
+                                              entries_, tolerance_),
+          m, n, 0.0};
+}
+
+}  // namespace viscoroll::detail

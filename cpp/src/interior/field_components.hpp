@@ -1,0 +1,86 @@
+/// @file
+/// @brief All components of displacement, stress and strain from the state at a place.
+///
+/// A state holds u_r, v_phi, v_theta and the stresses on the surface r = const, r sigma = (s, tau_phi, tau_theta);
+/// those across it follow from the strains along the surface. Formulas in theory.md section 10, none of which divides
+/// by b.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "modal/medium.hpp"
+#include "viscoroll/interior.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Components in the order of `InteriorFields::values`.
+enum Component : std::size_t {
+  kDisplacement = 0,  ///< r, phi, theta
+  kStress = 3,        ///< rr, phiphi, thetatheta, rphi, rtheta, phitheta
+  kStrain = 9,        ///< likewise
+};
+
+/// @return whether the component is i times its real form: one index phi or theta beside r
+[[nodiscard]] constexpr bool is_imaginary(std::size_t component) {
+  constexpr std::array<bool, kFieldComponents> kImaginary{false, true,  true,  false, false, false, true, true,
+                                                          false, false, false, false, true,  true,  false};
+  return kImaginary[component];
+}
+
+/// @return whether the component changes sign with theta, under loads that are mirror images of themselves
+[[nodiscard]] constexpr bool is_odd_in_theta(std::size_t component) {
+  constexpr std::array<bool, kFieldComponents> kOdd{false, false, true,  false, false, false, false, true,
+                                                    true,  false, false, false, false, true,  true};
+  return kOdd[component];
+}
+
+/// @brief Fields of one m and many n, a row for each component, in the real form.
+using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// @brief All components.
+/// @param[in] medium at the place
+/// @param[in] radius r [m]
+/// @param[in] m,n orders
+/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
+/// @param[out] fields kFieldComponents rows
+inline void field_components(const Medium<std::complex<double>>& medium, double radius, double m,
+                             const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
+  using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
+  const std::complex<double> mu = medium.mu;
+  const std::complex<double> b = medium.b;
+  const std::complex<double> a = 1.0 - 2.0 * b;
+  // Of the strain by tangential displacements, the part that changes no area carries the membrane stiffness.
+  const Eigen::Array<double, 1, Eigen::Dynamic> k2 = (m * m + n.square()).transpose();
+  const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr([&](double square) {
+    return square > 0.0 ? std::sqrt(membrane_stiffness(medium.curvature, square) / square) : 1.0;
+  });
+  const auto orders = n.transpose().cast<std::complex<double>>();
+  const Row along_phi = m * state.row(1);
+  const Row along_theta = orders * state.row(2);
+  const Row t = along_phi + along_theta - 2.0 * state.row(0);
+  const Row area = -0.5 * t;  // u_r - (m v_phi + n v_theta) / 2, half the change of area
+  const Row shape = 0.5 * membrane * (along_theta - along_phi);
+  const Row twist = -membrane * (m * state.row(2) + orders * state.row(1));  // twice the strain phitheta
+  const double per_radius = 1.0 / radius;
+
+  fields.resize(static_cast<Eigen::Index>(kFieldComponents), n.size());
+  fields.topRows(3) = state.topRows(3);
+  const Row mean = a * state.row(3) - 2.0 * a * mu * t;
+  fields.row(kStress) = per_radius * state.row(3);
+  fields.row(kStress + 1) = per_radius * (mean + 2.0 * mu * (area + shape));
+  fields.row(kStress + 2) = per_radius * (mean + 2.0 * mu * (area - shape));
+  fields.row(kStress + 3) = per_radius * state.row(4);
+  fields.row(kStress + 4) = per_radius * state.row(5);
+  fields.row(kStress + 5) = per_radius * mu * twist;
+  fields.row(kStrain) = per_radius * (a * t + b / mu * state.row(3));
+  fields.row(kStrain + 1) = per_radius * (area + shape);
+  fields.row(kStrain + 2) = per_radius * (area - shape);
+  fields.row(kStrain + 3) = per_radius / (2.0 * mu) * state.row(4);
+  fields.row(kStrain + 4) = per_radius / (2.0 * mu) * state.row(5);
+  fields.row(kStrain + 5) = 0.5 * per_radius * twist;
+}
+
+}  // namespace viscoroll::detail

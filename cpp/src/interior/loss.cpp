@@ -1,0 +1,271 @@
+// Energy lost inside the coating: w(r, theta) and its volume integral, theory.md section 11.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "influence/fft.hpp"
+#include "influence/gauss_legendre.hpp"
+#include "influence/order_bands.hpp"
+#include "interior/depth_limit.hpp"
+#include "interior/depth_transfer.hpp"
+#include "interior/load_spectrum.hpp"
+#include "parallel.hpp"
+#include "validate.hpp"
+#include "viscoroll/interior.hpp"
+
+namespace viscoroll {
+namespace detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::ArrayXd;
+using Eigen::Index;
+using std::numbers::pi;
+
+constexpr double kDeepest = 14.0;  // exponent beyond which nothing of an order is left, squared
+/// Of fields, whose squares are added up.
+constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-10, .inertia = 1e-9};
+constexpr std::size_t kBlock = 8;  // orders that are added up in a row, whatever the threads
+
+/// Nodes of the volume integral through one layer: Gauss's in the root of the depth, where the loss falls like that of
+/// a Gaussian whatever the orders.
+/// @param[in] exponents of the quickest fall through the layer
+int radial_nodes(double exponents) { return 8 + static_cast<int>(std::ceil(1.6 * std::sqrt(exponents))); }
+
+struct WeightedPlaces {
+  std::vector<Place> places;
+  std::vector<double> weights;  // dr [m]
+};
+
+WeightedPlaces volume_nodes(const CoatedSphere& sphere, double max_order) {
+  constexpr double kSeen = 12.0;  // exponent of what still matters at the top of a layer: 1e-10 of the loss
+  WeightedPlaces nodes;
+  const double surface = outer_radius(sphere);
+  double outer = surface;
+  for (std::size_t layer = sphere.layers.size(); layer-- > 0;) {
+    const double thickness = sphere.layers[layer].thickness;
+    const double inner = layer > 0 ? outer - thickness : sphere.core_radius;
+    const double above = std::log(surface / outer);
+    const double highest = above > 0.0 ? std::min(max_order, kSeen / above) : max_order;
+    const double extent = std::log(outer / std::max(inner, 1e-3 * outer));
+    const auto [points, weights] = gauss_legendre(radial_nodes(2.0 * highest * extent));
+    for (Index i = 0; i < points.size(); ++i) {
+      const double y = 0.5 * (1.0 + points[i]);
+      nodes.places.push_back({.radius = outer - thickness * y * y, .layer = static_cast<int>(layer)});
+      nodes.weights.push_back(thickness * y * weights[i]);
+    }
+    outer = inner;
+  }
+  return nodes;
+}
+
+ArrayXd whole_numbers(int highest) { return ArrayXd::LinSpaced(highest + 1, 0.0, highest); }
+
+/// What some orders m lose.
+struct Losses {
+  Eigen::ArrayXXd density;   // theta by place
+  Eigen::ArrayXXd by_order;  // layer by order, of the block
+  double surface = 0.0;
+};
+
+/// Loads of one order m.
+struct OrderLoads {
+  LoadRows same;
+  LoadRows opposite;
+};
+
+/// Those of all places, and the surface, for the power put in.
+std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places) {
+  std::vector<std::size_t> boundaries;
+  for (std::size_t place = 0; place < places; ++place) boundaries.push_back(cuts.boundary(place));
+  boundaries.push_back(cuts.boundaries() - 1);
+  return boundaries;
+}
+
+class LossSum {
+ public:
+  LossSum(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions, std::vector<Place> places,
+          std::vector<double> weights, int max_order)
+      : places_(std::move(places)),
+        weights_(std::move(weights)),
+        cuts_(sphere, places_),
+        limit_(sphere, angular_speed),
+        orders_(whole_numbers(max_order)),
+        coating_(sphere, angular_speed, {orders_.begin(), orders_.end()}, measured_order(tractions.mesh),
+                 tractions.curvature),
+        loads_(tractions, coating_.outer_radius(), orders_, orders_),
+        transfers_(coating_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order,
+                   loads_.loaded(), kAccuracy),
+        theta_nodes_(fast_length(2 * max_order + 2)),
+        transform_(theta_nodes_) {}
+
+  [[nodiscard]] LossDensity sum(int threads, Watch& watch) const {
+    const auto count = static_cast<std::size_t>(orders_.size() - 1);
+    std::vector<Losses> blocks((count + kBlock - 1) / kBlock);
+    parallel_for(blocks.size(), threads, watch, "loss inside", [&](std::size_t block, const Worker& worker) {
+      Losses& losses = blocks[block];
+      losses.density.setZero(theta_nodes_, static_cast<Index>(places_.size()));
+      losses.by_order.setZero(static_cast<Index>(coating_.sphere().layers.size()), kBlock);
+      for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
+        add_order(static_cast<Index>(block * kBlock + i + 1), static_cast<Index>(i), losses);
+        worker.checkpoint();
+      }
+    });
+    return collect(blocks, count);
+  }
+
+ private:
+  void add_order(Index order, Index in_block, Losses& losses) const {
+    const double m = orders_[order];
+    const DepthTransfer transfer = transfers_.at(static_cast<std::size_t>(order), orders_);
+    const auto media = coating_.media(static_cast<std::size_t>(order));
+    const OrderLoads loads{.same = loads_.loads(Mirror::same, order),
+                           .opposite = loads_.loads(Mirror::opposite, order)};
+    ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      const Place& place = places_[p];
+      const double limit = limit_(place, kDeepest);
+      if (m > limit) continue;
+      const double highest = std::min(std::sqrt(limit * limit - m * m), orders_[orders_.size() - 1]);
+      const Medium<cplx>& medium = media[static_cast<std::size_t>(place.layer)];
+      const ArrayXd density = density_of(transfer, p, medium, place, m, static_cast<Index>(highest) + 1, loads, line);
+      losses.density.col(static_cast<Index>(p)) += density;
+      losses.by_order(place.layer, in_block) +=
+          weights_[p] * place.radius * place.radius * density.sum() * 2.0 * pi / theta_nodes_;
+    }
+    losses.surface += surface_loss(transfer, places_.size(), m, loads);
+  }
+
+  /// w of order m at a place, over theta.
+  [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t boundary, const Medium<cplx>& medium,
+                                   const Place& place, double m, Index count, const OrderLoads& loads,
+                                   ComplexBuffer& line) const {
+    const ArrayXd n = orders_.head(count);
+    std::array<ComponentRows, 2> fields;
+    for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
+      if (!loads_.has(mirror)) continue;
+      ComponentRows state;
+      transfer.state(boundary, count, mirror == Mirror::same ? loads.same : loads.opposite, state);
+      field_components(medium, place.radius, m, n, state, fields[static_cast<std::size_t>(mirror)]);
+    }
+    // Tensor components count twice off the diagonal.
+    constexpr std::array kTimes{1.0, 1.0, 1.0, 2.0, 2.0, 2.0};
+    ArrayXd square = ArrayXd::Zero(theta_nodes_);
+    Eigen::ArrayXcd trace = Eigen::ArrayXcd::Zero(theta_nodes_);
+    for (std::size_t c = 0; c < kTimes.size(); ++c) {
+      to_theta(fields, kStrain + c, line);
+      const Eigen::Map<const Eigen::ArrayXcd> strain(line.data(), theta_nodes_);
+      square += kTimes[c] * strain.abs2();
+      if (c < 3) trace += strain;
+    }
+    const cplx b = medium.b;
+    // K = mu (a + 2b/3) / b; an incompressible layer has no change of volume to lose by.
+    const double bulk = b == 0.0 ? 0.0 : (medium.mu * (1.0 - 4.0 / 3.0 * b) / b).imag();
+    return 4.0 * pi * m * (2.0 * medium.mu.imag() * (square - trace.abs2() / 3.0) + bulk * trace.abs2());
+  }
+
+  /// Sum of both kinds over n of either sign, by a transform.
+  void to_theta(const std::array<ComponentRows, 2>& fields, std::size_t component, ComplexBuffer& line) const {
+    std::fill(line.begin(), line.end(), 0.0);
+    const auto row = static_cast<Index>(component);
+    const double mirrored = is_odd_in_theta(component) ? -1.0 : 1.0;
+    for (std::size_t kind = 0; kind < fields.size(); ++kind) {
+      const double of_negative = kind == 0 ? mirrored : -mirrored;
+      for (Index n = 0; n < fields[kind].cols(); ++n) {
+        line[static_cast<std::size_t>(n)] += fields[kind](row, n);
+        if (n > 0) line[static_cast<std::size_t>(theta_nodes_ - n)] += of_negative * fields[kind](row, n);
+      }
+    }
+    transform_.backward(line.data());
+  }
+
+  /// What the tractions put into order m, per Omega: -(2 pi)^2 r_o m Im(conj(f)^T u), over orders of either sign.
+  [[nodiscard]] double surface_loss(const DepthTransfer& transfer, std::size_t boundary, double m,
+                                    const OrderLoads& loads) const {
+    double sum = 0.0;
+    for (const LoadRows* part : {&loads.same, &loads.opposite}) {
+      ComponentRows state;
+      transfer.state(boundary, orders_.size(), *part, state);
+      // The two kinds do not work on one another; order n = 0 is there once.
+      const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
+      sum += 2.0 * work.sum() - work[0];
+    }
+    return -2.0 * std::pow(2.0 * pi, 2) * coating_.outer_radius() * m * sum;
+  }
+
+  [[nodiscard]] LossDensity collect(const std::vector<Losses>& blocks, std::size_t count) const {
+    const double speed = coating_.angular_speed();
+    const auto layers = coating_.sphere().layers.size();
+    Eigen::ArrayXXd density = Eigen::ArrayXXd::Zero(theta_nodes_, static_cast<Index>(places_.size()));
+    LossDensity loss{.places = places_, .radial_weights = weights_, .theta = {}, .density = {}, .order_power = {}};
+    loss.order_power.assign(layers * (count + 1), 0.0);
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      density += blocks[block].density;
+      loss.surface_power += speed * blocks[block].surface;
+      for (std::size_t layer = 0; layer < layers; ++layer) {
+        for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
+          const double power = speed * blocks[block].by_order(static_cast<Index>(layer), static_cast<Index>(i));
+          loss.order_power[layer * (count + 1) + block * kBlock + i + 1] = power;
+          loss.volume_power += power;
+        }
+      }
+    }
+    // Transforms begin at the middle plane; users go around from -pi/2.
+    const int half = theta_nodes_ / 2;
+    for (int j = 0; j < theta_nodes_; ++j) loss.theta.push_back(0.5 * pi + 2.0 * pi * (j - half) / theta_nodes_);
+    for (Index place = 0; place < density.cols(); ++place) {
+      for (int j = 0; j < theta_nodes_; ++j) {
+        loss.density.push_back(density((j - half + theta_nodes_) % theta_nodes_, place));
+      }
+    }
+    return loss;
+  }
+
+  std::vector<Place> places_;
+  std::vector<double> weights_;
+  LayerCuts cuts_;
+  DepthLimit limit_;
+  ArrayXd orders_;
+  HarmonicCoating coating_;
+  LoadSpectrum loads_;
+  DepthTransfers transfers_;
+  int theta_nodes_;
+  ComplexFft transform_;
+};
+
+}  // namespace
+}  // namespace detail
+
+LossDensity loss_density(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
+                         std::span<const Place> places, int max_order, int threads, const Observer& observer) {
+  constexpr int kHighestOrder = 20000;
+  validate(sphere);
+  detail::require_positive("angular_speed", angular_speed, "rad/s");
+  detail::validate(tractions);
+  detail::require_thread_count(threads);
+  if (max_order < 1 || max_order > kHighestOrder) {
+    detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));
+  }
+  auto nodes = detail::volume_nodes(sphere, max_order);
+  const std::size_t integrated = nodes.places.size();
+  nodes.places.insert(nodes.places.end(), places.begin(), places.end());
+  nodes.weights.resize(nodes.places.size(), 0.0);
+
+  detail::Watch watch(observer);
+  const detail::LossSum sum(sphere, angular_speed, tractions, nodes.places, nodes.weights, max_order);
+  LossDensity loss = sum.sum(threads, watch);
+  if (!places.empty()) {
+    const auto size = static_cast<std::ptrdiff_t>(integrated);
+    loss.places.erase(loss.places.begin(), loss.places.begin() + size);
+    loss.radial_weights.erase(loss.radial_weights.begin(), loss.radial_weights.begin() + size);
+    loss.density.erase(loss.density.begin(),
+                       loss.density.begin() + size * static_cast<std::ptrdiff_t>(loss.theta.size()));
+  }
+  return loss;
+}
+
+}  // namespace viscoroll

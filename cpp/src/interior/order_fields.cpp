@@ -1,0 +1,73 @@
+// Public face of single orders inside the layers.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "interior/field_components.hpp"
+#include "interior/layer_cuts.hpp"
+#include "modal/compliance_recursion.hpp"
+#include "parallel.hpp"
+#include "validate.hpp"
+#include "viscoroll/interior.hpp"
+
+namespace viscoroll {
+namespace {
+
+using cplx = std::complex<double>;
+
+/// From the real form: components and loads along phi and theta are i times theirs.
+cplx physical(cplx value, std::size_t component, int load) {
+  const cplx i(0.0, 1.0);
+  if (detail::is_imaginary(component)) value *= i;
+  return load == 0 ? value : -i * value;
+}
+
+}  // namespace
+
+std::vector<cplx> order_fields(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
+                               std::span<const int> n, std::span<const Place> places, Curvature curvature,
+                               const Observer& observer) {
+  constexpr int kHighestOrder = 1000000;
+  detail::require_orders(curvature);
+  if (m.size() != n.size()) {
+    detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
+  }
+  std::vector<double> magnitudes;
+  for (const int order : m) {
+    if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
+    magnitudes.push_back(std::abs(order));
+  }
+  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
+                                        curvature);
+  const detail::LayerCuts cuts(sphere, places);
+  const double surface = coating.outer_radius();
+
+  detail::Watch watch(observer);
+  std::vector<cplx> values(m.size() * places.size() * kFieldComponents * 3);
+  detail::parallel_for(m.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
+    // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
+    const bool conjugate = m[i] < 0;
+    const Eigen::ArrayXd order = Eigen::ArrayXd::Constant(1, conjugate ? -n[i] : n[i]);
+    const auto media = coating.media(i);
+    const auto pieces = cuts.pieces(media);
+    const detail::OrderInLayers<cplx> in_layers{.media = pieces, .m = magnitudes[i], .n = order[0]};
+    std::vector<detail::DepthState> states;
+    detail::depth_states(std::span(&in_layers, 1), std::span(&states, 1));
+    cplx* out = values.data() + i * places.size() * kFieldComponents * 3;
+    for (std::size_t place = 0; place < places.size(); ++place, out += kFieldComponents * 3) {
+      for (int load = 0; load < 3; ++load) {
+        const detail::ComponentRows state = surface * states[cuts.boundary(place)].col(load).array();
+        detail::ComponentRows fields;
+        detail::field_components(media[static_cast<std::size_t>(places[place].layer)], places[place].radius,
+                                 magnitudes[i], order, state, fields);
+        for (std::size_t c = 0; c < kFieldComponents; ++c) {
+          const cplx value = physical(fields(static_cast<Eigen::Index>(c), 0), c, load);
+          out[3 * c + static_cast<std::size_t>(load)] = conjugate ? std::conj(value) : value;
+        }
+      }
+    }
+  });
+  return values;
+}
+
+}  // namespace viscoroll

@@ -1,0 +1,335 @@
+// Fields on surfaces r = const inside the coating: the sum over orders along theta, then along phi.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "influence/order_bands.hpp"
+#include "interior/depth_limit.hpp"
+#include "interior/depth_transfer.hpp"
+#include "interior/load_spectrum.hpp"
+#include "modal/centrifugal.hpp"
+#include "parallel.hpp"
+#include "validate.hpp"
+#include "viscoroll/interior.hpp"
+
+namespace viscoroll {
+namespace detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::ArrayXd;
+using Eigen::Index;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Sums end smoothly where exp(-9) is left of orders that hold little of the tractions: 1e-6 of the field.
+constexpr double kEnd = 9.0;
+constexpr double kDeepest = 12.0;
+constexpr DepthTransfers::Accuracy kAccuracy{.tolerance = 1e-8, .inertia = 1e-6};
+
+constexpr auto kComponents = static_cast<Index>(kFieldComponents);
+
+/// Orders of one direction, ascending, with their weights in the sum.
+struct WeightedOrders {
+  ArrayXd orders;
+  ArrayXd weights;
+
+  explicit WeightedOrders(const std::vector<OrderBand>& bands) {
+    std::vector<std::pair<double, double>> all;
+    for (const OrderBand& band : bands) {
+      for (Index i = 0; i < band.orders.size(); ++i) all.emplace_back(band.orders[i], band.weights[i]);
+    }
+    std::sort(all.begin(), all.end());
+    orders.resize(static_cast<Index>(all.size()));
+    weights.resize(orders.size());
+    for (Index i = 0; i < orders.size(); ++i) {
+      std::tie(orders[i], weights[i]) = all[static_cast<std::size_t>(i)];
+    }
+  }
+
+  [[nodiscard]] Index count_up_to(double highest) const {
+    return std::upper_bound(orders.begin(), orders.end(), highest) - orders.begin();
+  }
+};
+
+/// Angles from the lowest point, of which cosines and sines know the magnitude alone.
+struct Angles {
+  ArrayXd magnitudes;             // ascending
+  std::vector<Index> number;      // of each angle's magnitude
+  std::vector<bool> is_negative;  // of each angle
+
+  explicit Angles(std::span<const double> angles) {
+    std::vector<double> unique;
+    constexpr double kSame = 1e-12;  // mesh nodes are found by sums
+    for (const double angle : angles) unique.push_back(std::abs(angle));
+    std::sort(unique.begin(), unique.end());
+    unique.erase(std::unique(unique.begin(), unique.end(), [](double a, double b) { return b - a < kSame; }),
+                 unique.end());
+    magnitudes = Eigen::Map<const ArrayXd>(unique.data(), static_cast<Index>(unique.size()));
+    for (const double angle : angles) {
+      number.push_back(std::upper_bound(unique.begin(), unique.end(), std::abs(angle) + kSame) - unique.begin() - 1);
+      is_negative.push_back(angle < 0.0);
+    }
+  }
+};
+
+std::vector<double> from_lowest_point(const char* name, std::span<const double> angles) {
+  constexpr double kLowest = 0.5 * std::numbers::pi;
+  std::vector<double> offsets;
+  for (const double angle : angles) {
+    if (!(std::abs(angle - kLowest) <= std::numbers::pi)) {
+      reject(name, "within half a revolution of pi/2 rad", text(angle) + " rad");
+    }
+    offsets.push_back(angle - kLowest);
+  }
+  return offsets;
+}
+
+double largest_offset(std::span<const double> offsets, int nodes, double spacing) {
+  double largest = 0.0;
+  for (const double offset : offsets) largest = std::max(largest, std::abs(offset));
+  return std::min(largest + 0.5 * (nodes + 1) * spacing, std::numbers::pi);
+}
+
+class WindowSum {
+ public:
+  WindowSum(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions, std::span<const Place> places,
+            std::span<const double> phi, std::span<const double> theta)
+      : places_(places),
+        cuts_(sphere, places),
+        limit_(sphere, angular_speed),
+        phi_(from_lowest_point("phi", phi)),
+        theta_(from_lowest_point("theta", theta)),
+        angles_(theta_),
+        m_(phi_bands(sphere, angular_speed, tractions)),
+        n_(theta_bands(tractions)),
+        coating_(sphere, angular_speed, {m_.orders.begin(), m_.orders.end()}, measured_order(tractions.mesh),
+                 tractions.curvature),
+        loads_(tractions, coating_.outer_radius(), m_.orders, n_.orders) {}
+
+  void sum(double* values, int threads, Watch& watch) const {
+    const auto columns = static_cast<double>(kFieldComponents * mirrors().size()) *
+                         static_cast<double>(angles_.magnitudes.size() * 2 * m_.orders.size());
+    constexpr double kMostNumbers = 3e7;
+    const auto share = std::max<std::size_t>(1, static_cast<std::size_t>(kMostNumbers / std::max(columns, 1.0)));
+    const auto field = kFieldComponents * phi_.size() * theta_.size();
+    for (std::size_t first = 0; first < places_.size(); first += share) {
+      const std::size_t last = std::min(first + share, places_.size());
+      const auto waves = sum_along_theta(first, last, threads, watch);
+      for (std::size_t place = first; place < last; ++place) {
+        sum_along_phi(waves[place - first], values + place * field);
+      }
+    }
+    add_centrifugal(values);
+  }
+
+ private:
+  [[nodiscard]] double highest_order() const {
+    double highest = 0.0;
+    for (const Place& place : places_) highest = std::max(highest, limit_(place, kEnd));
+    return highest;
+  }
+
+  [[nodiscard]] std::vector<OrderBand> bands(double spacing, double largest, double rough, const Mesh& mesh) const {
+    if (mesh.max_order) {
+      return whole_orders(
+          static_cast<int>(std::min<double>(*mesh.max_order, std::ceil(kDeepest / kEnd * highest_order()))),
+          mesh.nodes_per_revolution);
+    }
+    return octaves_within(spacing, highest_order(), largest, rough);
+  }
+
+  [[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed,
+                                                 const Tractions& tractions) const {
+    const double spacing = phi_spacing(tractions.mesh);
+    return bands(spacing, largest_offset(phi_, tractions.phi_nodes, spacing),
+                 material_rough_orders(sphere, angular_speed, tractions.mesh), tractions.mesh);
+  }
+
+  [[nodiscard]] std::vector<OrderBand> theta_bands(const Tractions& tractions) const {
+    const double spacing = theta_spacing(tractions.mesh);
+    return bands(spacing, largest_offset(theta_, tractions.theta_nodes, spacing), 0.0, tractions.mesh);
+  }
+
+  [[nodiscard]] std::vector<Mirror> mirrors() const {
+    std::vector<Mirror> kinds;
+    for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
+      if (loads_.has(mirror)) kinds.push_back(mirror);
+    }
+    return kinds;
+  }
+
+  /// For each place, rows for the real and the imaginary part of every order m that reaches it, and in these
+  /// [mirror][component][magnitude of theta].
+  [[nodiscard]] std::vector<RowMajor> sum_along_theta(std::size_t first, std::size_t last, int threads,
+                                                      Watch& watch) const {
+    std::vector<RowMajor> sums(last - first);
+    double highest = 0.0;
+    for (std::size_t place = first; place < last; ++place) {
+      const double limit = limit_(places_[place], kDeepest);
+      highest = std::max(highest, limit);
+      sums[place - first].setZero(2 * m_.count_up_to(limit),
+                                  static_cast<Index>(mirrors().size()) * kComponents * angles_.magnitudes.size());
+    }
+    std::vector<std::size_t> boundaries;
+    for (std::size_t place = first; place < last; ++place) boundaries.push_back(cuts_.boundary(place));
+    const double most = std::hypot(m_.orders[m_.orders.size() - 1], n_.orders[n_.orders.size() - 1]);
+    const DepthTransfers transfers(coating_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
+    const RowMajor phase = n_.orders.matrix() * angles_.magnitudes.matrix().transpose();
+    const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
+    parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
+                 [&](std::size_t i, const Worker& worker) {
+                   add_order(static_cast<Index>(i), first, highest, transfers, waves, sums, worker);
+                 });
+    return sums;
+  }
+
+  /// Of every order n at every magnitude of theta.
+  struct Waves {
+    RowMajor cosines;
+    RowMajor sines;
+  };
+
+  void add_order(Index i, std::size_t first, double highest, const DepthTransfers& transfers, const Waves& waves,
+                 std::vector<RowMajor>& sums, const Worker& worker) const {
+    const double m = m_.orders[i];
+    const auto reach = [&](double limit) { return n_.count_up_to(std::sqrt(limit * limit - m * m)); };
+    const ArrayXd n = n_.orders.head(reach(highest));
+    const DepthTransfer transfer = transfers.at(static_cast<std::size_t>(i), n);
+    worker.checkpoint();
+    const auto media = coating_.media(static_cast<std::size_t>(i));
+    const auto kinds = mirrors();
+    ComponentRows state;
+    ComponentRows fields;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const LoadRows loads = loads_.loads(kinds[k], i);
+      for (std::size_t p = 0; p < sums.size(); ++p) {
+        const Place& place = places_[first + p];
+        const double limit = limit_(place, kDeepest);
+        if (m > limit) continue;
+        const Index count = reach(limit);
+        transfer.state(p, count, loads, state);
+        field_components(media[static_cast<std::size_t>(place.layer)], place.radius, m, n.head(count), state, fields);
+        const auto width = angles_.magnitudes.size() * kComponents;
+        add_waves(fields, kinds[k], waves, sums[p].block(2 * i, static_cast<Index>(k) * width, 2, width));
+        worker.checkpoint();
+      }
+    }
+  }
+
+  /// Sum over n: rows for the real and the imaginary part, in these [component][magnitude of theta].
+  void add_waves(const ComponentRows& fields, Mirror mirror, const Waves& waves, Eigen::Ref<RowMajor> sums) const {
+    const Index count = fields.cols();
+    const Index width = angles_.magnitudes.size();
+    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
+    for (const bool odd : {false, true}) {
+      // Of loads opposite to their mirror image the even components run with the sine.
+      std::vector<Index> rows;
+      for (Index c = 0; c < kComponents; ++c) {
+        if ((is_odd_in_theta(static_cast<std::size_t>(c)) != (mirror == Mirror::opposite)) == odd) rows.push_back(c);
+      }
+      const auto size = static_cast<Index>(rows.size());
+      RowMajor parts(2 * size, count);
+      for (Index row = 0; row < size; ++row) {
+        const auto c = rows[static_cast<std::size_t>(row)];
+        // A factor i of the component and another of the sine.
+        const int quarters = (is_imaginary(static_cast<std::size_t>(c)) ? 1 : 0) + (odd ? 1 : 0);
+        const Eigen::Array<double, 1, Eigen::Dynamic> real = weights * fields.row(c).real();
+        const Eigen::Array<double, 1, Eigen::Dynamic> imaginary = weights * fields.row(c).imag();
+        parts.row(2 * row) = quarters == 0 ? real : quarters == 1 ? -imaginary : -real;
+        parts.row(2 * row + 1) = quarters == 0 ? imaginary : quarters == 1 ? real : -imaginary;
+      }
+      const RowMajor along_theta = parts * (odd ? waves.sines : waves.cosines).topRows(count);
+      for (Index row = 0; row < size; ++row) {
+        sums.middleCols(rows[static_cast<std::size_t>(row)] * width, width) = along_theta.middleRows(2 * row, 2);
+      }
+    }
+  }
+
+  void sum_along_phi(const RowMajor& waves, double* values) const {
+    const Index orders = waves.rows() / 2;
+    const auto rows = static_cast<Index>(phi_.size());
+    RowMajor phases(rows, 2 * orders);
+    for (Index row = 0; row < rows; ++row) {
+      for (Index i = 0; i < orders; ++i) {
+        const double phase = m_.orders[i] * phi_[static_cast<std::size_t>(row)];
+        phases(row, 2 * i) = m_.weights[i] * std::cos(phase);
+        phases(row, 2 * i + 1) = -m_.weights[i] * std::sin(phase);
+      }
+    }
+    const RowMajor sums = phases * waves;
+    const auto kinds = mirrors();
+    const Index width = angles_.magnitudes.size();
+    for (Index c = 0; c < kComponents; ++c) {
+      for (Index row = 0; row < rows; ++row) {
+        for (std::size_t j = 0; j < theta_.size(); ++j) {
+          double value = 0.0;
+          for (std::size_t k = 0; k < kinds.size(); ++k) {
+            const bool odd = is_odd_in_theta(static_cast<std::size_t>(c)) != (kinds[k] == Mirror::opposite);
+            const double part = sums(row, (static_cast<Index>(k) * kComponents + c) * width + angles_.number[j]);
+            value += odd && angles_.is_negative[j] ? -part : part;
+          }
+          *values++ = value;
+        }
+      }
+    }
+  }
+
+  void add_centrifugal(double* values) const {
+    const auto& layers = coating_.sphere().layers;
+    if (std::all_of(layers.begin(), layers.end(), [](const Layer& layer) { return layer.density == 0.0; })) return;
+    const HarmonicCoating rest = coating_at_rest(coating_.sphere(), coating_.angular_speed(), coating_.curvature());
+    const auto media = rest.media(0);
+    const auto states = centrifugal_states(cuts_.pieces(media));
+    const auto size = phi_.size() * theta_.size();
+    ComponentRows fields;
+    for (std::size_t place = 0; place < places_.size(); ++place) {
+      ComponentRows state = ComponentRows::Zero(6, 1);
+      state(0, 0) = states[cuts_.boundary(place)](0);
+      state(3, 0) = states[cuts_.boundary(place)](1);
+      field_components(media[static_cast<std::size_t>(places_[place].layer)], places_[place].radius, 0.0,
+                       ArrayXd::Zero(1), state, fields);
+      for (std::size_t c = 0; c < kFieldComponents; ++c) {
+        const double share = fields(static_cast<Index>(c), 0).real();
+        double* field = values + (place * kFieldComponents + c) * size;
+        for (std::size_t i = 0; i < size; ++i) field[i] += share;
+      }
+    }
+  }
+
+  std::span<const Place> places_;
+  LayerCuts cuts_;
+  DepthLimit limit_;
+  std::vector<double> phi_;
+  std::vector<double> theta_;
+  Angles angles_;
+  WeightedOrders m_;
+  WeightedOrders n_;
+  HarmonicCoating coating_;
+  LoadSpectrum loads_;
+};
+
+}  // namespace
+}  // namespace detail
+
+InteriorFields interior_fields(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
+                               std::span<const Place> places, std::span<const double> phi,
+                               std::span<const double> theta, int threads, const Observer& observer) {
+  validate(sphere);
+  detail::require_positive("angular_speed", angular_speed, "rad/s");
+  detail::validate(tractions);
+  detail::require_thread_count(threads);
+  InteriorFields fields{.places = {places.begin(), places.end()},
+                        .phi = {phi.begin(), phi.end()},
+                        .theta = {theta.begin(), theta.end()},
+                        .values = std::vector<double>(places.size() * kFieldComponents * phi.size() * theta.size())};
+  if (fields.values.empty()) return fields;
+  detail::Watch watch(observer);
+  detail::WindowSum(sphere, angular_speed, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
+  return fields;
+}
+
+}  // namespace viscoroll

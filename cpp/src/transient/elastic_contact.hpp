@@ -1,0 +1,66 @@
+/// @file
+/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md, transient
+/// rolling.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "transient/mirrored_tables.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Approximate inverse of the compliance between the nodes of a contact, from an earlier contact of nearly the
+/// same nodes. Copies share it.
+class ContactInverse {
+ public:
+  /// @brief Make it anew unless the contact has hardly changed.
+  /// @param[in] nodes in contact: numbers in a window, ascending
+  /// @param[in] compliance between them, its lower half
+  void follow(const std::vector<Eigen::Index>& nodes, const Eigen::MatrixXd& compliance);
+
+  /// @return approximate forces on the nodes of the last `follow` by displacements there
+  [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& displacement) const;
+
+ private:
+  struct Factor {
+    std::vector<Eigen::Index> nodes;
+    Eigen::LLT<Eigen::MatrixXd> cholesky;
+    double own_compliance;
+  };
+
+  std::shared_ptr<const Factor> factor_;
+  std::vector<Eigen::Index> places_;  // in the factor of each node, or -1
+};
+
+/// @brief Minimize p K p / 2 + gap p over the pressing forces p >= 0 of a given sum.
+struct ElasticContactProblem {
+  /// Displacement of all nodes of the window by forces on some of its rows, first to last.
+  std::function<HalfField(const HalfField& pressing, Eigen::Index first, Eigen::Index last)> displacement;
+  /// Compliance between some nodes, its lower half.
+  std::function<Eigen::MatrixXd(const std::vector<Eigen::Index>& nodes)> compliance;
+  HalfField gap;      ///< without these forces, up to a constant
+  HalfField weights;  ///< of `half_weights`, at every node
+  double load;        ///< sum of all forces
+  double stiffness;   ///< force per own displacement of a node
+};
+
+/// @brief Who touches, and with which force.
+struct ElasticContact {
+  HalfField pressing;               ///< forces
+  double penetration = 0.0;         ///< how far the plane comes into the gap
+  std::vector<Eigen::Index> nodes;  ///< in contact, ascending
+};
+
+/// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.
+/// @param[in] problem gap and load
+/// @param[in] guess forces to start from, one of them above zero
+/// @param[in,out] inverse of an earlier contact
+/// @throws ConvergenceError where the contact does not settle
+[[nodiscard]] ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+                                                   ContactInverse& inverse);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,73 @@
+/// @file
+/// @brief A state as a sequence of numbers.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Appends numbers.
+class NumberWriter {
+ public:
+  explicit NumberWriter(std::vector<double>& numbers) : numbers_(numbers) {}
+
+  void put(double number) { numbers_.push_back(number); }
+  void put(const Eigen::MatrixXd& matrix) {
+    put(static_cast<double>(matrix.rows()));
+    put(static_cast<double>(matrix.cols()));
+    numbers_.insert(numbers_.end(), matrix.data(), matrix.data() + matrix.size());
+  }
+
+ private:
+  std::vector<double>& numbers_;
+};
+
+/// @brief Reads what a `NumberWriter` has written.
+/// All members throw std::invalid_argument where the numbers are not such.
+class NumberReader {
+ public:
+  explicit NumberReader(std::span<const double> numbers) : rest_(numbers) {}
+
+  [[nodiscard]] double get() { return take(1).front(); }
+
+  /// @return a number of things, at most `most`
+  [[nodiscard]] Eigen::Index count(double most = 1e9) {
+    const double number = get();
+    if (!(number >= 0.0 && number <= most && number == std::floor(number))) refuse();
+    return static_cast<Eigen::Index>(number);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd matrix() {
+    const Eigen::Index rows = count();
+    const Eigen::Index columns = count();
+    const auto values = take(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
+    return Eigen::Map<const Eigen::MatrixXd>(values.data(), rows, columns);
+  }
+
+  void finish() const {
+    if (!rest_.empty()) refuse();
+  }
+
+ private:
+  [[noreturn]] static void refuse() { reject("start", "a state of a rolling history", "other numbers"); }
+
+  [[nodiscard]] std::span<const double> take(std::size_t count) {
+    if (count > rest_.size()) refuse();
+    const auto taken = rest_.first(count);
+    for (const double number : taken) {
+      if (std::isinf(number)) refuse();
+    }
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  std::span<const double> rest_;
+};
+
+}  // namespace viscoroll::detail

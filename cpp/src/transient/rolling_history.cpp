@@ -1,0 +1,480 @@
+// Public face of this folder: checks the input once and averages the lattices.
+#include "viscoroll/rolling_history.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "influence/coating_sum.hpp"
+#include "parallel.hpp"
+#include "rolling/contact_estimate.hpp"
+#include "transient/lattice.hpp"
+#include "transient/step_choice.hpp"
+#include "validate.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll {
+namespace {
+
+using detail::CreepingCoating;
+using detail::Lattice;
+using detail::reject;
+using detail::text;
+using Eigen::Index;
+
+constexpr int kMostLattices = 16;
+constexpr int kMostStepsPerSpacing = 64;
+
+void validate(const HistoryOptions& options) {
+  if (options.mesh) viscoroll::validate(*options.mesh);
+  detail::require_orders(options.curvature);
+  if (options.lattices < 1 || options.lattices > kMostLattices) {
+    reject("lattices", "in [1, " + std::to_string(kMostLattices) + "]", std::to_string(options.lattices));
+  }
+  if (options.steps_per_spacing &&
+      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
+    reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
+           std::to_string(*options.steps_per_spacing));
+  }
+  detail::require_nonnegative("friction", options.friction, "");
+  detail::require_finite("driving_force", options.driving_force);
+  detail::require_positive("shortest_time", options.shortest_time, "s");
+  if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
+    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
+  }
+  if (!(options.spectrum_tolerance > 0.0 && options.spectrum_tolerance < 1.0)) {
+    reject("spectrum_tolerance", "in (0, 1)", options.spectrum_tolerance);
+  }
+  detail::require_thread_count(options.threads);
+}
+
+/// 16 nodes across the contact at rest.
+Mesh chosen_mesh(double outer_radius, double contact_radius) {
+  constexpr double kNodesAcross = 16.0;
+  constexpr double kFewest = 64.0;
+  constexpr double kMost = 4000.0;
+  const double nodes = std::numbers::pi * outer_radius / contact_radius * kNodesAcross;
+  return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMost)))};
+}
+
+/// What the coating is to creep like, checked.
+detail::CreepSpectrum checked_spectrum(const CoatedSphere& sphere, const HistoryOptions& options) {
+  auto spectrum = detail::common_spectrum(sphere, {.shortest = options.shortest_time, .longest = options.longest_time});
+  if (spectrum.error > options.spectrum_tolerance) {
+    reject("layers[" + std::to_string(sphere.layers.size() - 1) + "].shear_modulus",
+           "one that discrete retardation times with weights >= 0 stand for within spectrum_tolerance = " +
+               text(options.spectrum_tolerance),
+           "one that they miss by " + detail::rounded(spectrum.error));
+  }
+  return spectrum;
+}
+
+/// Largest rho r_o^2 / mu of the layers, where mu is the modulus that yields at once [s^2].
+double inertia_of(const CoatedSphere& sphere, const CoatedSphere& elastic, double instantaneous) {
+  double inertia = 0.0;
+  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
+    const double relaxed = std::get<Elastic>(elastic.layers[l].shear_modulus).modulus;
+    inertia = std::max(inertia, sphere.layers[l].density * std::pow(outer_radius(sphere), 2) * instantaneous / relaxed);
+  }
+  return inertia;
+}
+
+/// Largest difference of two creep functions.
+double difference(const detail::CreepSpectrum& a, const detail::CreepSpectrum& b) {
+  const auto creep = [](const detail::CreepSpectrum& spectrum, double time) {
+    double yielded = spectrum.instantaneous;
+    for (std::size_t j = 0; j < spectrum.size(); ++j) {
+      yielded -= spectrum.weights[j] * std::expm1(-time / spectrum.retardation_times[j]);
+    }
+    return yielded;
+  };
+  double largest = 0.0;
+  for (const auto* spectrum : {&a, &b}) {
+    for (const double time : spectrum->retardation_times) {
+      largest = std::max(largest, std::abs(creep(a, time) - creep(b, time)));
+    }
+  }
+  return largest;
+}
+
+/// A step in which angle and load change linearly.
+struct Step {
+  double time;
+  double angle;
+  double load;
+};
+
+}  // namespace
+
+struct RollingHistory::Impl {
+  CoatedSphere elastic;
+  detail::CreepSpectrum spectrum;
+  double inertia = 0.0;  // largest rho r_o^2 per modulus that yields at once [s^2]
+  HistoryOptions options;
+  std::shared_ptr<const CreepingCoating> coating;
+  std::vector<Lattice> lattices;
+  RollingInstant now;
+  double last_step = 0.0;  // [s]
+  std::int64_t steps = 0;
+
+  [[nodiscard]] std::shared_ptr<const CreepingCoating> with_width(Index half_nodes, detail::Watch& watch) const {
+    const Mesh& mesh = *options.mesh;
+    const Index most = theta_nodes_per_revolution(mesh) / 6 + 1;
+    if (half_nodes > most) {
+      if (coating && coating->tables.half_nodes() >= most) {
+        reject("load", "small enough for the coating", "one that is in contact over 60 degrees to a side");
+      }
+      half_nodes = most;
+    }
+    const detail::CoatingSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
+    const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
+    return std::make_shared<const CreepingCoating>(CreepingCoating{
+        .grid = {.radius = outer_radius(elastic),
+                 .phi_spacing = phi_spacing(mesh),
+                 .theta_spacing = theta_spacing(mesh)},
+        .thickness = coating_thickness(elastic),
+        .compliance = options.compliance,
+        .friction = options.friction,
+        .driving_force = options.driving_force,
+        .spectrum = spectrum,
+        .tables = detail::MirroredTables(sum, along_plane ? 3 : 1, half_nodes, options.threads, watch)});
+  }
+
+  void widen(detail::Watch& watch) {
+    const Index half_nodes = coating->tables.half_nodes();
+    coating = with_width(half_nodes + half_nodes / 2 + 1, watch);
+    for (Lattice& lattice : lattices) lattice.widen(coating);
+  }
+
+  /// Run on all lattices; a contact that proves too wide for the tables starts over on wider ones.
+  template <class Body>
+  void on_lattices(detail::Watch& watch, const Body& body) {
+    for (;;) {
+      std::vector<Lattice> next = lattices;
+      try {
+        detail::parallel_for(next.size(), options.threads, watch, "rolling",
+                             [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); });
+        lattices = std::move(next);
+        return;
+      } catch (const detail::ContactTooWide&) {
+        widen(watch);
+      }
+    }
+  }
+
+  [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_lattices, double time) const;
+  [[nodiscard]] std::vector<RollingInstant> follow(std::span<const Step> path, detail::Watch& watch);
+  [[nodiscard]] RollingState state() const;
+  void restore(const RollingState& state);
+  void require_step(const Step& to) const;
+  [[nodiscard]] std::vector<Step> path_to(const Step& end) const;
+};
+
+RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
+  constexpr std::array kMeans{&RollingInstant::angle,
+                              &RollingInstant::load,
+                              &RollingInstant::resisting_torque,
+                              &RollingInstant::driving_torque,
+                              &RollingInstant::penetration,
+                              &RollingInstant::contact_area,
+                              &RollingInstant::semi_axis_x,
+                              &RollingInstant::semi_axis_z,
+                              &RollingInstant::max_pressure,
+                              &RollingInstant::stored_energy,
+                              &RollingInstant::dissipated_energy,
+                              &RollingInstant::work,
+                              &RollingInstant::energy_imbalance,
+                              &RollingInstant::driving_force,
+                              &RollingInstant::center_way,
+                              &RollingInstant::slip_energy,
+                              &RollingInstant::stick_share};
+  RollingInstant mean;
+  const auto count = static_cast<double>(of_lattices.size());
+  for (const auto member : kMeans) {
+    for (const RollingInstant& one : of_lattices) mean.*member += one.*member / count;
+  }
+  double variance = 0.0;
+  for (const RollingInstant& one : of_lattices) {
+    variance += std::pow(one.resisting_torque - mean.resisting_torque, 2) / std::max(count - 1.0, 1.0);
+  }
+  // Shifts that are a share of the spacing each cancel the harmonics of the staircase, of which the estimate knows
+  // none: the spread per number of lattices is a bound found by trial.
+  mean.error_estimate = of_lattices.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
+  mean.time = time;
+  return mean;
+}
+
+void RollingHistory::Impl::require_step(const Step& to) const {
+  detail::require_finite("time", to.time);
+  detail::require_finite("angle", to.angle);
+  if (!(to.time >= now.time)) {
+    reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
+  }
+  if (!(std::isfinite(to.load) && to.load > 0.0)) {
+    reject("load", "> 0 N on the whole way (lifting off is not built)", text(to.load) + " N");
+  }
+  if (!(std::abs(options.driving_force) < options.friction * to.load) && options.driving_force != 0.0) {
+    reject("driving_force",
+           "smaller than friction * load = " + text(options.friction * to.load) +
+               " N in magnitude, else the sphere slides without end",
+           text(options.driving_force) + " N");
+  }
+  const double duration = to.time - now.time;
+  if (duration == 0.0) {
+    const bool moves = to.angle != now.angle || to.load != now.load;
+    if (moves && spectrum.instantaneous == 0.0) {
+      reject("time",
+             "after the instant reached, " + text(now.time) +
+                 " s, for a coating that does not yield at once (KelvinVoigt), which cannot jump",
+             text(to.time) + " s");
+    }
+    return;
+  }
+  constexpr double kNegligible = 0.01;
+  const double speed = (to.angle - now.angle) / duration;
+  if (inertia * speed * speed > kNegligible) {
+    reject("angle",
+           "turned so slowly that inertia is negligible, at most " + detail::rounded(std::sqrt(kNegligible / inertia)) +
+               " rad/s (or layers of density 0)",
+           detail::rounded(std::abs(speed)) + " rad/s");
+  }
+}
+
+std::vector<Step> RollingHistory::Impl::path_to(const Step& end) const {
+  const auto& times = spectrum.retardation_times;
+  const double shortest = times.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::min_element(times);
+  const detail::StepChoice choice(coating->grid.phi_spacing, options.steps_per_spacing, shortest);
+  const double duration = end.time - now.time;
+  const auto shares = choice.shares({.duration = duration,
+                                     .turn = end.angle - now.angle,
+                                     .relative_load = (end.load - now.load) / std::max(end.load, now.load)},
+                                    last_step);
+  std::vector<Step> path;
+  path.reserve(shares.size());
+  for (const double share : shares) {
+    path.push_back({.time = now.time + share * duration,
+                    .angle = now.angle + share * (end.angle - now.angle),
+                    .load = now.load + share * (end.load - now.load)});
+  }
+  path.back() = end;
+  return path;
+}
+
+std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const Step> path, detail::Watch& watch) {
+  const std::size_t count = lattices.size();
+  std::vector<RollingInstant> instants(path.size() * count);
+  std::vector<detail::TimeStep> weights;
+  double before = now.time;
+  for (const Step& step : path) {
+    weights.emplace_back(spectrum, step.time - before);
+    before = step.time;
+  }
+  on_lattices(watch, [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
+    double time = now.time;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      lattice.advance(weights[i], path[i].time == time, path[i].angle, path[i].load);
+      time = path[i].time;
+      instants[i * count + l] = lattice.now();
+      worker.checkpoint();
+    }
+  });
+  std::vector<RollingInstant> means;
+  means.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    means.push_back(mean(std::span(instants).subspan(i * count, count), path[i].time));
+  }
+  last_step = path.back().time - (path.size() > 1 ? path[path.size() - 2].time : now.time);
+  steps += static_cast<std::int64_t>(path.size());
+  now = means.back();
+  return means;
+}
+
+RollingState RollingHistory::Impl::state() const {
+  RollingState state;
+  detail::NumberWriter numbers(state.numbers);
+  numbers.put(coating->tables.block(0)(0, 0));
+  numbers.put(static_cast<double>(coating->tables.half_nodes()));
+  numbers.put(static_cast<double>(lattices.size()));
+  numbers.put(spectrum.instantaneous);
+  numbers.put(Eigen::Map<const Eigen::VectorXd>(spectrum.weights.data(), static_cast<Index>(spectrum.size())));
+  numbers.put(
+      Eigen::Map<const Eigen::VectorXd>(spectrum.retardation_times.data(), static_cast<Index>(spectrum.size())));
+  numbers.put(spectrum.error);
+  for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
+  for (const Lattice& lattice : lattices) lattice.write(numbers);
+  return state;
+}
+
+void RollingHistory::Impl::restore(const RollingState& state) {
+  constexpr double kSame = 1e-9;
+  detail::NumberReader numbers(state.numbers);
+  const double compliance = numbers.get();
+  if (!(std::abs(compliance / coating->tables.block(0)(0, 0) - 1.0) < kSame)) {
+    reject("start", "a state of the same ball and mesh", "one of another compliance");
+  }
+  const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
+  if (numbers.count(kMostLattices) != static_cast<Index>(lattices.size())) {
+    reject("start", "a state of as many lattices (" + std::to_string(lattices.size()) + ")", "one of another number");
+  }
+  Impl next(*this);
+  next.spectrum.instantaneous = numbers.get();
+  const auto vector = [&] {
+    const Eigen::MatrixXd values = numbers.matrix();
+    return std::vector<double>(values.data(), values.data() + values.size());
+  };
+  next.spectrum.weights = vector();
+  next.spectrum.retardation_times = vector();
+  next.spectrum.error = numbers.get();
+  if (next.spectrum.weights.size() != next.spectrum.retardation_times.size() ||
+      difference(next.spectrum, spectrum) > std::max(kSame, 2.0 * options.spectrum_tolerance)) {
+    reject("start", "a state of the same material", "one that creeps differently");
+  }
+  const Observer silent;
+  detail::Watch watch(silent);
+  next.coating = next.with_width(half_nodes, watch);
+  next.now.time = numbers.get();
+  next.last_step = numbers.get();
+  next.steps = numbers.count(1e15);
+  std::vector<RollingInstant> instants;
+  for (std::size_t l = 0; l < lattices.size(); ++l) {
+    next.lattices[l] = Lattice(next.coating, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
+    next.lattices[l].read(numbers);
+    instants.push_back(next.lattices[l].now());
+  }
+  numbers.finish();
+  next.now = next.mean(instants, next.now.time);
+  *this = std::move(next);
+}
+
+RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start start, const HistoryOptions& options,
+                               double time, double angle, const Observer& observer)
+    : impl_(std::make_unique<Impl>()) {
+  viscoroll::validate(sphere);
+  validate(options);
+  detail::require_positive("load", load, "N");
+  detail::require_finite("time", time);
+  detail::require_finite("angle", angle);
+  detail::Watch watch(observer);
+  Impl& impl = *impl_;
+  impl.options = options;
+  impl.elastic = detail::coating_without_time(sphere);
+  impl.spectrum = checked_spectrum(sphere, options);
+  impl.inertia = inertia_of(sphere, impl.elastic, impl.spectrum.instantaneous);
+  if (start == Start::fresh && impl.spectrum.instantaneous == 0.0) {
+    reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
+  }
+  const double contact_radius = detail::estimate_contact_radius({.body = impl.elastic, .on = CoatedPlane{}}, 1.0, load);
+  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(outer_radius(sphere), contact_radius);
+  const auto half_width = [&](double spacing) {
+    return static_cast<Index>(std::ceil(1.1 * contact_radius / (outer_radius(sphere) * spacing))) + 2;
+  };
+  const Mesh& mesh = *impl.options.mesh;
+  impl.coating = impl.with_width(half_width(theta_spacing(mesh)), watch);
+  const Index half_rows = std::min<Index>(half_width(phi_spacing(mesh)), mesh.nodes_per_revolution / 6);
+  for (int l = 0; l < options.lattices; ++l) {
+    impl.lattices.emplace_back(impl.coating, static_cast<double>(l) / options.lattices, half_rows);
+  }
+  impl.on_lattices(watch,
+                   [&](std::size_t, Lattice& lattice, const detail::Worker&) { lattice.start(start, angle, load); });
+  std::vector<RollingInstant> instants;
+  instants.reserve(impl.lattices.size());
+  for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
+  impl.now = impl.mean(instants, time);
+}
+
+RollingHistory::RollingHistory(const RollingHistory& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+RollingHistory::RollingHistory(RollingHistory&& other) noexcept = default;
+RollingHistory& RollingHistory::operator=(const RollingHistory& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+RollingHistory& RollingHistory::operator=(RollingHistory&& other) noexcept = default;
+RollingHistory::~RollingHistory() = default;
+
+RollingInstant RollingHistory::advance(double time, double angle, double load, const Observer& observer) {
+  detail::Watch watch(observer);
+  const Step end{.time = time, .angle = angle, .load = load};
+  impl_->require_step(end);
+  return impl_->follow(impl_->path_to(end), watch).back();
+}
+
+const RollingInstant& RollingHistory::now() const { return impl_->now; }
+ContactField RollingHistory::contact() const {
+  ContactField field = impl_->lattices.front().field();
+  field.time = impl_->now.time;
+  return field;
+}
+std::int64_t RollingHistory::steps() const { return impl_->steps; }
+const Mesh& RollingHistory::mesh() const { return *impl_->options.mesh; }
+double RollingHistory::spectrum_error() const { return impl_->spectrum.error; }
+
+void validate(const Motion& motion) {
+  const auto require_length = [&](const char* name, std::size_t length) {
+    if (length != motion.time.size()) {
+      reject(name, "as long as time (" + std::to_string(motion.time.size()) + ")", std::to_string(length));
+    }
+  };
+  if (motion.time.empty()) reject("time", "of one knot at least", "none");
+  require_length("angle", motion.angle.size());
+  require_length("load", motion.load.size());
+  for (std::size_t k = 0; k < motion.time.size(); ++k) {
+    const std::string index = "[" + std::to_string(k) + "]";
+    detail::require_finite("time" + index, motion.time[k]);
+    detail::require_finite("angle" + index, motion.angle[k]);
+    if (!(std::isfinite(motion.load[k]) && motion.load[k] > 0.0)) {
+      reject("load" + index, "> 0 N on the whole way (lifting off is not built)", text(motion.load[k]) + " N");
+    }
+    if (k > 0 && motion.time[k] < motion.time[k - 1]) {
+      reject("time" + index, ">= time[" + std::to_string(k - 1) + "] = " + text(motion.time[k - 1]) + " s",
+             text(motion.time[k]) + " s");
+    }
+  }
+}
+
+RollingState RollingHistory::state() const { return impl_->state(); }
+void RollingHistory::restore(const RollingState& state) { impl_->restore(state); }
+
+namespace {
+
+/// The knot ahead: of knots at one time, that behind the one which was reached.
+std::size_t next_knot(const Motion& motion, const RollingInstant& now) {
+  std::size_t next = 0;
+  while (motion.time[next] < now.time) ++next;
+  for (std::size_t k = next; k < motion.time.size() && motion.time[k] == now.time; ++k) {
+    if (motion.angle[k] == now.angle && motion.load[k] == now.load) next = k + 1;
+  }
+  return next;
+}
+
+}  // namespace
+
+std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer) {
+  validate(motion);
+  detail::Watch watch(observer);
+  RollingHistory::Impl& impl = *history.impl_;
+  if (!(impl.now.time >= motion.time.front() && impl.now.time <= motion.time.back())) {
+    reject("time", "of knots from before the instant reached, " + text(impl.now.time) + " s, to after it",
+           text(motion.time.front()) + " s to " + text(motion.time.back()) + " s");
+  }
+  std::vector<RollingInstant> instants{impl.now};
+  for (std::size_t k = next_knot(motion, impl.now); k < motion.time.size(); ++k) {
+    const Step end{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k]};
+    impl.require_step(end);
+    const std::vector<Step> path = impl.path_to(end);
+    constexpr std::size_t kTogether = 64;
+    for (std::size_t first = 0; first < path.size(); first += kTogether) {
+      const auto piece = std::span(path).subspan(first, std::min(kTogether, path.size() - first));
+      const auto means = impl.follow(piece, watch);
+      instants.insert(instants.end(), means.begin(), means.end());
+      const double way = motion.time.back() - motion.time.front();
+      if (way > 0.0) watch.poll("rolling", (impl.now.time - motion.time.front()) / way);
+    }
+  }
+  return instants;
+}
+
+}  // namespace viscoroll

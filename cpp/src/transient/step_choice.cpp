@@ -1,0 +1,37 @@
+#include "transient/step_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr double kGrowth = 1.1;
+constexpr double kLargestLoadChange = 0.05;
+constexpr double kFirstShare = 1e-3;  // of a leg, where the material has times that are shorter still
+constexpr double kFirstTime = 0.05;   // of the shortest retardation time
+
+}  // namespace
+
+std::vector<double> StepChoice::shares(const Leg& leg, double last) const {
+  if (!steps_per_spacing_ || leg.duration == 0.0) return {1.0};
+  constexpr double kRoundOff = 1e-9;
+  const double by_turn = std::ceil(std::abs(leg.turn) * *steps_per_spacing_ / spacing_ - kRoundOff);
+  const double by_load = std::ceil(std::abs(leg.relative_load) / kLargestLoadChange - kRoundOff);
+  const double longest = leg.duration / std::max({by_turn, by_load, 1.0});
+  const double first = std::max(kFirstTime * shortest_time_, kFirstShare * leg.duration);
+
+  std::vector<double> ends;
+  double end = 0.0;
+  double step = std::min(std::max(kGrowth * last, first), longest);
+  while (end < leg.duration * (1.0 - kRoundOff)) {
+    end += step;
+    ends.push_back(end);
+    step = std::min(kGrowth * step, longest);
+  }
+  for (double& share : ends) share /= end;
+  ends.back() = 1.0;
+  return ends;
+}
+
+}  // namespace viscoroll::detail

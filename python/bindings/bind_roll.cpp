@@ -1,0 +1,165 @@
+#include <pybind11/native_enum.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings.hpp"
+#include "viscoroll/rolling_history.hpp"
+
+namespace {
+
+using namespace viscoroll;
+
+/// Numbers of an instant, in the order of `instant_names`.
+constexpr std::array kInstantMembers{
+    std::pair{"time", &RollingInstant::time},
+    std::pair{"angle", &RollingInstant::angle},
+    std::pair{"load", &RollingInstant::load},
+    std::pair{"resisting_torque", &RollingInstant::resisting_torque},
+    std::pair{"driving_torque", &RollingInstant::driving_torque},
+    std::pair{"penetration", &RollingInstant::penetration},
+    std::pair{"contact_area", &RollingInstant::contact_area},
+    std::pair{"semi_axis_x", &RollingInstant::semi_axis_x},
+    std::pair{"semi_axis_z", &RollingInstant::semi_axis_z},
+    std::pair{"max_pressure", &RollingInstant::max_pressure},
+    std::pair{"stored_energy", &RollingInstant::stored_energy},
+    std::pair{"dissipated_energy", &RollingInstant::dissipated_energy},
+    std::pair{"work", &RollingInstant::work},
+    std::pair{"energy_imbalance", &RollingInstant::energy_imbalance},
+    std::pair{"driving_force", &RollingInstant::driving_force},
+    std::pair{"center_way", &RollingInstant::center_way},
+    std::pair{"slip_energy", &RollingInstant::slip_energy},
+    std::pair{"stick_share", &RollingInstant::stick_share},
+    std::pair{"error_estimate", &RollingInstant::error_estimate},
+};
+
+std::vector<std::string> instant_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, member] : kInstantMembers) names.emplace_back(name);
+  return names;
+}
+
+/// Instants as an array, a row for each number.
+py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
+  py::array_t<double> array(
+      {static_cast<py::ssize_t>(kInstantMembers.size()), static_cast<py::ssize_t>(instants.size())});
+  double* value = array.mutable_data();
+  for (const auto& [name, member] : kInstantMembers) {
+    for (const RollingInstant& instant : instants) *value++ = instant.*member;
+  }
+  return array;
+}
+
+RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, std::optional<Mesh> mesh,
+                            Compliance compliance, Curvature curvature, double friction, double driving_force,
+                            int lattices, std::optional<int> steps_per_spacing, double shortest_time,
+                            double longest_time, double spectrum_tolerance, int threads, double time, double angle,
+                            const py::object& progress) {
+  const HistoryOptions options{.mesh = mesh,
+                               .compliance = compliance,
+                               .curvature = curvature,
+                               .friction = friction,
+                               .driving_force = driving_force,
+                               .lattices = lattices,
+                               .steps_per_spacing = steps_per_spacing,
+                               .shortest_time = shortest_time,
+                               .longest_time = longest_time,
+                               .spectrum_tolerance = spectrum_tolerance,
+                               .threads = threads};
+  const Observer observer = python_observer(progress);
+  const py::gil_scoped_release release;
+  return {sphere, load, start, options, time, angle, observer};
+}
+
+py::array_t<double> roll_array(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
+                               std::vector<double> load, const py::object& progress) {
+  std::vector<RollingInstant> instants;
+  {
+    const Observer observer = python_observer(progress);
+    const py::gil_scoped_release release;
+    instants = roll(history, {.time = std::move(time), .angle = std::move(angle), .load = std::move(load)}, observer);
+  }
+  return as_array(instants);
+}
+
+void advance_released(RollingHistory& history, double time, double angle, double load) {
+  const Observer observer = python_observer(py::none());
+  const py::gil_scoped_release release;
+  history.advance(time, angle, load, observer);
+}
+
+template <class T>
+auto field(std::vector<T> ContactField::* member) {
+  return [member](const py::object& self) {
+    const auto& contact = self.cast<const ContactField&>();
+    return read_only(contact.*member, {contact.phi_nodes, contact.theta_nodes}, self);
+  };
+}
+
+}  // namespace
+
+void bind_roll(py::module_& m) {
+  py::native_enum<Start>(m, "Start", "enum.Enum", "What the coating has gone through before the first instant.")
+      .value("RELAXED", Start::relaxed, "it has borne the load for ever")
+      .value("FRESH", Start::fresh, "it is pressed on in no time")
+      .finalize();
+
+  py::classh<HistoryOptions>(m, "HistoryOptions")
+      .def(py::init<>())
+      .def_readonly("compliance", &HistoryOptions::compliance)
+      .def_readonly("curvature", &HistoryOptions::curvature)
+      .def_readonly("friction", &HistoryOptions::friction)
+      .def_readonly("driving_force", &HistoryOptions::driving_force)
+      .def_readonly("lattices", &HistoryOptions::lattices)
+      .def_readonly("steps_per_spacing", &HistoryOptions::steps_per_spacing)
+      .def_readonly("shortest_time", &HistoryOptions::shortest_time)
+      .def_readonly("longest_time", &HistoryOptions::longest_time)
+      .def_readonly("spectrum_tolerance", &HistoryOptions::spectrum_tolerance)
+      .def_readonly("threads", &HistoryOptions::threads);
+
+  py::classh<ContactField>(m, "ContactField")
+      .def_readonly("time", &ContactField::time)
+      .def_property_readonly("x", field(&ContactField::x))
+      .def_property_readonly("z", field(&ContactField::z))
+      .def_property_readonly("pressure", field(&ContactField::pressure));
+
+  py::classh<RollingHistory>(m, "RollingHistory")
+      .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
+           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"),
+           py::arg("driving_force"), py::arg("lattices"), py::arg("steps_per_spacing").none(true),
+           py::arg("shortest_time"), py::arg("longest_time"), py::arg("spectrum_tolerance"), py::arg("threads"),
+           py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
+      .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
+      .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"))
+      .def("roll", &roll_array, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
+           py::arg("progress").none(true))
+      .def("state",
+           [](const RollingHistory& self) {
+             const RollingState state = self.state();
+             return py::array_t<double>(static_cast<py::ssize_t>(state.numbers.size()), state.numbers.data());
+           })
+      .def(
+          "restore",
+          [](RollingHistory& self, const InputArray<double>& numbers) {
+            const auto values = view(numbers);
+            self.restore({.numbers = {values.begin(), values.end()}});
+          },
+          py::arg("numbers").noconvert())
+      .def("now", [](const RollingHistory& self) { return as_array({self.now()}); })
+      .def("contact", &RollingHistory::contact)
+      .def_property_readonly("steps", &RollingHistory::steps)
+      .def_property_readonly("mesh", &RollingHistory::mesh)
+      .def_property_readonly("spectrum_error", &RollingHistory::spectrum_error);
+
+  m.def(
+      "check_motion",
+      [](std::vector<double> time, std::vector<double> angle, std::vector<double> load) {
+        validate({.time = std::move(time), .angle = std::move(angle), .load = std::move(load)});
+      },
+      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"));
+  m.def("instant_names", &instant_names, "What the rows of a history are.");
+}

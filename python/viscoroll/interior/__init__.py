@@ -1,0 +1,21 @@
+"""Inside the coating: stress, heat and temperature, from the tractions of a solved contact.
+
+Fields and loss are methods of `viscoroll.Result`: `interior`, `bonds` and `loss`.
+"""
+
+from .fields import COMPONENTS, DIRECTIONS, order_fields
+from .self_heating import SelfHeating, SteadyState, self_heating
+from .temperature import Core, Temperature, plane_cooling, temperature
+
+__all__ = [
+    "COMPONENTS",
+    "DIRECTIONS",
+    "Core",
+    "SelfHeating",
+    "SteadyState",
+    "Temperature",
+    "order_fields",
+    "plane_cooling",
+    "self_heating",
+    "temperature",
+]

@@ -1,0 +1,408 @@
+"""Rolling that heats what it deforms: temperature and torque found together, all steady states of them.
+
+The moduli of layer j are those at T_j, μ*(a_T(T_j) ω). What decides is the mean temperature T̄, weighted by the loss:
+at a given T̄ the moduli are known, and with them torque, loss and the rise ΔT that they make. A steady state is a root
+of excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._arrays import as_float, as_int, require_callable, require_type
+from .._core import ConvergenceError
+from ..caution import kept_in_results, warn
+from ..geometry import CoatedSphere
+from ..rolling import solve
+from ..shift import Shift, shift_factor, shifted
+from .loss import default_max_order
+from .temperature import Core, Temperature, temperature
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from ..result import Result
+
+__all__ = ["SelfHeating", "SteadyState", "self_heating"]
+
+#: 0.999 of the loss, for temperatures found on the way.
+_ORDERS_PER_CONTACT = 12.0
+_PROFILE_STEPS = 4  # of the temperatures of layers around their mean
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SteadyState:
+    """A steady state of rolling and heating.
+
+    Attributes
+    ----------
+    mean_temperature : float
+        Of the coating, weighted by the loss [K].
+    layer_temperatures : tuple of float
+        Of the layers that the moduli were taken at [K]; with `sublayers`, of these.
+    result : Result
+        The contact with these moduli.
+    temperature : Temperature
+        Rise over the surroundings.
+    stable : bool
+        Whether a small warming dies out.
+    """
+
+    mean_temperature: float
+    layer_temperatures: tuple[float, ...]
+    result: Result
+    temperature: Temperature
+    stable: bool
+
+    def __repr__(self) -> str:
+        """Return a summary of one line."""
+        kind = "stable" if self.stable else "unstable"
+        return (
+            f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
+            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, "
+            f"T_r = {self.result.resisting_torque * 1e3:.4g} mN m)"
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SelfHeating:
+    """All steady states of a load case, and the speeds that have any.
+
+    Attributes
+    ----------
+    states : tuple of SteadyState
+        From cold to hot. With several, which one is reached depends on how the ball was started; a cold start goes to
+        the coldest.
+    angular_speed : float
+        Ω [rad/s].
+    limit : float
+        Highest mean temperature looked at [K].
+    """
+
+    states: tuple[SteadyState, ...]
+    angular_speed: float
+    limit: float
+    _search: _Search
+
+    def __repr__(self) -> str:
+        """Return the states, a line for each."""
+        return "\n".join([f"SelfHeating at Ω = {self.angular_speed:g} rad/s:", *(f"  {s}" for s in self.states)])
+
+    def speeds(self, temperatures: Sequence[float]) -> NDArray[np.float64]:
+        """Return the speeds at which given mean temperatures are steady states.
+
+        Parameters
+        ----------
+        temperatures : sequence of float
+            Mean temperatures [K], above that of the surroundings.
+
+        Returns
+        -------
+        ndarray
+            Ω [rad/s]; the largest of them is the last that has a state below the hottest of the temperatures.
+        """
+        return np.array([self._search.speed_at(as_float("temperatures", value)) for value in temperatures])
+
+
+def self_heating(
+    ball: CoatedSphere,
+    *,
+    load: float,
+    angular_speed: float,
+    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    ambient: float,
+    shift: Shift | Sequence[Shift],
+    conductivity: float | Sequence[float] | None = None,
+    core: Core | float = Core.INSULATED,
+    core_temperature: float | None = None,
+    limit: float | None = None,
+    sublayers: int = 1,
+    points: int = 24,
+    progress: Callable[[str, float], object] | None = None,
+    **options: Any,
+) -> SelfHeating:
+    """Find every steady state of temperature and torque.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Its moduli are those at the reference temperature of `shift`.
+    load, angular_speed : float
+        As of `solve`.
+    convection, ambient, conductivity, core, core_temperature
+        As of `temperature`.
+    shift : callable or sequence of callable
+        a_T as a function of temperature [K], of all layers or of each: `WilliamsLandelFerry`, `Arrhenius` or any other.
+    limit : float, optional
+        Highest mean temperature looked at [K], such as what the material bears; by default 150 K above the
+        surroundings.
+    sublayers : int, default 1
+        Parts that every layer is cut into, each with a temperature of its own, in [1, 20].
+    points : int, default 24
+        Mean temperatures that are tried between the surroundings' and the limit, in [4, 1000]; between them states are
+        found to 1e-3 of the rise. Two states closer together than two neighbors may be missed.
+    progress : callable, optional
+        Called as progress(stage, fraction) after every temperature.
+    **options
+        Of `solve`: friction, drive, accuracy, mesh, compliance, and so on.
+
+    Returns
+    -------
+    SelfHeating
+        All states, stable or not.
+
+    Raises
+    ------
+    ValueError
+        For bad input, and where there is no steady state below the limit: the message names the largest speed that has
+        one.
+    TypeError
+        For arguments of another type.
+
+    Warns
+    -----
+    ResultWarning
+        Where there are several states.
+
+    Notes
+    -----
+    Stable is a state at which the power lost grows more slowly with temperature than the heat that leaves: R dP/dT < 1.
+
+    Examples
+    --------
+    >>> import viscoroll as vr
+    >>> from viscoroll import paper
+    >>> hot = vr.self_heating(
+    ...     paper.ball(), load=100.0, angular_speed=25.0, conductivity=0.2, convection=10.0, ambient=293.15,
+    ...     shift=vr.Arrhenius(activation_energy=60e3, reference_temperature=293.15),
+    ...     mesh=vr.Mesh(nodes_per_revolution=400), points=6,
+    ... )
+    >>> [state.stable for state in hot.states]
+    [True]
+    """
+    require_type("ball", ball, CoatedSphere)
+    require_callable("progress", progress)
+    shifts = _shifts(ball, shift)
+    parts = as_int("sublayers", sublayers)
+    count = as_int("points", points)
+    if not 1 <= parts <= 20:
+        raise ValueError(f"sublayers must be in [1, 20], got {parts}")
+    if not 4 <= count <= 1000:
+        raise ValueError(f"points must be in [4, 1000], got {count}")
+    surroundings = as_float("ambient", ambient)
+    highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
+    if not highest > surroundings:
+        raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
+    search = _Search(
+        ball=_cut(ball, parts),
+        shifts=[each for each in shifts for _ in range(parts)],
+        load=load,
+        angular_speed=as_float("angular_speed", angular_speed),
+        thermal={
+            "conductivity": _repeated(conductivity, parts),
+            "convection": convection,
+            "ambient": surroundings,
+            "core": core,
+            "core_temperature": core_temperature,
+        },
+        options=options,
+        ambient=surroundings,
+        limit=highest,
+        known={},
+    )
+    with kept_in_results():
+        brackets, exact = search.sweep(count, progress)
+        states = tuple(search.state(*bracket) for bracket in brackets) + tuple(search.state(t, t) for t in exact)
+        if not states:
+            raise ValueError(search.refusal())
+    found = SelfHeating(states=states, angular_speed=search.angular_speed, limit=highest, _search=search)
+    if len(states) > 1:
+        temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
+        warn([f"{len(states)} steady states: {temperatures}; the coldest is what a cold start reaches"], stacklevel=1)
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Point:
+    """What a mean temperature makes."""
+
+    excess: float
+    layer_temperatures: tuple[float, ...]
+    result: Result
+    temperature: Temperature
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class _Search:
+    ball: CoatedSphere
+    shifts: list[Shift]
+    load: float
+    angular_speed: float
+    thermal: dict[str, Any]
+    options: dict[str, Any]
+    ambient: float
+    limit: float
+    known: dict[tuple[float, float], _Point]
+
+    def at(self, mean: float, angular_speed: float | None = None) -> _Point:
+        """Contact and temperature with the moduli of a mean temperature; the layers around it iterated."""
+        speed = self.angular_speed if angular_speed is None else angular_speed
+        key = (mean, speed)
+        if key in self.known:
+            return self.known[key]
+        profile = np.zeros(len(self.ball.layers))
+        for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
+            temperatures = mean + profile
+            result = solve(self._heated(temperatures), load=self.load, angular_speed=speed, **self.options)
+            found = temperature(result, **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT))
+            after = np.array(found.layer_means) - found.mean
+            settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
+            profile = after
+            if settled:
+                break
+        point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found)
+        self.known[key] = point
+        return point
+
+    def _heated(self, temperatures: NDArray[np.float64]) -> CoatedSphere:
+        factors = [shift_factor(shift, float(t)) for shift, t in zip(self.shifts, temperatures, strict=True)]
+        layers = [
+            replace(layer, shear_modulus=shifted(layer.shear_modulus, factor))
+            for layer, factor in zip(self.ball.layers, factors, strict=True)
+        ]
+        return replace(self.ball, layers=layers)
+
+    def sweep(
+        self, count: int, progress: Callable[[str, float], object] | None
+    ) -> tuple[list[tuple[float, float]], list[float]]:
+        """Mean temperatures between which the excess changes its sign, and those at which it is nothing at all."""
+        # Small rises are resolved relatively: they begin at a thousandth of the range.
+        rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
+        grid = [self.ambient, *(self.ambient + rises).tolist()]
+        excess = []
+        for number, mean in enumerate(grid):
+            excess.append(self.at(mean).excess)
+            if progress is not None:
+                progress("temperatures", (number + 1) / len(grid))
+        grid, excess = self._with_turning_points(grid, excess)
+        pairs = zip(grid[:-1], grid[1:], excess[:-1], excess[1:], strict=True)
+        return (
+            [(low, high) for low, high, a, b in pairs if a * b < 0.0],
+            [mean for mean, value in zip(grid, excess, strict=True) if value == 0.0],
+        )
+
+    def _with_turning_points(self, grid: list[float], excess: list[float]) -> tuple[list[float], list[float]]:
+        """Add the extrema of the excess between points of one sign, where two states may hide."""
+        more: dict[float, float] = dict(zip(grid, excess, strict=True))
+        for i in range(1, len(grid) - 1):
+            before, here, after = excess[i - 1 : i + 2]
+            toward_zero = (here - before) * here < 0.0 and (after - here) * here > 0.0
+            if not toward_zero or before * here <= 0.0 or here * after <= 0.0:
+                continue
+            curve = np.polynomial.Polynomial.fit(grid[i - 1 : i + 2], [before, here, after], 2)
+            turn = float(curve.deriv().roots().real[0])
+            if abs(curve(turn)) < 0.3 * abs(here) or curve(turn) * here < 0.0:
+                more[turn] = self.at(turn).excess
+        ordered = sorted(more.items())
+        return [mean for mean, _ in ordered], [value for _, value in ordered]
+
+    def state(self, low: float, high: float) -> SteadyState:
+        """Close in on a root by regula falsi with the Illinois weights."""
+        a, b = self.at(low).excess, self.at(high).excess
+        rising = b > a
+        left, right, fa, fb = low, high, a, b
+        mean = left
+        side = 0
+        for _ in range(40):
+            if fa == fb:
+                break
+            mean = (left * fb - right * fa) / (fb - fa)
+            value = self.at(mean).excess
+            if abs(value) <= 1e-4 * max(mean - self.ambient, 1e-6):
+                break
+            if value * fb > 0.0:
+                right, fb = mean, value
+                fa = 0.5 * fa if side == -1 else fa
+                side = -1
+            else:
+                left, fa = mean, value
+                fb = 0.5 * fb if side == 1 else fb
+                side = 1
+        point = self.at(mean)
+        return SteadyState(
+            mean_temperature=mean,
+            layer_temperatures=point.layer_temperatures,
+            result=point.result,
+            temperature=point.temperature,
+            stable=not rising,
+        )
+
+    def speed_at(self, mean: float) -> float:
+        """Speed at which a mean temperature is steady: heat grows with speed where temperature is held.
+
+        Bisection in ln Ω from the speed of the case.
+        """
+        if not mean > self.ambient:
+            raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
+        low = high = np.log(self.angular_speed)
+        warming = self.at(mean).excess > 0.0
+        for _ in range(60):
+            low, high = (low - 0.7, low) if warming else (high, high + 0.7)
+            edge = low if warming else high
+            if (self.at(mean, float(np.exp(edge))).excess > 0.0) != warming:
+                break
+        else:
+            raise ConvergenceError(f"no speed makes {mean:g} K a steady state")
+        for _ in range(7):
+            middle = 0.5 * (low + high)
+            if self.at(mean, float(np.exp(middle))).excess > 0.0:
+                high = middle
+            else:
+                low = middle
+        a, b = (self.at(mean, float(np.exp(end))).excess for end in (low, high))
+        return float(np.exp((low * b - high * a) / (b - a)))
+
+    def refusal(self) -> str:
+        """Say that no state was found, and which speed has one."""
+        rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
+        speeds = [self.speed_at(self.ambient + rise) for rise in rises]
+        best = int(np.argmax(speeds))
+        return (
+            f"angular_speed must be at most about {speeds[best]:.3g} rad/s for a steady temperature below "
+            f"{self.limit:g} K (there {self.ambient + rises[best]:.4g} K), got {self.angular_speed:g} rad/s: "
+            "rolling makes more heat than leaves"
+        )
+
+
+def _shifts(ball: CoatedSphere, shift: Shift | Sequence[Shift]) -> list[Shift]:
+    if callable(shift):
+        return [shift] * len(ball.layers)
+    try:
+        several = list(shift)
+    except TypeError:
+        raise TypeError("shift must be a function of temperature [K], or one for each layer") from None
+    if len(several) != len(ball.layers):
+        raise ValueError(f"shift must be one for each of {len(ball.layers)} layers, got {len(several)}")
+    for each in several:
+        if not callable(each):
+            raise TypeError("shift must be a function of temperature [K], or one for each layer")
+    return several
+
+
+def _cut(ball: CoatedSphere, parts: int) -> CoatedSphere:
+    if parts == 1:
+        return ball
+    layers = [replace(layer, thickness=layer.thickness / parts) for layer in ball.layers for _ in range(parts)]
+    return replace(ball, layers=layers)
+
+
+def _repeated(conductivity: float | Sequence[float] | None, parts: int) -> float | list[float] | None:
+    if conductivity is None or np.ndim(conductivity) == 0:
+        return conductivity  # type: ignore[return-value]
+    return [value for value in conductivity for _ in range(parts)]  # type: ignore[union-attr]

@@ -1,0 +1,268 @@
+"""What transient rolling returns."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._core import Compliance, Curvature, Start
+from .._extras import extra
+from ..drive import Drive
+from ..geometry import CoatedSphere
+from ..mesh import Mesh
+from .rolling_history import RollingState
+from .series import SERIES
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from .. import _core
+
+__all__ = ["SUFFIXES", "ContactInstant", "History"]
+
+#: Of the files that `History.save` writes.
+SUFFIXES = (".csv", ".nc")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ContactInstant:
+    """Pressure around the contact of one lattice at an instant; arrays of shape (nodes in φ, nodes in θ).
+
+    Attributes
+    ----------
+    time : float
+        [s].
+    x, z : ndarray
+        Coordinates of the undeformed nodes [m]: x forward, z sideways.
+    pressure : ndarray
+        [Pa].
+    """
+
+    time: float
+    x: NDArray[np.float64]
+    z: NDArray[np.float64]
+    pressure: NDArray[np.float64]
+
+    @classmethod
+    def _from_core(cls, field: _core.ContactField) -> ContactInstant:
+        return cls(time=field.time, x=field.x, z=field.z, pressure=field.pressure)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class History:
+    """Time series of transient rolling, at every step that was taken; means over the lattices.
+
+    Attributes
+    ----------
+    ball, mesh, compliance, curvature, friction, drive, lattices
+        The input; the mesh as it was used.
+    start : Start or None
+        What was before; None for a history that went on from a state.
+    spectrum_error : float
+        Largest relative error of the compliance by discrete retardation times [-].
+    time : ndarray
+        [s]; two alike at a jump.
+    angle : ndarray
+        ψ [rad].
+    load : ndarray
+        P [N].
+    resisting_torque : ndarray
+        T_r = Σ x p [N m]: negative where it drives.
+    driving_torque : ndarray
+        T, moment of the contact forces about the center, which does the work [N m]; with the radial compliance T_r.
+    penetration : ndarray
+        r_o - H [m].
+    contact_area : ndarray
+        [m²].
+    semi_axis_x, semi_axis_z : ndarray
+        Semi-axes of the ellipse with the contact's second moments [m].
+    max_pressure : ndarray
+        [Pa].
+    stored_energy : ndarray
+        In the coating [J].
+    dissipated_energy : ndarray
+        Lost in the coating and by slip since the start [J], from memory and slip alone: not from the torque.
+    work : ndarray
+        Of torque and load since the start [J], by the trapezoidal rule; a jump takes what it stores.
+    energy_imbalance : ndarray
+        Work less what was stored and lost [J].
+    driving_force : ndarray
+        Q = -Σ t_x, force on the center [N].
+    center_way : ndarray
+        Way of the center since the start [m]; 0 without friction, where it is undetermined.
+    slip_energy : ndarray
+        Part of `dissipated_energy` that slip on the plane takes [J].
+    stick_share : ndarray
+        Of the nodes in contact [-].
+    error_estimate : ndarray
+        Of the torque, by the spread of the lattices [N m]; not a number with one lattice.
+    contacts : tuple of ContactInstant
+        The pressure at the instants asked for.
+    state : RollingState
+        To go on from the end.
+    """
+
+    ball: CoatedSphere
+    mesh: Mesh
+    start: Start | None
+    compliance: Compliance
+    curvature: Curvature
+    friction: float
+    drive: Drive
+    lattices: int
+    spectrum_error: float
+    time: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    load: NDArray[np.float64]
+    resisting_torque: NDArray[np.float64]
+    driving_torque: NDArray[np.float64]
+    penetration: NDArray[np.float64]
+    contact_area: NDArray[np.float64]
+    semi_axis_x: NDArray[np.float64]
+    semi_axis_z: NDArray[np.float64]
+    max_pressure: NDArray[np.float64]
+    stored_energy: NDArray[np.float64]
+    dissipated_energy: NDArray[np.float64]
+    work: NDArray[np.float64]
+    energy_imbalance: NDArray[np.float64]
+    driving_force: NDArray[np.float64]
+    center_way: NDArray[np.float64]
+    slip_energy: NDArray[np.float64]
+    stick_share: NDArray[np.float64]
+    error_estimate: NDArray[np.float64]
+    contacts: tuple[ContactInstant, ...]
+    state: RollingState
+
+    def __post_init__(self) -> None:
+        """Freeze the arrays."""
+        for name in ("time", *SERIES):
+            getattr(self, name).flags.writeable = False
+
+    @property
+    def energy_balance_error(self) -> NDArray[np.float64]:
+        """How far the energy balance is open, relative to all that the history loses [-]; 0 where it loses nothing."""
+        lost = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
+        gained = self.energy_imbalance - self.energy_imbalance[0]
+        return np.abs(gained) / lost if lost > 0.0 else np.zeros_like(gained)
+
+    @property
+    def creepage(self) -> NDArray[np.float64]:
+        """Way of the center per way of the undeformed surface, less one, in the step before [-]; nan at standstill."""
+        turn = np.diff(self.angle, prepend=np.nan)
+        way = np.diff(self.center_way, prepend=np.nan)
+        rolls = np.abs(turn) > 0.0 if self.friction > 0.0 else np.zeros_like(turn, dtype=bool)
+        return np.divide(way, self.ball.outer_radius * turn, out=np.full_like(turn, np.nan), where=rolls) - 1.0
+
+    def __repr__(self) -> str:
+        """Return a summary of one screen."""
+        torque = self.resisting_torque
+        highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
+        rows = [
+            ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
+            ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, at the end {self.angle[-1]:.4g}"),
+            ("load", f"{self.load.min():g} to {self.load.max():g} N"),
+            ("largest torque T_r", f"{torque[highest]:.5g} N m at {self.time[highest]:.4g} s"),
+            ("smallest torque T_r", f"{torque[lowest]:.5g} N m at {self.time[lowest]:.4g} s"),
+            ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
+            (
+                "energy lost, of that by slip",
+                f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J, {self.slip_energy[-1]:.3g} J",
+            ),
+            ("energy balance open by", f"{self.energy_balance_error[-1]:.1e}"),
+            ("mesh", f"{self.mesh}, {self.lattices} lattices"),
+        ]
+        width = max(len(label) for label, _ in rows)
+        start = "a state" if self.start is None else f"{self.start.name} start"
+        return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def scalars(self) -> dict[str, float | int | str | None]:
+        """Return what sums the history up, by name, in SI units."""
+        highest = int(np.argmax(self.resisting_torque))
+        return {
+            "duration": float(self.time[-1] - self.time[0]),
+            "steps": len(self.time) - 1,
+            "largest_resisting_torque": float(self.resisting_torque[highest]),
+            "time_of_largest_resisting_torque": float(self.time[highest]),
+            "smallest_resisting_torque": float(self.resisting_torque.min()),
+            "largest_penetration": float(self.penetration.max()),
+            "dissipated_energy": float(self.dissipated_energy[-1] - self.dissipated_energy[0]),
+            "energy_balance_error": float(self.energy_balance_error[-1]),
+            "slip_energy": float(self.slip_energy[-1] - self.slip_energy[0]),
+            "friction": self.friction,
+            "spectrum_error": self.spectrum_error,
+            "nodes_per_revolution": self.mesh.nodes_per_revolution,
+            "lattices": self.lattices,
+            "start": "STATE" if self.start is None else self.start.name,
+            "compliance": self.compliance.name,
+            "curvature": self.curvature.name,
+        }
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return the time series as a dataset over `time` [s], with units.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[files]`.
+        """
+        with extra("files"):
+            import xarray
+
+        variables = {
+            name: ("time", getattr(self, name), {"units": unit, "long_name": text})
+            for name, (unit, text) in SERIES.items()
+        }
+        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, attrs=self.scalars())
+
+    def save(self, path: str | Path) -> None:
+        """Write the time series to a file, in the format of its suffix.
+
+        Parameters
+        ----------
+        path : path-like
+            ``.csv`` (a row for each instant) or ``.nc`` (netCDF).
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        ImportError
+            For ``.nc``, without the extra `viscoroll[files]`.
+        """
+        path = Path(path)
+        match path.suffix.lower():
+            case ".csv":
+                with path.open("w", newline="") as file:
+                    writer = csv.writer(file)
+                    writer.writerow(["time [s]", *(f"{name} [{unit}]" for name, (unit, _) in SERIES.items())])
+                    columns = [getattr(self, name).tolist() for name in ("time", *SERIES)]
+                    writer.writerows(zip(*columns, strict=True))
+            case ".nc":
+                with extra("files"):
+                    import netCDF4  # noqa: F401  (what xarray writes with)
+                self.to_xarray().to_netcdf(path, engine="netcdf4")
+            case _:
+                raise ValueError(f"path must end in .csv or .nc, got {path.name!r}")
+
+    def plot(self) -> Figure:
+        """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Not shown; save it with ``savefig`` or show it with ``matplotlib.pyplot.show``.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[plot]`.
+        """
+        from .picture import plot_history
+
+        return plot_history(self)

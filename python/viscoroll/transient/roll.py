@@ -1,0 +1,206 @@
+"""Follow a motion."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import _core
+from .._arrays import as_float_array, require_callable, require_type
+from .._core import Compliance, Curvature, Start
+from ..drive import Drive
+from ..geometry import CoatedSphere
+from .history import ContactInstant, History
+from .rolling_history import RollingHistory, RollingState
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..mesh import Mesh
+
+__all__ = ["roll"]
+
+
+def roll(
+    ball: CoatedSphere,
+    *,
+    time: ArrayLike,
+    angle: ArrayLike,
+    load: ArrayLike,
+    start: Start | RollingState = Start.RELAXED,
+    mesh: Mesh | None = None,
+    compliance: Compliance = Compliance.RADIAL,
+    curvature: Curvature = Curvature.SPHERE,
+    friction: float = 0.0,
+    drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+    lattices: int = 4,
+    steps_per_spacing: int | None = 4,
+    shortest_time: float | None = None,
+    longest_time: float | None = None,
+    spectrum_tolerance: float = 0.01,
+    contact_times: ArrayLike = (),
+    checkpoint: str | Path | None = None,
+    threads: int = 0,
+    progress: Callable[[str, float], object] | None = None,
+) -> History:
+    """Roll, stop, stand and turn back: follow a motion that is linear in time between knots.
+
+    The call releases the GIL and stops on Ctrl-C.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Core and layers. All layers share one relaxation function and have a Poisson's ratio.
+    time : array_like
+        Knots [s], not decreasing; two at the same time are a jump, which needs a coating that yields at once.
+    angle : array_like
+        ψ, angle turned at the knots [rad]; growing, the ball rolls forward.
+    load : array_like or float
+        P at the knots [N], > 0; a number for all of them.
+    start : Start or RollingState, default Start.RELAXED
+        What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
+        (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
+    mesh, compliance, curvature, friction, drive, lattices, steps_per_spacing, spectrum_tolerance, threads
+        As of `RollingHistory`.
+    shortest_time, longest_time : float, optional
+        Between which moduli with a continuous spectrum are resolved [s]; by default from the motion: a tenth of a step
+        while it rolls, and ten times its duration.
+    contact_times : array_like, optional
+        When the pressure is recorded [s], between the knots.
+    checkpoint : path-like, optional
+        Where the state goes when the run is interrupted or fails (``.npy``), to go on from by
+        ``start=RollingState.load(checkpoint)``.
+    progress : callable, optional
+        Called as progress(stage, fraction) about every 20 ms.
+
+    Returns
+    -------
+    History
+        Time series of torque, penetration and energies at every step.
+
+    Raises
+    ------
+    ValueError
+        For bad input, and for coatings that this method is not for; the message names parameter, value and range.
+    TypeError
+        For arguments of another type.
+    ConvergenceError
+        Where no contact was found.
+    KeyboardInterrupt
+        On Ctrl-C, within 0.3 s.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, paper
+    >>> h = roll(paper.ball(), time=[0.0, 0.2], angle=[0.0, 0.5], load=100.0, mesh=Mesh(nodes_per_revolution=100))
+    >>> f"{h.resisting_torque.max() * 1e3:.0f} mN m to break away"
+    '53 mN m to break away'
+    """
+    require_type("ball", ball, CoatedSphere)
+    require_callable("progress", progress)
+    knots, angles, loads = _motion(time, angle, load)
+    spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
+    shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))
+    stepper = RollingHistory(
+        ball,
+        load=float(loads[0]),
+        start=start,
+        mesh=mesh,
+        compliance=compliance,
+        curvature=curvature,
+        friction=friction,
+        drive=drive,
+        lattices=lattices,
+        steps_per_spacing=steps_per_spacing,
+        shortest_time=shortest if shortest_time is None else shortest_time,
+        longest_time=longest if longest_time is None else longest_time,
+        spectrum_tolerance=spectrum_tolerance,
+        threads=threads,
+        time=float(knots[0]),
+        angle=float(angles[0]),
+        progress=progress,
+    )
+    core = stepper._history
+    pieces: list[NDArray[np.float64]] = []
+    contacts: list[ContactInstant] = []
+    try:
+        for stop in _stops(knots, contact_times):
+            piece_time, piece_angle, piece_load = _until(stop, knots, angles, loads)
+            if stop < core.now()[0, 0]:
+                continue
+            piece = core.roll(time=piece_time, angle=piece_angle, load=piece_load, progress=progress)
+            pieces.append(piece if not pieces else piece[:, 1:])
+            if stop in np.asarray(contact_times):
+                contacts.append(ContactInstant._from_core(stepper.contact))
+    except BaseException:
+        if checkpoint is not None:
+            stepper.state.save(checkpoint)
+        raise
+    rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
+    return History(
+        ball=ball,
+        mesh=stepper.mesh,
+        start=start if isinstance(start, Start) else None,
+        compliance=compliance,
+        curvature=curvature,
+        friction=float(friction),
+        drive=drive,
+        lattices=lattices,
+        spectrum_error=stepper.spectrum_error,
+        contacts=tuple(contacts),
+        state=stepper.state,
+        **rows,
+    )
+
+
+def _motion(time: ArrayLike, angle: ArrayLike, load: ArrayLike) -> tuple[NDArray[np.float64], ...]:
+    """Return knots of equal lengths; the core checks their values."""
+    arrays = {name: as_float_array(name, values) for name, values in (("time", time), ("angle", angle), ("load", load))}
+    if arrays["load"].ndim == 0:
+        arrays["load"] = np.full_like(arrays["time"], arrays["load"])
+    for name, values in arrays.items():
+        if values.ndim != 1:
+            raise ValueError(f"{name} must be one-dimensional, got shape {values.shape}")
+        if len(values) != len(arrays["time"]):
+            raise ValueError(f"{name} must be as long as time ({len(arrays['time'])}), got {len(values)}")
+    if len(arrays["time"]) < 2:
+        raise ValueError(f"time must hold at least two knots, got {len(arrays['time'])}")
+    core = _core.check_motion
+    core(time=arrays["time"].tolist(), angle=arrays["angle"].tolist(), load=arrays["load"].tolist())
+    return arrays["time"], arrays["angle"], arrays["load"]
+
+
+def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
+    """Return a tenth of the shortest step while it rolls, and ten times the duration."""
+    duration = max(float(time[-1] - time[0]), 1e-9)
+    between = np.diff(time)
+    rolling = (between > 0.0) & (np.diff(angle) != 0.0)
+    speed = np.abs(np.diff(angle)[rolling]) / between[rolling]
+    shortest = 0.1 * float((step / speed).min()) if rolling.any() else 1e-4 * duration
+    return min(shortest, 0.1 * duration), 10.0 * duration
+
+
+def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
+    """Return the instants up to which the motion is followed at a time."""
+    instants = as_float_array("contact_times", contact_times).ravel()
+    for instant in instants:
+        if not time[0] <= instant <= time[-1]:
+            raise ValueError(f"contact_times must be in [{time[0]:g}, {time[-1]:g}] s, got {instant:g}")
+    return sorted({*instants.tolist(), float(time[-1])})
+
+
+def _until(
+    stop: float, time: NDArray[np.float64], angle: NDArray[np.float64], load: NDArray[np.float64]
+) -> tuple[list[float], list[float], list[float]]:
+    """Return the knots up to an instant, and the motion there."""
+    before = time <= stop
+    knots = [values[before].tolist() for values in (time, angle, load)]
+    if knots[0][-1] < stop:
+        knots[0].append(stop)
+        knots[1].append(float(np.interp(stop, time, angle)))
+        knots[2].append(float(np.interp(stop, time, load)))
+    return knots[0], knots[1], knots[2]

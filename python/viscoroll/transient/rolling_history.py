@@ -1,0 +1,318 @@
+"""A ball on its way: state in, state out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _core
+from .._arrays import as_float, as_int, require_callable, require_type
+from .._core import Compliance, Curvature, Start
+from ..drive import Drive
+from ..geometry import CoatedSphere
+from ..mesh import Mesh
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+__all__ = ["Instant", "RollingHistory", "RollingState"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Instant:
+    """A history at an instant: the time series of `History`, as numbers.
+
+    Attributes
+    ----------
+    time, angle, load : float
+        [s], [rad], [N].
+    resisting_torque, driving_torque : float
+        T_r and T [N m].
+    penetration : float
+        r_o - H [m].
+    contact_area : float
+        [m²].
+    semi_axis_x, semi_axis_z : float
+        [m].
+    max_pressure : float
+        [Pa].
+    stored_energy, dissipated_energy, work, energy_imbalance : float
+        [J].
+    driving_force : float
+        Q [N].
+    center_way : float
+        [m].
+    slip_energy : float
+        Part of `dissipated_energy` [J].
+    stick_share : float
+        [-].
+    error_estimate : float
+        Of the torque [N m]; not a number with one lattice.
+    """
+
+    time: float
+    angle: float
+    load: float
+    resisting_torque: float
+    driving_torque: float
+    penetration: float
+    contact_area: float
+    semi_axis_x: float
+    semi_axis_z: float
+    max_pressure: float
+    stored_energy: float
+    dissipated_energy: float
+    work: float
+    energy_imbalance: float
+    driving_force: float
+    center_way: float
+    slip_energy: float
+    stick_share: float
+    error_estimate: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RollingState:
+    """Everything that a history remembers: forces and retarded forces of every material node.
+
+    It belongs to a ball, a mesh and the options of the history that it is from.
+
+    Attributes
+    ----------
+    numbers : ndarray
+        In an order of the library's own.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, RollingHistory, paper
+    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=100), lattices=1)
+    >>> state = stepper.state
+    >>> later = stepper.advance(time=0.1, angle=0.2, load=100.0)
+    >>> again = RollingHistory(paper.ball(), load=100.0, mesh=stepper.mesh, lattices=1, start=state)
+    >>> again.now.time
+    0.0
+    """
+
+    numbers: NDArray[np.float64]
+
+    def save(self, path: str | Path) -> None:
+        """Write the state to a file of NumPy's own format (``.npy``).
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        np.save(_npy(path), self.numbers, allow_pickle=False)
+
+    @classmethod
+    def load(cls, path: str | Path) -> RollingState:
+        """Read a state that `save` wrote.
+
+        Raises
+        ------
+        ValueError
+            For another suffix, and for files that hold something else.
+        """
+        return cls(np.asarray(np.load(_npy(path), allow_pickle=False), dtype=np.float64))
+
+
+def _npy(path: str | Path) -> Path:
+    path = Path(path)
+    if path.suffix.lower() != ".npy":
+        raise ValueError(f"path must end in .npy, got {path.name!r}")
+    return path
+
+
+class RollingHistory:
+    """A ball on its way, for equations of motion: `advance` takes it from one state to the next.
+
+    ``copy.copy(stepper)`` is another history from here on, at the price of the memory's copy: to try a step and take it
+    back.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Core and layers. All layers share one relaxation function and have a Poisson's ratio.
+    load : float
+        P at the first instant [N], > 0.
+    start : Start or RollingState, default Start.RELAXED
+        What was before: the ball has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
+        another history.
+    mesh : Mesh, optional
+        Surface mesh; by default 16 nodes across the contact at rest.
+    compliance : Compliance, default Compliance.RADIAL
+        As of `viscoroll.solve`.
+    curvature : Curvature, default Curvature.SPHERE
+        SPHERE or PAPER.
+    friction : float, default 0
+        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
+    drive : Drive, default Drive(force=0.0)
+        Horizontal force on the center; a given torque or creepage is refused here.
+    lattices : int, default 4
+        Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
+        fast, and its torque carries the staircase of the nodes.
+    steps_per_spacing : int or None, default 4
+        Steps of time while the ball turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: every
+        call of `advance` is one step.
+    shortest_time, longest_time : float
+        Between which moduli with a continuous spectrum are resolved [s].
+    spectrum_tolerance : float, default 0.01
+        Largest relative error with which discrete retardation times may stand for the compliance [-].
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    time, angle : float
+        Of the first instant [s], [rad]; not with a state.
+
+    Raises
+    ------
+    ValueError
+        For bad input, and for coatings that this method is not for; the message names parameter, value and range.
+    TypeError
+        For arguments of another type.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, paper
+    >>> stepper = RollingHistory(paper.ball(), load=100.0, mesh=Mesh(nodes_per_revolution=200), lattices=1)
+    >>> state = stepper.advance(time=0.05, angle=0.1, load=100.0)
+    >>> state.resisting_torque > 0.0
+    True
+    """
+
+    def __init__(
+        self,
+        ball: CoatedSphere,
+        *,
+        load: float,
+        start: Start | RollingState = Start.RELAXED,
+        mesh: Mesh | None = None,
+        compliance: Compliance = Compliance.RADIAL,
+        curvature: Curvature = Curvature.SPHERE,
+        friction: float = 0.0,
+        drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+        lattices: int = 4,
+        steps_per_spacing: int | None = 4,
+        shortest_time: float = 1e-4,
+        longest_time: float = 1e4,
+        spectrum_tolerance: float = 0.01,
+        threads: int = 0,
+        time: float = 0.0,
+        angle: float = 0.0,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> None:
+        require_type("ball", ball, CoatedSphere)
+        require_type("mesh", mesh, Mesh, optional=True)
+        require_type("compliance", compliance, Compliance)
+        require_type("curvature", curvature, Curvature)
+        require_callable("progress", progress)
+        require_type("drive", drive, Drive)
+        if drive.force is None:
+            raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
+        state = start if isinstance(start, RollingState) else None
+        before = Start.RELAXED if isinstance(start, RollingState) else start
+        require_type("start", before, Start)
+        self.ball = ball
+        self._history = _core.RollingHistory(
+            ball._to_core(),
+            load=as_float("load", load),
+            start=before,
+            mesh=None if mesh is None else mesh._to_core(),
+            compliance=compliance,
+            curvature=curvature,
+            friction=as_float("friction", friction),
+            driving_force=drive.force,
+            lattices=as_int("lattices", lattices),
+            steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
+            shortest_time=as_float("shortest_time", shortest_time),
+            longest_time=as_float("longest_time", longest_time),
+            spectrum_tolerance=as_float("spectrum_tolerance", spectrum_tolerance),
+            threads=as_int("threads", threads),
+            time=as_float("time", time),
+            angle=as_float("angle", angle),
+            progress=progress,
+        )
+        if state is not None:
+            self._history.restore(state.numbers)
+
+    def advance(self, *, time: float, angle: float, load: float) -> Instant:
+        """Turn and load linearly in time.
+
+        Parameters
+        ----------
+        time : float
+            [s], not before now; now for a jump.
+        angle : float
+            ψ [rad].
+        load : float
+            P [N], > 0.
+
+        Returns
+        -------
+        Instant
+            The end.
+
+        Raises
+        ------
+        ValueError
+            For bad input; the history is then as it was before.
+        ConvergenceError
+            Where no contact was found; likewise.
+        """
+        self._history.advance(time=as_float("time", time), angle=as_float("angle", angle), load=as_float("load", load))
+        return self.now
+
+    @property
+    def now(self) -> Instant:
+        """The instant reached."""
+        return _instant(self._history.now())
+
+    @property
+    def state(self) -> RollingState:
+        """What is needed to go on from here."""
+        return RollingState(self._history.state())
+
+    @property
+    def contact(self) -> _core.ContactField:
+        """Pressure on the nodes of the first lattice around the contact, by `time`, `x`, `z` and `pressure`."""
+        return self._history.contact()
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh."""
+        return Mesh._from_core(self._history.mesh)
+
+    @property
+    def spectrum_error(self) -> float:
+        """Largest relative error of the compliance by discrete retardation times [-]."""
+        return self._history.spectrum_error
+
+    @property
+    def steps(self) -> int:
+        """Steps of time taken."""
+        return self._history.steps
+
+    def __copy__(self) -> RollingHistory:
+        """Return a history that goes on from here by itself."""
+        twin = object.__new__(type(self))
+        twin.ball = self.ball
+        twin._history = self._history.copy()
+        return twin
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> RollingHistory:
+        """Return the same as of `copy.copy`: nothing that could change is shared."""
+        return self.__copy__()
+
+    def __repr__(self) -> str:
+        """Return where it is."""
+        now = self.now
+        return f"RollingHistory({self.ball!r}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
+
+
+def _instant(numbers: NDArray[np.float64]) -> Instant:
+    return Instant(**dict(zip(_core.instant_names(), numbers[:, 0].tolist(), strict=True)))

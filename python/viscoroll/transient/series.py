@@ -1,0 +1,27 @@
+"""What a history is a time series of."""
+
+from __future__ import annotations
+
+__all__ = ["SERIES"]
+
+#: Time series: name, unit, what it is.
+SERIES = {
+    "angle": ("rad", "angle turned ψ, forward"),
+    "load": ("N", "load P"),
+    "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
+    "driving_torque": ("N m", "driving torque T"),
+    "penetration": ("m", "penetration r_o - H"),
+    "contact_area": ("m^2", "contact area"),
+    "semi_axis_x": ("m", "contact semi-axis along x"),
+    "semi_axis_z": ("m", "contact semi-axis along z"),
+    "max_pressure": ("Pa", "largest contact pressure"),
+    "stored_energy": ("J", "energy stored in the coating"),
+    "dissipated_energy": ("J", "energy lost in the coating and by slip since the start"),
+    "work": ("J", "work of torque and load since the start"),
+    "energy_imbalance": ("J", "work less what was stored and lost"),
+    "driving_force": ("N", "driving force Q"),
+    "center_way": ("m", "way of the center since the start"),
+    "slip_energy": ("J", "energy lost by slip since the start"),
+    "stick_share": ("1", "share of the nodes in contact that stick"),
+    "error_estimate": ("N m", "error estimate of the torque"),
+}

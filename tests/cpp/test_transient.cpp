@@ -1,0 +1,165 @@
+// The creep spectrum and the weights of a step: what Python cannot see of transient rolling.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "cases.hpp"
+#include "transient/creep_spectrum.hpp"
+#include "transient/nnls.hpp"
+#include "transient/step_choice.hpp"
+#include "transient/time_step.hpp"
+#include "viscoroll/errors.hpp"
+#include "viscoroll/rolling_history.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr TimeRange kRange{.shortest = 1e-5, .longest = 1e5};
+
+/// Largest relative error of mu*(0) / mu*(i omega) over frequencies.
+double error_of(const CreepSpectrum& spectrum, const ShearModulus& modulus, double low, double high) {
+  double largest = 0.0;
+  const double relaxed = complex_modulus(modulus, std::vector{0.0}).front().real();
+  for (int i = 0; i <= 60; ++i) {
+    const double omega = low * std::pow(high / low, i / 60.0);
+    std::complex<double> compliance = spectrum.instantaneous;
+    for (std::size_t j = 0; j < spectrum.size(); ++j) {
+      compliance += spectrum.weights[j] / std::complex<double>(1.0, omega * spectrum.retardation_times[j]);
+    }
+    const auto exact = relaxed / complex_modulus(modulus, std::vector{omega}).front();
+    largest = std::max(largest, std::abs(compliance / exact - 1.0));
+  }
+  return largest;
+}
+
+TEST(CreepSpectrum, OfAStandardLinearSolidIsTheClosedForm) {
+  const CreepSpectrum spectrum = creep_spectrum(cases::rubber(), kRange);
+  ASSERT_EQ(spectrum.size(), 1U);
+  EXPECT_NEAR(spectrum.instantaneous, 0.5, 1e-15);
+  EXPECT_NEAR(spectrum.weights[0], 0.5, 1e-14);
+  EXPECT_NEAR(spectrum.retardation_times[0], 0.25, 1e-14);  // tau G_0 / G_inf
+}
+
+TEST(CreepSpectrum, OfManyDecadesIsExact) {
+  Prony series{.instantaneous_modulus = 1e9, .weights = {}, .relaxation_times = {}};
+  for (int k = 0; k < 24; ++k) {
+    series.weights.push_back(k < 12 ? 0.08 : 0.003);
+    series.relaxation_times.push_back(std::pow(10.0, 0.5 * k - 6.0));
+  }
+  const CreepSpectrum spectrum = creep_spectrum(series, kRange);
+  ASSERT_EQ(spectrum.size(), 24U);
+  double sum = spectrum.instantaneous;
+  for (std::size_t j = 0; j < 24; ++j) {
+    EXPECT_GT(spectrum.weights[j], 0.0);
+    EXPECT_GT(spectrum.retardation_times[j], series.relaxation_times[j]);  // they interlace
+    sum += spectrum.weights[j];
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-11);
+  EXPECT_LT(error_of(spectrum, series, 1e-8, 1e8), 1e-11);
+}
+
+TEST(CreepSpectrum, OfTimesClosePairsKeepsItsDigits) {
+  const Prony series{.instantaneous_modulus = 6e6,
+                     .weights = {0.2, 0.3, 0.1},
+                     .relaxation_times = {0.125, 0.125 * (1.0 + 1e-9), 0.125}};
+  const CreepSpectrum spectrum = creep_spectrum(series, kRange);
+  ASSERT_EQ(spectrum.size(), 2U);  // equal times are one
+  EXPECT_LT(error_of(spectrum, series, 1e-3, 1e3), 1e-8);
+}
+
+TEST(CreepSpectrum, OfAFractionalZenerSolidConverges) {
+  for (const double order : {0.3, 0.5, 0.7, 0.9, 0.97}) {
+    const FractionalZener solid{6e6, 3e6, 0.125, order};
+    const CreepSpectrum spectrum = creep_spectrum(solid, kRange);
+    // Beyond the range, what is left yields at once or never.
+    EXPECT_LT(error_of(spectrum, solid, 1e-4, 1e4), 1e-3) << order;
+    EXPECT_LT(spectrum.size(), 70U) << order;
+  }
+}
+
+TEST(CreepSpectrum, OfAKelvinVoigtSolidYieldsNothingAtOnce) {
+  const CreepSpectrum spectrum = creep_spectrum(KelvinVoigt{1e6, 1e4}, kRange);
+  EXPECT_EQ(spectrum.instantaneous, 0.0);
+  EXPECT_NEAR(spectrum.retardation_times.at(0), 1e-2, 1e-16);
+}
+
+TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
+  // The fractional solid as a table of nine decades; docs/theory.md, transient rolling has 6.5e-5 for three times per
+  // decade of the function itself, and a table has the kinks of its interpolation.
+  const FractionalZener solid{6e6, 3e6, 0.125, 0.5};
+  MasterCurve curve{.frequency = {0.0}, .storage = {3e6}, .loss = {0.0}, .extrapolation = Extrapolation::hold};
+  for (int i = 0; i <= 180; ++i) {
+    const double omega = std::pow(10.0, i / 20.0 - 4.5);
+    const auto value = complex_modulus(solid, std::vector{omega}).front();
+    curve.frequency.push_back(omega);
+    curve.storage.push_back(value.real());
+    curve.loss.push_back(value.imag());
+  }
+  const CreepSpectrum spectrum = creep_spectrum(curve, {.shortest = 1e-2, .longest = 1e2});
+  EXPECT_LT(spectrum.error, 1e-3);
+  EXPECT_GT(spectrum.error, 0.0);
+  EXPECT_LT(error_of(spectrum, solid, 1e-2, 1e2), 2e-3);
+}
+
+TEST(NonnegativeLeastSquares, LeavesOutWhatWouldBeNegative) {
+  Eigen::MatrixXd matrix(3, 2);
+  matrix << 1.0, 1.0, 1.0, 2.0, 1.0, 3.0;
+  const Eigen::VectorXd falling = nonnegative_least_squares(matrix, Eigen::Vector3d(3.0, 2.0, 1.0));
+  EXPECT_EQ(falling[1], 0.0);  // the slope of the free fit is -1
+  EXPECT_NEAR(falling[0], 2.0, 1e-14);
+  const Eigen::VectorXd rising = nonnegative_least_squares(matrix, Eigen::Vector3d(2.0, 3.0, 4.0));
+  EXPECT_NEAR(rising[0], 1.0, 1e-12);
+  EXPECT_NEAR(rising[1], 1.0, 1e-12);
+}
+
+TEST(TimeStep, SeriesAndClosedFormsMeet) {
+  const CreepSpectrum one{.instantaneous = 0.25, .weights = {0.75}, .retardation_times = {1.0}};
+  const TimeStep below(one, 0.999e-3);
+  const TimeStep above(one, 1.001e-3);
+  const auto ratio = [&](double TimeStep::Term::* share) { return above.terms[0].*share / below.terms[0].*share; };
+  // Each is proportional to the step here, up to a share of its square.
+  EXPECT_NEAR(ratio(&TimeStep::Term::on_new), 1.001 / 0.999, 1e-6);
+  EXPECT_NEAR(ratio(&TimeStep::Term::lost_change), 1.001 / 0.999, 3e-6);
+  const TimeStep jump(one, 0.0);
+  EXPECT_EQ(jump.compliance, 0.25);
+  EXPECT_EQ(jump.terms[0].lost_state, 0.0);
+  const TimeStep long_step(one, 1e9);
+  EXPECT_NEAR(long_step.compliance, 1.0, 1e-8);
+}
+
+TEST(StepChoice, GrowsAtStandstillAndFollowsTheSpacing) {
+  const StepChoice choice(0.01, 4, 0.25);
+  EXPECT_EQ(choice.shares({.duration = 0.1, .turn = 0.25, .relative_load = 0.0}, 0.001).size(), 100U);
+  const auto stand = choice.shares({.duration = 1000.0, .turn = 0.0, .relative_load = 0.0}, 0.01);
+  EXPECT_LT(stand.size(), 130U);
+  EXPECT_EQ(stand.back(), 1.0);
+  EXPECT_EQ(StepChoice(0.01, std::nullopt, 0.25).shares({.duration = 1.0, .turn = 9.0, .relative_load = 0.0}, 0.0),
+            std::vector{1.0});
+}
+
+TEST(RollingHistory, ResultsDoNotDependOnThreads) {
+  const Mesh mesh{.nodes_per_revolution = 120};
+  std::vector<double> torques;
+  for (const int threads : {1, 3}) {
+    RollingHistory history(cases::paper_sphere(), 100.0, Start::fresh, {.mesh = mesh, .threads = threads});
+    torques.push_back(history.advance(0.1, 0.25, 120.0).resisting_torque);
+  }
+  EXPECT_EQ(torques[0], torques[1]);
+}
+
+TEST(RollingHistory, AFailedStepLeavesItAsItWas) {
+  RollingHistory history(cases::paper_sphere(), 100.0, Start::relaxed, {.mesh = Mesh{.nodes_per_revolution = 100}});
+  history.advance(0.1, 0.1, 100.0);
+  const RollingInstant before = history.now();
+  EXPECT_THROW(history.advance(0.2, 0.2, 1e7), std::invalid_argument);
+  EXPECT_EQ(history.now().time, before.time);
+  EXPECT_EQ(history.now().load, before.load);
+  const Observer stopping{.cancelled = [] { return true; }, .progress = {}};
+  EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, stopping), Cancelled);
+  EXPECT_EQ(history.now().time, before.time);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail

@@ -1,0 +1,75 @@
+"""Case files with a table [thermal], and what the command line makes of them."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+import viscoroll as vr
+from viscoroll import cli
+from viscoroll.case import example_text, load_case
+
+COARSE = example_text().replace("accuracy = 0.01", "nodes_per_revolution = 200")
+THERMAL = """
+[thermal]
+convection = 10.0
+ambient = 293.15
+conductivity = 0.2
+"""
+SHIFT = 'shift = { type = "arrhenius", activation_energy = 60e3, reference_temperature = 293.15 }\nlimit = 313.15\n'
+
+
+def run(*arguments):
+    cli.app([str(argument) for argument in arguments], standalone_mode=False)
+
+
+@pytest.fixture
+def case(tmp_path):
+    def write(text):
+        path = tmp_path / "case.toml"
+        path.write_text(text)
+        return path
+
+    return write
+
+
+def test_the_commented_table_is_valid(case):
+    head, table = example_text().split("# [thermal]\n")
+    lines = ["[thermal]", *(line.removeprefix("# ") for line in table.splitlines())]
+    lines.remove(next(line for line in lines if "williams" in line))  # one of two
+    thermal = load_case(case(head + "\n".join(lines))).thermal
+    assert thermal.conductivity == 0.2
+    assert thermal.core is vr.Core.INSULATED
+    assert isinstance(thermal.shift, vr.Arrhenius)
+    assert load_case(case(example_text())).thermal is None
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        (THERMAL + 'core = "steel"', "thermal.core"),
+        (THERMAL + 'shift = { type = "eyring" }', "thermal.shift.type must be one of williams_landel_ferry, arrhenius"),
+        (THERMAL + 'shift = { type = "arrhenius" }', "thermal.shift of type arrhenius must have activation_energy"),
+        ("[thermal]\nambient = 300.0", "thermal.convection: field required"),
+    ],
+)
+def test_mistakes_are_named(case, table, message):
+    with pytest.raises(ValueError, match=message):
+        load_case(case(COARSE + table))
+
+
+def test_solve_reports_temperatures_and_draws_the_section(case, capsys, tmp_path):
+    picture = tmp_path / "section.png"
+    run("solve", case(COARSE + THERMAL), "--json", "--section", picture)
+    (found,) = json.loads(capsys.readouterr().out)["thermal"]
+    # Of the mesh of π/100; 1.90 K on fine ones.
+    assert found["maximum"] == pytest.approx(1.90, rel=0.1)
+    assert found["heat_to_surroundings"] == pytest.approx(found["heat"], rel=1e-9)
+    assert picture.stat().st_size > 10000
+
+
+def test_solve_finds_steady_states(case, capsys):
+    run("solve", case(COARSE + THERMAL + SHIFT))
+    out = capsys.readouterr().out
+    assert "temperature of the moduli [K]" in out
+    assert "stable" in out
