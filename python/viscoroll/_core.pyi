@@ -245,6 +245,11 @@ class ResultScalars:
         what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
     @property
+    def operator_applications(self) -> int:
+        """
+        displacements of trial forces that solved them [1]. Applications of the surface operator: products with the influence tables.
+        """
+    @property
     def penetration(self) -> float | None:
         """
         penetration r_o - H [m]. None in line contact where anything rests on a half-space: it has no limit there.
