@@ -118,9 +118,8 @@ void bind_inputs(py::module_& m) {
            py::kw_only(), py::arg("core_radius"), py::arg("layers"));
   py::classh<HalfSpace>(m, "HalfSpace")
       .def(py::init([](const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
-                       std::optional<double> bulk_modulus, double density) {
-             return HalfSpace{shear_modulus, poisson_ratio, bulk_modulus, density};
-           }),
+                       std::optional<double> bulk_modulus,
+                       double density) { return HalfSpace{shear_modulus, poisson_ratio, bulk_modulus, density}; }),
            py::kw_only(), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
            py::arg("bulk_modulus").none(true), py::arg("density"));
   py::classh<CoatedPlane>(m, "CoatedPlane")

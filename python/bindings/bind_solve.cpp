@@ -24,18 +24,18 @@ Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compl
           .observer = python_observer(progress)};
 }
 
-Result solve_released(const RollingBody& body, const Counterpart& on, double load, double angular_speed, std::optional<Mesh> mesh,
-                      double accuracy, double friction, Drive drive, Compliance compliance, Curvature curvature,
-                      PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
-                      const py::object& progress) {
+Result solve_released(const RollingBody& body, const Counterpart& on, double load, double angular_speed,
+                      std::optional<Mesh> mesh, double accuracy, double friction, Drive drive, Compliance compliance,
+                      Curvature curvature, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
+                      int threads, const py::object& progress) {
   const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
                                        max_iterations, threads, progress);
   const py::gil_scoped_release release;
   return solve(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
-RollingModel make_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh, Curvature curvature,
-                        int threads, const py::object& progress) {
+RollingModel make_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+                        Curvature curvature, int threads, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
   return {body, on, angular_speed, mesh, threads, curvature, observer};
@@ -83,14 +83,14 @@ void bind_solve(py::module_& m) {
       .def_readonly("threads", &Options::threads);
 
   py::classh<RollingModel>(m, "RollingModel")
-      .def(py::init(&make_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"), py::arg("mesh"),
-           py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
+      .def(py::init(&make_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
+           py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
            py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),
            py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 
-  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"), py::arg("angular_speed"),
-        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
-        py::arg("curvature"), py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"),
-        py::arg("threads"), py::arg("progress").none(true));
+  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
+        py::arg("angular_speed"), py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"),
+        py::arg("drive"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
+        py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 }
