@@ -236,6 +236,7 @@ TEST(Roller, FollowsCartersCurve) {
     const Result result = model.solve(
         {.load = load, .angular_speed = 1.0, .friction = friction, .drive = DriveCreepage{.creepage = creepage}});
     const double carter = std::copysign(friction * load * (1.0 - std::pow(1.0 - std::abs(share), 2)), share);
+    // The mesh leaves an error like one over the nodes, 100 across; free rolling creeps by some (a/R)^2.
     EXPECT_NEAR(result.driving_force / (friction * load), carter / (friction * load), 0.01);
     EXPECT_NEAR(result.driving_force / carter, 1.0, 0.02);
   }
