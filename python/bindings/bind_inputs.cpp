@@ -7,8 +7,10 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/materials.hpp"
 #include "viscoroll/mesh.hpp"
+#include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace {
@@ -107,6 +109,33 @@ void bind_inputs(py::module_& m) {
              return sphere;
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("inner_boundary"));
+  py::classh<CoatedCylinder>(m, "CoatedCylinder")
+      .def(py::init([](double core_radius, std::vector<Layer> layers) {
+             CoatedCylinder cylinder{core_radius, std::move(layers)};
+             validate(cylinder);
+             return cylinder;
+           }),
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"));
+  py::classh<HalfSpace>(m, "HalfSpace")
+      .def(py::init([](const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
+                       std::optional<double> bulk_modulus,
+                       double density) { return HalfSpace{shear_modulus, poisson_ratio, bulk_modulus, density}; }),
+           py::kw_only(), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
+           py::arg("bulk_modulus").none(true), py::arg("density"));
+  py::classh<CoatedPlane>(m, "CoatedPlane")
+      .def(py::init([](std::vector<Layer> layers, std::optional<HalfSpace> base) {
+             CoatedPlane plane{std::move(layers), std::move(base)};
+             validate(plane);
+             return plane;
+           }),
+           py::kw_only(), py::arg("layers"), py::arg("base").none(true));
+  py::classh<Groove>(m, "Groove")
+      .def(py::init([](std::optional<double> radius, std::optional<double> path_radius, CoatedPlane surface) {
+             Groove groove{radius, path_radius, std::move(surface)};
+             validate(groove);
+             return groove;
+           }),
+           py::kw_only(), py::arg("radius").none(true), py::arg("path_radius").none(true), py::arg("surface"));
   py::classh<Mesh>(m, "Mesh")
       .def(py::init([](int nodes_per_revolution, std::optional<int> max_order,
                        std::optional<int> theta_nodes_per_revolution) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bindings.hpp"
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/influence.hpp"
 #include "viscoroll/modal.hpp"
 
@@ -77,8 +78,10 @@ void bind_modal(py::module_& m) {
       py::arg("curvature"));
   m.def("centrifugal_displacement", &centrifugal_displacement, py::arg("sphere"), py::kw_only(),
         py::arg("angular_speed"), py::call_guard<py::gil_scoped_release>());
-  m.def("critical_speed", &critical_speed, py::arg("sphere"), py::kw_only(), py::arg("highest_frequency"),
-        py::arg("curvature"), py::call_guard<py::gil_scoped_release>());
+  m.def("critical_speed", py::overload_cast<const CoatedSphere&, double, Curvature>(&critical_speed), py::arg("sphere"),
+        py::kw_only(), py::arg("highest_frequency"), py::arg("curvature"), py::call_guard<py::gil_scoped_release>());
+  m.def("critical_speed", py::overload_cast<const CoatedCylinder&, double>(&critical_speed), py::arg("cylinder"),
+        py::kw_only(), py::arg("highest_frequency"), py::call_guard<py::gil_scoped_release>());
   m.def("influence_tables", &influence_tables_array, py::arg("sphere"), py::arg("mesh"), py::kw_only(),
         py::arg("angular_speed"), py::arg("phi_reach"), py::arg("theta_reach"), py::arg("threads"),
         py::arg("curvature"), py::arg("progress").none(true));

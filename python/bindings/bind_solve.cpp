@@ -24,21 +24,21 @@ Options make_options(std::optional<Mesh> mesh, double accuracy, Compliance compl
           .observer = python_observer(progress)};
 }
 
-Result solve_released(const CoatedSphere& sphere, double load, double angular_speed, std::optional<Mesh> mesh,
-                      double accuracy, double friction, Drive drive, Compliance compliance, Curvature curvature,
-                      PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations, int threads,
-                      const py::object& progress) {
+Result solve_released(const RollingBody& body, const Counterpart& on, double load, double angular_speed,
+                      std::optional<Mesh> mesh, double accuracy, double friction, Drive drive, Compliance compliance,
+                      Curvature curvature, PatchLoad patch_load, SlipKinematics slip_kinematics, int max_iterations,
+                      int threads, const py::object& progress) {
   const Options options = make_options(mesh, accuracy, compliance, curvature, patch_load, slip_kinematics,
                                        max_iterations, threads, progress);
   const py::gil_scoped_release release;
-  return solve(sphere, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
+  return solve(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
-RollingModel make_model(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                        int threads, const py::object& progress) {
+RollingModel make_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+                        Curvature curvature, int threads, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return {sphere, angular_speed, mesh, threads, curvature, observer};
+  return {body, on, angular_speed, mesh, threads, curvature, observer};
 }
 
 Result solve_on_model(const RollingModel& model, double load, double angular_speed, double friction, Drive drive,
@@ -70,7 +70,8 @@ void bind_solve(py::module_& m) {
   py::classh<DriveForce>(m, "DriveForce").def(py::init<double>(), py::arg("force"));
   py::classh<DriveTorque>(m, "DriveTorque").def(py::init<double>(), py::arg("torque"));
   py::classh<DriveCreepage>(m, "DriveCreepage")
-      .def(py::init<double, double>(), py::kw_only(), py::arg("creepage"), py::arg("lateral_creepage"));
+      .def(py::init<double, double, double>(), py::kw_only(), py::arg("creepage"), py::arg("lateral_creepage"),
+           py::arg("spin"));
 
   py::classh<Options>(m, "Options")
       .def(py::init<>())
@@ -83,14 +84,14 @@ void bind_solve(py::module_& m) {
       .def_readonly("threads", &Options::threads);
 
   py::classh<RollingModel>(m, "RollingModel")
-      .def(py::init(&make_model), py::arg("sphere"), py::kw_only(), py::arg("angular_speed"), py::arg("mesh"),
-           py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
+      .def(py::init(&make_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
+           py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
            py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),
            py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 
-  m.def("solve", &solve_released, py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("angular_speed"),
-        py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"), py::arg("drive"), py::arg("compliance"),
-        py::arg("curvature"), py::arg("patch_load"), py::arg("slip_kinematics"), py::arg("max_iterations"),
-        py::arg("threads"), py::arg("progress").none(true));
+  m.def("solve", &solve_released, py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
+        py::arg("angular_speed"), py::arg("mesh").none(true), py::arg("accuracy"), py::arg("friction"),
+        py::arg("drive"), py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"),
+        py::arg("slip_kinematics"), py::arg("max_iterations"), py::arg("threads"), py::arg("progress").none(true));
 }

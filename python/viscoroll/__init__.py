@@ -28,7 +28,7 @@ from ._core import (
 from .caution import ResultWarning
 from .drive import Drive
 from .export import dem
-from .geometry import CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer
 from .interior import Core, Temperature, plane_cooling, self_heating, temperature
 from .loss_spectrum import LossSpectrum, loss_spectrum
 from .materials import (
@@ -72,6 +72,8 @@ from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [
     "Arrhenius",
+    "CoatedCylinder",
+    "CoatedPlane",
     "CoatedSphere",
     "Compliance",
     "ConvergenceError",
@@ -82,6 +84,8 @@ __all__ = [
     "Extrapolation",
     "Fit",
     "FractionalZener",
+    "Groove",
+    "HalfSpace",
     "History",
     "InnerBoundary",
     "KelvinVoigt",

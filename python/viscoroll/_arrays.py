@@ -31,16 +31,17 @@ __all__ = [
 ]
 
 
-def require_type(name: str, value: object, kind: type, *, optional: bool = False) -> None:
-    """Refuse a value that is not of a class of this package.
+def require_type(name: str, value: object, *kinds: type, optional: bool = False) -> None:
+    """Refuse a value that is of none of some classes of this package.
 
     Raises
     ------
     TypeError
-        Where `value` is not of `kind`, nor None where that is `optional`.
+        Where `value` is of none of the `kinds`, nor None where that is `optional`.
     """
-    if not (isinstance(value, kind) or (optional and value is None)):
-        wanted = f"a viscoroll.{kind.__name__}{' or None' if optional else ''}"
+    if not (isinstance(value, kinds) or (optional and value is None)):
+        names = " or ".join(f"viscoroll.{kind.__name__}" for kind in kinds)
+        wanted = f"a {names}{' or None' if optional else ''}"
         raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
 
 

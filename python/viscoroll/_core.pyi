@@ -99,6 +99,33 @@ class CoatedSphere:
         inner_boundary: InnerBoundary,
     ) -> None: ...
 
+class CoatedCylinder:
+    def __init__(
+        self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
+    ) -> None: ...
+
+class HalfSpace:
+    def __init__(
+        self,
+        *,
+        shear_modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,
+        poisson_ratio: typing.SupportsFloat | typing.SupportsIndex | None,
+        bulk_modulus: typing.SupportsFloat | typing.SupportsIndex | None,
+        density: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
+class CoatedPlane:
+    def __init__(self, *, layers: collections.abc.Sequence[Layer], base: HalfSpace | None) -> None: ...
+
+class Groove:
+    def __init__(
+        self,
+        *,
+        radius: typing.SupportsFloat | typing.SupportsIndex | None,
+        path_radius: typing.SupportsFloat | typing.SupportsIndex | None,
+        surface: CoatedPlane,
+    ) -> None: ...
+
 class Mesh:
     def __init__(
         self,
@@ -137,7 +164,7 @@ class Refinement:
     @property
     def mesh(self) -> Mesh: ...
     @property
-    def penetration(self) -> float: ...
+    def penetration(self) -> float | None: ...
     @property
     def power_balance_error(self) -> float: ...
     @property
@@ -162,9 +189,9 @@ class ResultScalars:
         power lost in the coating [W]. From the spectrum alone: not from the torque.
         """
     @property
-    def center_height(self) -> float:
+    def center_height(self) -> float | None:
         """
-        height of the center H [m]. Above the plane.
+        height of the center H [m]. Above the plane. As determined as the penetration.
         """
     @property
     def centrifugal_displacement(self) -> float:
@@ -175,6 +202,11 @@ class ResultScalars:
     def contact_area(self) -> float:
         """
         contact area [m^2].
+        """
+    @property
+    def counterpart_bulk_power(self) -> float:
+        """
+        power lost in what it rolls on [W]. The other share.
         """
     @property
     def creepage(self) -> float | None:
@@ -222,7 +254,7 @@ class ResultScalars:
         largest contact pressure [Pa].
         """
     @property
-    def model_error(self) -> float:
+    def model_error(self) -> float | None:
         """
         what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
@@ -232,9 +264,9 @@ class ResultScalars:
         displacements of trial forces that solved them [1]. Applications of the surface operator: products with the influence tables.
         """
     @property
-    def penetration(self) -> float:
+    def penetration(self) -> float | None:
         """
-        penetration r_o - H [m].
+        penetration r_o - H [m]. None in line contact where anything rests on a half-space: it has no limit there.
         """
     @property
     def power_balance_error(self) -> float:
@@ -252,6 +284,11 @@ class ResultScalars:
         resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p. It is what turns the ball where nothing pulls it, and no friction or no force on the center acts.
         """
     @property
+    def rolling_bulk_power(self) -> float:
+        """
+        power lost in what rolls [W]. Its share of bulk_power.
+        """
+    @property
     def rolling_resistance_coefficient(self) -> float:
         """
         rolling resistance coefficient, power lost / (P V) [1]. dissipated_power / (P |V|), whatever drives the ball. V is the speed of the center, or Ω r_o where that is undetermined; infinite where the center stands still.
@@ -259,12 +296,12 @@ class ResultScalars:
     @property
     def semi_axis_x(self) -> float:
         """
-        contact semi-axis along x [m]. Of the ellipse with the contact's second moments.
+        contact semi-axis along x [m]. Of the ellipse with the contact's second moments; half of the width in line contact.
         """
     @property
-    def semi_axis_z(self) -> float:
+    def semi_axis_z(self) -> float | None:
         """
-        contact semi-axis along z [m]. Of the ellipse with the contact's second moments.
+        contact semi-axis along z [m]. Of the ellipse with the contact's second moments; None in line contact.
         """
     @property
     def slip_power(self) -> float:
@@ -272,9 +309,14 @@ class ResultScalars:
         power lost by slip [W]. On the plane.
         """
     @property
-    def strain(self) -> float:
+    def spin_moment(self) -> float:
         """
-        strain, penetration per thickness of the coating [1]. The model's error grows with it.
+        spin moment on the ball [N m]. Σ (z t_x - x t_z), about the downward axis through the contact, of what it rolls on.
+        """
+    @property
+    def strain(self) -> float | None:
+        """
+        strain, penetration per thickness of the coating [1]. The model's error grows with it. As determined as the penetration. Of both bodies together; a half-space counts as thick as the contact is wide, times its softness beside the layers'.
         """
 
 class Result(ResultScalars):
@@ -337,6 +379,7 @@ class DriveCreepage:
         *,
         creepage: typing.SupportsFloat | typing.SupportsIndex,
         lateral_creepage: typing.SupportsFloat | typing.SupportsIndex,
+        spin: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
 class Options:
@@ -359,7 +402,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        sphere: CoatedSphere,
+        body: CoatedSphere | CoatedCylinder,
+        on: CoatedPlane | CoatedCylinder | Groove,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -517,8 +561,13 @@ def core_count() -> int:
     Cores that this process may use.
     """
 
+@typing.overload
 def critical_speed(
     sphere: CoatedSphere, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex, curvature: Curvature
+) -> float: ...
+@typing.overload
+def critical_speed(
+    cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
@@ -585,7 +634,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    sphere: CoatedSphere,
+    body: CoatedSphere | CoatedCylinder,
+    on: CoatedPlane | CoatedCylinder | Groove,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,

@@ -17,7 +17,7 @@ from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoa
 from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
-from .geometry import CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
 from .result import Result
@@ -86,7 +86,29 @@ class BallTable(StrictTable):
 
     core_radius: float = 0.0
     inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
+    layers: list[_Layer] = []
+
+
+class _Cylinder(StrictTable):
+    core_radius: float
     layers: list[_Layer]
+
+
+class _Base(StrictTable):
+    shear_modulus: dict[str, Any] | str | float
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+
+class _Plane(StrictTable):
+    layers: list[_Layer] = []
+    base: _Base | None = None
+
+
+class _Groove(_Plane):
+    radius: float | None = None
+    path_radius: float | None = None
 
 
 class _Drive(StrictTable):
@@ -94,6 +116,7 @@ class _Drive(StrictTable):
     torque: float | None = None
     creepage: float | None = None
     lateral_creepage: float = 0.0
+    spin: float = 0.0
 
 
 class _Rolling(StrictTable):
@@ -125,7 +148,10 @@ class _Thermal(StrictTable):
 
 
 class _File(StrictTable):
-    ball: BallTable
+    ball: BallTable | None = None
+    cylinder: _Cylinder | None = None
+    plane: _Plane | None = None
+    groove: _Groove | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: _Thermal | None = None
@@ -156,7 +182,8 @@ class Thermal:
 class Case:
     """One load case, as a file describes it. Parameters as of `viscoroll.solve`."""
 
-    ball: CoatedSphere
+    ball: RollingBody
+    on: Counterpart | None = None
     load: float
     angular_speed: float
     friction: float
@@ -279,7 +306,8 @@ def _build(file: _File, folder: Path) -> Case:
     elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
     return Case(
-        ball=build_ball(file.ball, folder),
+        ball=_rolling_body(file, folder),
+        on=_counterpart(file, folder),
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
@@ -313,8 +341,40 @@ def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
     return CoatedSphere(
         core_radius=ball.core_radius,
         inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
-        layers=[_layer(layer, f"ball.layers[{j}]", folder) for j, layer in enumerate(ball.layers)],
+        layers=_layers(ball.layers, "ball", folder),
     )
+
+
+def _rolling_body(file: _File, folder: Path) -> RollingBody:
+    if (file.ball is None) == (file.cylinder is None):
+        raise ValueError(f"ball or cylinder must be given, and not both, got {'none' if file.ball is None else 'both'}")
+    if file.cylinder is not None:
+        return CoatedCylinder(
+            core_radius=file.cylinder.core_radius, layers=_layers(file.cylinder.layers, "cylinder", folder)
+        )
+    assert file.ball is not None
+    return build_ball(file.ball, folder)
+
+
+def _counterpart(file: _File, folder: Path) -> Counterpart | None:
+    if file.plane is not None and file.groove is not None:
+        raise ValueError("plane or groove must be given, and not both, got both")
+    if file.groove is not None:
+        surface = _surface(file.groove, "groove", folder)
+        return Groove(radius=file.groove.radius, path_radius=file.groove.path_radius, **surface)
+    return None if file.plane is None else CoatedPlane(**_surface(file.plane, "plane", folder))
+
+
+def _surface(surface: _Plane, name: str, folder: Path) -> dict[str, Any]:
+    base = None
+    if surface.base is not None:
+        modulus = _shear_modulus(surface.base.shear_modulus, folder)
+        base = HalfSpace(**dict(surface.base) | {"shear_modulus": modulus})
+    return {"layers": _layers(surface.layers, name, folder), "base": base}
+
+
+def _layers(layers: list[_Layer], name: str, folder: Path) -> list[Layer]:
+    return [_layer(layer, f"{name}.layers[{j}]", folder) for j, layer in enumerate(layers)]
 
 
 def _layer(layer: _Layer, name: str, folder: Path) -> Layer:

@@ -379,7 +379,8 @@ def _progress_bar() -> Progress:
 
 def _result_table(result: Result) -> Table:
     table = Table(
-        title=f"P = {result.load:g} N, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
+        title=f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, "
+        f"friction {result.friction:g}, "
         f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature",
         title_justify="left",
         show_header=False,
@@ -387,8 +388,8 @@ def _result_table(result: Result) -> Table:
     table.add_column("quantity")
     table.add_column("value", justify="right")
     table.add_column("unit")
-    for name, (unit, description) in SCALARS.items():
-        value = getattr(result, name)
+    for name, (_, description) in SCALARS.items():
+        value, unit = getattr(result, name), result.unit(name)
         table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
     if (share := result.extrapolated_loss()) is not None:
         table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")

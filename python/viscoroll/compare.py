@@ -13,8 +13,10 @@ from ._core import Compliance, Status
 from ._extras import extra
 from .analytic import applicable
 from .drive import Drive
+from .geometry import CoatedCylinder
 from .orders import critical_speed
 from .reproduce.item import Runner, write_csv
+from .scalars import scalar_units
 
 with extra("plot"):
     from matplotlib.figure import Figure
@@ -36,25 +38,27 @@ _LABELS = {
     "greenwood_tabor": "Greenwood and Tabor (64)",
     "persson": "Persson",
     "winkler": "viscoelastic springs (Winkler)",
+    "hunter": "Hunter's half-plane",
+    "winkler_line": "viscoelastic springs (Winkler)",
 }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """Torques [N m] against Ω [rad/s].
+    """Torques [N m], of a roller per length [N], against Ω [rad/s].
 
     Attributes
     ----------
     case : Case
         Ball, load and mesh or accuracy.
     speeds, torques : ndarray
-        Ω [rad/s], and T_r of the solver [N m].
+        Ω [rad/s], and T_r of the solver.
     errors : ndarray
         The solver's error estimates [-].
     statuses : list of Status
         How each solve ended.
     forms : dict of str to (ndarray, ndarray of bool)
-        Torque of each closed form [N m], and where it holds.
+        Torque of each closed form, and where it holds.
     """
 
     case: Case
@@ -67,6 +71,10 @@ class Comparison:
     def unsettled(self) -> dict[Status, int]:
         """Count the speeds at which the solver ended otherwise than converged."""
         return dict(Counter(status for status in self.statuses if status is not Status.CONVERGED))
+
+    def _unit(self) -> str:
+        """Return the unit of the torques."""
+        return scalar_units(line_contact=isinstance(self.case.ball, CoatedCylinder))["resisting_torque"]
 
     def draw(self) -> Figure:
         """Draw all torques; closed forms are dashed where they do not hold."""
@@ -86,9 +94,14 @@ class Comparison:
             axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its validity")
             if holds.any():
                 axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
-        axes.set(xscale="log", yscale="log", xlabel="rolling speed $Ω$ [rad/s]", ylabel="resisting torque $T_r$ [N m]")
+        axes.set(
+            xscale="log",
+            yscale="log",
+            xlabel="rolling speed $Ω$ [rad/s]",
+            ylabel=f"resisting torque $T_r$ [{self._unit()}]",
+        )
         axes.set_ylim(0.3 * self.torques.min(), 5.0 * self.torques.max())
-        axes.set_title(f"$P$ = {self.case.load:g} N")
+        axes.set_title(f"$P$ = {self.case.load:g} {'N/m' if self._unit() == 'N' else 'N'}")
         axes.legend(fontsize="small")
         return figure
 
@@ -96,12 +109,12 @@ class Comparison:
         """Write one row for each speed."""
         columns: dict[str, list[object]] = {
             "angular_speed [rad/s]": self.speeds.tolist(),
-            "torque [N m]": self.torques.tolist(),
+            f"torque [{self._unit()}]": self.torques.tolist(),
             "error_estimate [1]": self.errors.tolist(),
             "status": [status.name for status in self.statuses],
         }
         for name, (torque, holds) in self.forms.items():
-            columns[f"{name} [N m]"] = torque.tolist()
+            columns[f"{name} [{self._unit()}]"] = torque.tolist()
             columns[f"{name}_holds"] = holds.tolist()
         write_csv(path, columns)
 
@@ -164,7 +177,7 @@ def compare_torques(
     results = Runner(report=report).map(point, omega.tolist())
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
-        for name, form in applicable(case.ball).items()
+        for name, form in (applicable(case.ball) if case.on is None else {}).items()
     }
     return Comparison(
         case=case,

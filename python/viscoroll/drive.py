@@ -25,6 +25,8 @@ class Drive:
         V_s / (Ω r_o) - 1 [-], where V_s is the speed of the center.
     lateral_creepage : float, default 0
         Sideways speed of the center per Ω r_o [-]; only with `creepage`.
+    spin : float, default 0
+        Turning of the ball about the downward axis through the contact per Ω r_o [1/m]; only with `creepage`.
 
     Raises
     ------
@@ -36,24 +38,26 @@ class Drive:
     Examples
     --------
     >>> Drive(torque=0.0)
-    Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0)
+    Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0, spin=0.0)
     """
 
     force: float | None = None
     torque: float | None = None
     creepage: float | None = None
     lateral_creepage: float = 0.0
+    spin: float = 0.0
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
-        store_floats(self, ("lateral_creepage",), optional=("force", "torque", "creepage"), prefix="drive.")
+        store_floats(self, ("lateral_creepage", "spin"), optional=("force", "torque", "creepage"), prefix="drive.")
         given = [name for name in ("force", "torque", "creepage") if getattr(self, name) is not None]
         if len(given) != 1:
             raise ValueError(
                 f"drive must have exactly one of force, torque and creepage, got {', '.join(given) or 'none'}"
             )
-        if self.creepage is None and self.lateral_creepage != 0.0:
-            raise ValueError(f"drive.lateral_creepage must be 0 without drive.creepage, got {self.lateral_creepage!r}")
+        for name in ("lateral_creepage", "spin"):
+            if self.creepage is None and getattr(self, name) != 0.0:
+                raise ValueError(f"drive.{name} must be 0 without drive.creepage, got {getattr(self, name)!r}")
         self._to_core()
 
     def _to_core(self) -> _core.DriveForce | _core.DriveTorque | _core.DriveCreepage:
@@ -62,4 +66,4 @@ class Drive:
         if self.torque is not None:
             return _core.DriveTorque(self.torque)
         assert self.creepage is not None
-        return _core.DriveCreepage(creepage=self.creepage, lateral_creepage=self.lateral_creepage)
+        return _core.DriveCreepage(creepage=self.creepage, lateral_creepage=self.lateral_creepage, spin=self.spin)

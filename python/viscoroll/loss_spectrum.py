@@ -73,6 +73,11 @@ def loss_spectrum(result: Result) -> LossSpectrum:
         For a result of another body.
     """
     require_type("result.ball", result.ball, CoatedSphere)
+    if result.on is not None:
+        raise ValueError(
+            f"result.on must be None, a rigid plane, for a spectrum of the coating's loss, got {result.on!r}"
+        )
+    assert isinstance(result.ball, CoatedSphere)
     m, m_width = _sampled(result.mesh.nodes_per_revolution)
     n, n_width = _sampled(result.mesh.theta_nodes_per_revolution or result.mesh.nodes_per_revolution)
     n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # -n does as n
@@ -88,8 +93,11 @@ def loss_spectrum(result: Result) -> LossSpectrum:
 
 
 def extrapolated_share(result: Result) -> float | None:
-    """Return the share of the power lost at harmonics that a held table does not have; None without such a table."""
-    body: object = result.ball
+    """Return the share of the power lost at harmonics that a held table does not have; None without such a table.
+
+    None as well where two bodies deform, of whose losses there is no spectrum.
+    """
+    body: object = result.ball if result.on is None else None
     tables = [
         layer.shear_modulus
         for layer in (body.layers if isinstance(body, CoatedSphere) else ())

@@ -14,7 +14,7 @@ from . import _core
 from ._arrays import as_float, as_int, as_member, as_orders, require_callable, require_type
 from ._core import Curvature
 from ._text import shown
-from .geometry import CoatedSphere, Layer
+from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
 from .mesh import Mesh
 
 if TYPE_CHECKING:
@@ -213,7 +213,7 @@ def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
 
 
 def critical_speed(
-    ball: CoatedSphere, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
+    ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
 ) -> float:
     """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
 
@@ -222,12 +222,12 @@ def critical_speed(
 
     Parameters
     ----------
-    ball : CoatedSphere
+    ball : CoatedSphere or CoatedCylinder
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
     curvature : Curvature or str, default Curvature.SPHERE
-        How much of the sphere's curvature the equations keep.
+        How much of a sphere's curvature the equations keep.
 
     Returns
     -------
@@ -241,11 +241,12 @@ def critical_speed(
     ValueError
         For bad input.
     """
-    require_type("ball", ball, CoatedSphere)
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
     curvature = as_member("curvature", curvature, Curvature)
-    return _core.critical_speed(
-        ball._to_core(), highest_frequency=as_float("highest_frequency", highest_frequency), curvature=curvature
-    )
+    frequency = as_float("highest_frequency", highest_frequency)
+    if isinstance(ball, CoatedCylinder):
+        return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
+    return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
 
 
 def influence_tables(

@@ -28,7 +28,8 @@ _MPA = 1e-6
 def plot_contact(result: Result) -> Figure:
     """Draw the contact pressure: its map, and its profile along the rolling direction.
 
-    With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's.
+    With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's. Of
+    a roller, whose contact is a strip, the profile alone.
 
     Parameters
     ----------
@@ -38,8 +39,13 @@ def plot_contact(result: Result) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Two axes side by side, or three with friction; the figure belongs to no window.
+        Two axes side by side, or three with friction, or one; the figure belongs to no window.
     """
+    if result.semi_axis_z is None:
+        figure = Figure(figsize=(7.0, 4.6), layout="constrained")
+        _draw_profile(figure.subplots(), result)
+        figure.suptitle(_headline(result), fontsize="medium")
+        return figure
     frictional = result.friction > 0.0
     figure = Figure(figsize=(16.0 if frictional else 11.0, 4.6), layout="constrained")
     pressure_map, *stick_slip_map, profile = figure.subplots(
@@ -55,18 +61,20 @@ def plot_contact(result: Result) -> Figure:
 
 def _headline(result: Result) -> str:
     """Say what was given on one line, and what follows from it on the next."""
-    given = [f"$P$ = {result.load:g} N", f"$Ω$ = {result.angular_speed:g} rad/s"]
+    milli = f"m{result.unit('resisting_torque')}"
+    given = [f"$P$ = {result.load:g} {result.unit('load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
     found = [f"power lost / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
     if result.friction == 0.0:
-        found.append(f"$T_r$ = {result.resisting_torque * 1e3:.4g} mN m")
+        found.append(f"$T_r$ = {result.resisting_torque * 1e3:.4g} {milli}")
     else:
         given.append(f"$μ$ = {result.friction:g}")
         found += [
-            f"$T$ = {result.driving_torque * 1e3:.4g} mN m",
-            f"$Q$ = {result.driving_force:.4g} N",
+            f"$T$ = {result.driving_torque * 1e3:.4g} {milli}",
+            f"$Q$ = {result.driving_force:.4g} {result.unit('driving_force')}",
             f"creepage {result.creepage:.4g}",
         ]
-    found.append(f"penetration {result.penetration * _MM:.3g} mm")
+    if result.penetration is not None:
+        found.append(f"penetration {result.penetration * _MM:.3g} mm")
     return ",   ".join(given) + "\n" + ",   ".join(found)
 
 

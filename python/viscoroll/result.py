@@ -13,10 +13,10 @@ import numpy as np
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
 from .drive import Drive
-from .geometry import CoatedSphere
+from .geometry import CoatedCylinder, Counterpart, RollingBody
 from .loss_spectrum import extrapolated_share
 from .mesh import Mesh
-from .scalars import SCALARS, ScalarFields, with_scalars
+from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
 if TYPE_CHECKING:
     import xarray
@@ -43,8 +43,8 @@ class Refinement:
         Nodes in contact.
     resisting_torque : float
         T_r [N m].
-    penetration : float
-        r_o - H [m].
+    penetration : float or None
+        r_o - H [m]; None where it is undetermined.
     power_balance_error : float
         Relative [-].
     error_estimate : float
@@ -54,7 +54,7 @@ class Refinement:
     mesh: Mesh
     contact_nodes: int
     resisting_torque: float
-    penetration: float
+    penetration: float | None
     power_balance_error: float
     error_estimate: float
 
@@ -88,13 +88,16 @@ VECTOR_FIELDS = {
 class Result(ScalarFields):
     """Solution of one load case on the candidate window.
 
+    Of a roller (`CoatedCylinder`), whose fields have one column, forces are per length [N/m], and so are torques [N],
+    powers [W/m] and the contact area [m]; `unit` tells.
+
     Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
     the leading edge (x > 0) to the trailing edge.
 
     Attributes
     ----------
-    ball, load, angular_speed, friction, drive, compliance, curvature, patch_load
-        The input; load in [N], angular_speed in [rad/s].
+    ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
+        The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
     status : Status
         How the solve ended.
     %(scalars)s
@@ -109,7 +112,8 @@ class Result(ScalarFields):
     pressure : ndarray
         Contact pressure, positive [Pa].
     displacement : ndarray
-        Vertical displacement of the surface, positive upwards [m].
+        Vertical displacement of the surface, positive upwards [m]; where the penetration is undetermined, counted from
+        that of the lowest point.
     gap : ndarray
         Height of the surface above the plane [m].
     contact, stick, slip : ndarray of bool
@@ -121,7 +125,8 @@ class Result(ScalarFields):
         Velocity of the coating over the plane along x and z [m/s]; zero out of contact, and without friction.
     """
 
-    ball: CoatedSphere
+    ball: RollingBody
+    on: Counterpart | None
     load: float
     angular_speed: float
     friction: float
@@ -167,19 +172,19 @@ class Result(ScalarFields):
         """Return a summary of one screen."""
         rows = [
             ("rolling resistance coefficient", f"{self.rolling_resistance_coefficient:.6g}"),
-            ("driving torque T", f"{self.driving_torque:.6g} N m"),
+            ("driving torque T", self._quantity("driving_torque")),
             (
                 "driving force Q, lateral force",
-                f"{self.driving_force:.6g} N, {self.lateral_force:.6g} N",
+                f"{self._quantity('driving_force')}, {self._quantity('lateral_force')}",
             ),
-            ("resisting torque T_r", f"{self.resisting_torque:.6g} N m"),
-            ("penetration", f"{self.penetration:.6g} m, {self.strain:.1%} of the coating"),
-            ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m"),
+            ("resisting torque T_r", self._quantity("resisting_torque")),
+            *self._shape_rows(),
             ("largest pressure", f"{self.max_pressure:.5g} Pa"),
             *self._friction_rows(),
-            ("power lost in the coating", f"{self.bulk_power:.6g} W"),
+            ("power lost in the coating", self._quantity("bulk_power")),
+            *self._pair_rows(),
             *self._extrapolation_rows(),
-            ("error of the mesh, of linear theory", f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"),
+            *self._error_rows(),
             ("mesh", str(self.mesh)),
             ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
             ("effort", f"{self.iterations} iterations with {self.operator_applications} operator applications"),
@@ -188,8 +193,43 @@ class Result(ScalarFields):
         ]
         width = max(len(label) for label, _ in rows)
         model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
-        head = f"Result of P = {self.load:g} N at Ω = {self.angular_speed:g} rad/s ({model})"
+        head = f"Result of P = {self.load:g} {self.unit('load')} at Ω = {self.angular_speed:g} rad/s ({model})"
         return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a scalar result, or of ``"load"``: of a roller per length.
+
+        Raises
+        ------
+        KeyError
+            For another name.
+
+        Examples
+        --------
+        >>> from viscoroll import paper, solve
+        >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
+        'W'
+        """
+        line_contact = isinstance(self.ball, CoatedCylinder)
+        return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
+
+    def _quantity(self, name: str) -> str:
+        return f"{getattr(self, name):.6g} {self.unit(name)}"
+
+    def _shape_rows(self) -> list[tuple[str, str]]:
+        penetration = "undetermined"
+        if self.penetration is not None:
+            penetration = f"{self.penetration:.6g} m, {self.strain:.1%} of the coating"
+        shape = ("contact's half width", f"{self.semi_axis_x:.4g} m")
+        if self.semi_axis_z is not None:
+            shape = ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m")
+        return [("penetration", penetration), shape]
+
+    def _error_rows(self) -> list[tuple[str, str]]:
+        if self.model_error is None:
+            return [("error of the mesh", f"{self.error_estimate:.2g} (estimate)")]
+        errors = f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"
+        return [("error of the mesh, of linear theory", errors)]
 
     def extrapolated_loss(self) -> float | None:
         """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
@@ -205,6 +245,12 @@ class Result(ScalarFields):
         share = self.extrapolated_loss()
         return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
 
+    def _pair_rows(self) -> list[tuple[str, str]]:
+        if self.on is None:
+            return []
+        shares = f"{self._quantity('rolling_bulk_power')}, {self._quantity('counterpart_bulk_power')}"
+        return [("of that in what rolls, in what it rolls on", shares)]
+
     def _friction_rows(self) -> list[tuple[str, str]]:
         if self.friction == 0.0:
             return []
@@ -212,7 +258,7 @@ class Result(ScalarFields):
         return [
             ("friction", f"{self.friction:g}, {sticking:.0%} of the nodes in contact stick"),
             ("creepage", f"{self.creepage:.6g}"),
-            ("power lost by slip", f"{self.slip_power:.6g} W"),
+            ("power lost by slip", self._quantity("slip_power")),
         ]
 
     def scalars(self) -> dict[str, float | int | str | None]:
@@ -381,7 +427,7 @@ class Result(ScalarFields):
             `loss_density` w [J/m³ per revolution] and `power_density` Ωw/2π [W/m³], its mean over a revolution, over
             (radius, theta); `layer_power` [W] by `layer`, and `relaxation_power` [W] by `layer` and `term` for layers
             that are Prony series. Attributes: `power`, the volume integral [W], `surface_power`, what the tractions put
-            into the same orders, and `bulk_power`, that of all orders.
+            into the same orders, and `bulk_power`, that of all orders; each of what rolls alone.
 
         Raises
         ------
@@ -452,12 +498,16 @@ class Result(ScalarFields):
 
         rows, columns = self.x.shape
         node = np.arange(rows * columns).reshape(rows, columns)
-        corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
+        if columns == 1:
+            cells = ("line", np.stack([node[:-1, 0], node[1:, 0]], axis=-1))
+        else:
+            corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
+            cells = ("quad", np.stack(corners, axis=-1).reshape(-1, 4))
         # The plane is at height 0; VTK readers expect the third axis to point up.
         points = np.stack([self.x, self.z, self.gap], axis=-1).reshape(-1, 3)
         meshio.Mesh(
             points,
-            [("quad", np.stack(corners, axis=-1).reshape(-1, 4))],
+            [cells],
             point_data={
                 "pressure": self.pressure.ravel(),
                 "displacement": self.displacement.ravel(),

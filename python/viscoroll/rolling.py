@@ -1,4 +1,4 @@
-"""Steady rolling contact of a coated sphere on a rigid plane."""
+"""Steady rolling contact of a coated sphere or cylinder on a rigid plane."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
 from .drive import Drive
-from .geometry import CoatedSphere
+from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
 from .mesh import Mesh
 from .result import Result
 
@@ -21,8 +21,9 @@ __all__ = ["RollingModel", "solve"]
 
 
 def solve(
-    ball: CoatedSphere,
+    ball: RollingBody,
     *,
+    on: Counterpart | None = None,
     load: float,
     angular_speed: float,
     mesh: Mesh | None = None,
@@ -37,16 +38,20 @@ def solve(
     threads: int = 0,
     progress: Callable[[str, float], object] | None = None,
 ) -> Result:
-    """Solve steady rolling on a rigid plane, with Coulomb friction or without.
+    """Solve steady rolling on a plane, with Coulomb friction or without.
 
     The call releases the GIL, may run on several threads at once, and stops on Ctrl-C.
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Rigid core and layers.
+    ball : CoatedSphere or CoatedCylinder
+        What rolls: rigid core and layers.
+    on : CoatedPlane, Groove or CoatedCylinder, optional
+        What it rolls on; without it the rigid plane. A ball rolls on a plane or in a groove, a cylinder on a plane or
+        another cylinder, without friction where that deforms. One of the two may be rigid, without layers. The
+        material of both passes the contact at Ω r_o.
     load : float
-        P, force that presses the ball on the plane [N], > 0.
+        P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh, optional
@@ -117,7 +122,7 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    require_type("ball", ball, CoatedSphere)
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
@@ -126,13 +131,14 @@ def solve(
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress)
     solution = _core.solve(
         ball._to_core(),
+        _counterpart(on),
         angular_speed=speed,
         mesh=None if mesh is None else mesh._to_core(),
         curvature=curvature,
         accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
         **case,
     )
-    return _result(solution, ball, speed, drive, curvature, case)
+    return _result(solution, ball, on, speed, drive, curvature, case)
 
 
 class RollingModel:
@@ -143,8 +149,10 @@ class RollingModel:
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Rigid core and layers.
+    ball : CoatedSphere or CoatedCylinder
+        What rolls: rigid core and layers.
+    on : CoatedPlane, Groove or CoatedCylinder, optional
+        As of `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
     mesh : Mesh
@@ -171,24 +179,27 @@ class RollingModel:
 
     def __init__(
         self,
-        ball: CoatedSphere,
+        ball: RollingBody,
         *,
+        on: Counterpart | None = None,
         angular_speed: float,
         mesh: Mesh,
         curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
         progress: Callable[[str, float], object] | None = None,
     ) -> None:
-        require_type("ball", ball, CoatedSphere)
+        require_type("ball", ball, CoatedSphere, CoatedCylinder)
         require_type("mesh", mesh, Mesh)
         curvature = as_member("curvature", curvature, Curvature)
         require_callable("progress", progress)
         self.ball = ball
+        self.on = on
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
         self.curvature = curvature
         self._core = _core.RollingModel(
             ball._to_core(),
+            _counterpart(on),
             angular_speed=self.angular_speed,
             mesh=mesh._to_core(),
             curvature=curvature,
@@ -199,13 +210,15 @@ class RollingModel:
     def __repr__(self) -> str:
         """Return what it was made of."""
         return (
-            f"RollingModel({self.ball!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
+            f"RollingModel({self.ball!r}, on={self.on!r}, angular_speed={self.angular_speed!r}, mesh={self.mesh!r}, "
             f"curvature=Curvature.{self.curvature.name})"
         )
 
-    def __reduce__(self) -> tuple[Callable[..., RollingModel], tuple[CoatedSphere, float, Mesh, Curvature]]:
+    def __reduce__(
+        self,
+    ) -> tuple[Callable[..., RollingModel], tuple[RollingBody, Counterpart | None, float, Mesh, Curvature]]:
         """Pickle the input; the tables are computed again."""
-        return _make_model, (self.ball, self.angular_speed, self.mesh, self.curvature)
+        return _make_model, (self.ball, self.on, self.angular_speed, self.mesh, self.curvature)
 
     def solve(
         self,
@@ -225,11 +238,19 @@ class RollingModel:
             load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress
         )
         solution = self._core.solve(angular_speed=self.angular_speed, **case)
-        return _result(solution, self.ball, self.angular_speed, drive, self.curvature, case)
+        return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 
 
-def _make_model(ball: CoatedSphere, angular_speed: float, mesh: Mesh, curvature: Curvature) -> RollingModel:
-    return RollingModel(ball, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
+def _make_model(
+    ball: RollingBody, on: Counterpart | None, angular_speed: float, mesh: Mesh, curvature: Curvature
+) -> RollingModel:
+    return RollingModel(ball, on=on, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
+
+
+def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:
+    """Return what the core knows it as; without any, the rigid plane."""
+    require_type("on", on, CoatedPlane, CoatedCylinder, Groove, optional=True)
+    return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
 def _core_case(
@@ -264,7 +285,8 @@ def _core_case(
 
 def _result(
     solution: _core.Result,
-    ball: CoatedSphere,
+    ball: RollingBody,
+    on: Counterpart | None,
     angular_speed: float,
     drive: Drive,
     curvature: Curvature | str,
@@ -273,7 +295,7 @@ def _result(
     """Make the result, and warn the caller of the public function that calls this."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
-        solution, ball=ball, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
+        solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
     )
     warn(result.warnings.values(), stacklevel=2)
     return result

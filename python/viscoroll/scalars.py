@@ -8,10 +8,20 @@ from typing import TYPE_CHECKING, TypeVar
 
 from . import _core
 
-__all__ = ["SCALARS", "ScalarFields", "with_scalars"]
+__all__ = ["PER_LENGTH", "SCALARS", "ScalarFields", "scalar_units", "with_scalars"]
 
 #: Scalar results: name, unit, what it is.
 SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.result_scalars()}
+
+#: Units in line contact of what is counted per length there.
+PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "m^2": "m"}
+
+
+def scalar_units(*, line_contact: bool) -> dict[str, str]:
+    """Return the unit of every scalar result: of rollers, forces, torques, powers and areas are per length."""
+    units = {name: unit for name, (unit, _) in SCALARS.items()}
+    return {name: PER_LENGTH.get(unit, unit) for name, unit in units.items()} if line_contact else units
+
 
 if TYPE_CHECKING:
     from ._core import ResultScalars as ScalarFields

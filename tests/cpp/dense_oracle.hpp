@@ -89,7 +89,8 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   matrix.row(penetration).setZero();
   for (Index node = 0; node < nodes; ++node) matrix(penetration, force(node, detail::kDown)) = -1.0;
   right[penetration] = problem.normal_force;
-  const detail::DriveRow drive = friction.drive->row(friction.arms, state.force, state.displacement, 1.0);
+  const detail::DriveRow drive =
+      friction.drive->row({*problem.surface, friction.arms, state.force, state.displacement}, 1.0);
   matrix.row(speed).setZero();
   matrix.row(speed).head(penetration) = drive.on_force.matrix().reshaped().transpose();
   if (drive.on_displacement.rows() > 0) {

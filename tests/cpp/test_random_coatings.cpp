@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <span>
@@ -237,7 +238,7 @@ TEST_P(RandomCoatings, MeasuredModuliAreSolvedBetweenTheirKinks) {
       const HarmonicCoating coating(sphere, speed, all_orders(phi_bands(sphere, speed, mesh)), measured_order(mesh));
       const double highest_n = theta_bands(sphere, speed, mesh).back().orders.maxCoeff();
       const auto spectrum = make_spectrum(coating, highest_n, 2, watch);
-      const OrderByOrderSpectrum recursion(coating, highest_n);
+      const OrderByOrderSpectrum recursion(std::make_shared<const HarmonicCoating>(coating), highest_n);
       for (int sample = 0; sample < 25; ++sample) {
         const auto i = static_cast<std::size_t>(random.integer(1, static_cast<int>(coating.orders().size()) - 1));
         const double n = random.integer(0, 4) == 0 ? 0.0 : random.logarithmic(0.5, highest_n);

@@ -95,7 +95,9 @@ TEST(Solve, NamesWhatIsWrong) {
   EXPECT_EQ(message(sphere, {.load = 1.0, .angular_speed = 2.5}), "layers[0].thickness must be > 0 m, got -0.001");
   sphere.layers.clear();
   EXPECT_EQ(message(sphere, {.load = 1.0, .angular_speed = 2.5}),
-            "layers must be a list of at least one layer, got none");
+            "layers must be a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base "
+            "given, "
+            "got none: two rigid bodies");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "cases.hpp"
 #include "contact/newton_step.hpp"
 #include "dense_oracle.hpp"
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {
@@ -18,7 +18,7 @@ enum class DriveKind { force, torque, creepage, oblique };
 class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind>> {
  protected:
   StickSlipTest() {
-    const OrderSum orders(cases::paper_sphere(), 2.5, mesh_, 2, watch_);
+    const CoatingSum orders(cases::paper_sphere(), 2.5, mesh_, 2, watch_);
     surface_ = std::make_shared<TableOperator>(
         formulation_, nodes_,
         std::make_shared<const std::vector<Table>>(orders.tables(displacement_tables(formulation_), 16, 16, 2, watch_)),
@@ -66,8 +66,9 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
             .normal_force = 100.0,
             .friction = Friction{.coefficient = 0.3,
                                  .rigid_slip = std::move(rigid_slip),
+                                 .guided_slip = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2),
                                  .step = step,
-                                 .arms = {.x = nodes_.x(), .y = nodes_.y()},
+                                 .arms = {.x = nodes_.x(), .y = nodes_.y(), .radius = nodes_.grid().radius},
                                  .drive = drive()}};
   }
 

@@ -110,7 +110,12 @@ def test_numpy_scalars_are_numbers():
         (vr.Layer, LAYER, {"bulk_modulus": 1e9}, "poisson_ratio or bulk_modulus must be given, and not both, got both"),
         (vr.Layer, LAYER, {"poisson_ratio": None, "bulk_modulus": 0.0}, "bulk_modulus must be > 0 Pa, got 0"),
         (vr.Layer, LAYER, {"density": -1.0}, r"density must be >= 0 kg/m\^3, got -1"),
-        (vr.CoatedSphere, BALL, {"layers": []}, "layers must be a list of at least one layer, got none"),
+        (
+            vr.CoatedSphere,
+            BALL,
+            {"layers": [], "core_radius": 0.0, "inner_boundary": vr.InnerBoundary.SOLID},
+            "layers must be a list of at least one layer without a rigid core, got none",
+        ),
         (vr.Mesh, MESH, {"nodes_per_revolution": 15}, r"mesh.nodes_per_revolution must be in \[16, 1000000\], got 15"),
         (vr.Mesh, MESH, {"nodes_per_revolution": -100}, r"mesh.nodes_per_revolution must be in \[16, 1000000\], got -100"),
         (vr.Mesh, MESH, {"nodes_per_revolution": 2**40}, "nodes_per_revolution must fit into 32 bits"),
@@ -168,7 +173,9 @@ def test_a_text_serves_where_a_member_does():
 
 
 def test_something_else_than_a_ball():
-    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere, got 'ball'"):
+    with pytest.raises(
+        TypeError, match=r"ball must be a viscoroll.CoatedSphere or viscoroll.CoatedCylinder, got 'ball'"
+    ):
         vr.solve("ball", **CASE)
 
 
@@ -180,7 +187,7 @@ def tables(ball=None, mesh=None, **options):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: vr.critical_speed(3), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (lambda: vr.critical_speed(3), "ball must be a viscoroll.CoatedSphere or viscoroll.CoatedCylinder, got 3"),
         (lambda: vr.surface_compliance(3, 2.5, 1, 1), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: vr.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: vr.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),

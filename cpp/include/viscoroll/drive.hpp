@@ -20,6 +20,7 @@ struct DriveTorque {
 struct DriveCreepage {
   double creepage = 0.0;          ///< V_s / (Omega r_o) - 1 [-], forward
   double lateral_creepage = 0.0;  ///< sideways speed of the center, per Omega r_o [-]
+  double spin = 0.0;              ///< turning about the downward axis through the contact, per Omega r_o [1/m]
 };
 
 /// @brief What closes the system for the linear speed V_s.

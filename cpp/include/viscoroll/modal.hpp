@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viscoroll/observer.hpp"
+#include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll {
@@ -83,5 +84,25 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 /// @throws std::invalid_argument for bad input
 [[nodiscard]] double critical_speed(const CoatedSphere& sphere, double highest_frequency = 1e9,
                                     Curvature curvature = Curvature::sphere);
+
+/// @brief Surface compliance of a plane, for waves of single wave numbers: displacement [m] per surface stress [Pa],
+/// both along the outward normal, along the way in which material crosses the contact (xi) and across both (zeta), with
+/// inertia. Theory.md section 15.
+/// @param[in] plane layers and base, not rigid
+/// @param[in] speed V at which material crosses the contact [m/s], > 0: a wave has the frequency V k_xi
+/// @param[in] k_xi,k_zeta wave numbers [1/m], any sign, as many of each, not both 0
+/// @return one matrix for each pair [m/Pa]
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double speed,
+                                                             std::span<const double> k_xi,
+                                                             std::span<const double> k_zeta);
+
+/// @brief Lowest speed at which a wave of the undamped plane keeps up with what rolls over it: the Rayleigh wave of the
+/// outer layer, of the base, or a wave of the layers in between.
+/// @param[in] plane layers and base
+/// @param[in] highest_frequency as for a sphere [rad/s]
+/// @return critical speed V [m/s]; infinite without inertia or where no short-time modulus is finite
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] double critical_speed(const CoatedPlane& plane, double highest_frequency = 1e9);
 
 }  // namespace viscoroll

@@ -37,12 +37,12 @@ struct Warning {
 
 /// @brief One mesh of a solve that chooses its own.
 struct Refinement {
-  Mesh mesh;                         ///< the mesh
-  int contact_nodes = 0;             ///< nodes in contact
-  double resisting_torque = 0.0;     ///< [N m]
-  double penetration = 0.0;          ///< [m]
-  double power_balance_error = 0.0;  ///< [-]
-  double error_estimate = 0.0;       ///< largest of power balance and changes from the mesh before [-]
+  Mesh mesh;                          ///< the mesh
+  int contact_nodes = 0;              ///< nodes in contact
+  double resisting_torque = 0.0;      ///< [N m]
+  std::optional<double> penetration;  ///< [m], none where it is undetermined
+  double power_balance_error = 0.0;   ///< [-]
+  double error_estimate = 0.0;        ///< largest of power balance and changes from the mesh before [-]
 };
 
 /// @brief The scalar results; `result_scalars.def` says what they are, in SI units.
@@ -62,7 +62,8 @@ struct Result : ResultScalars {
   std::vector<double> x;               ///< forward coordinate of the undeformed nodes [m]
   std::vector<double> z;               ///< lateral coordinate of the undeformed nodes [m]
   std::vector<double> pressure;        ///< contact pressure, positive [Pa]
-  std::vector<double> displacement;    ///< vertical displacement of the surface, positive upwards [m]
+  std::vector<double> displacement;    ///< vertical displacement of the surface, positive upwards [m]; where the
+                                       ///< penetration is undetermined counted from that of the lowest point
   std::vector<double> gap;             ///< height of the surface above the plane [m]
   std::vector<unsigned char> contact;  ///< 1 where the node is in contact
   std::vector<unsigned char> stick;    ///< 1 where it sticks

@@ -9,13 +9,13 @@
 #include "viscoroll/observer.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"
-#include "viscoroll/sphere.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll {
 
 /// @brief Solve steady rolling of a coated sphere on a rigid plane: paper sections 11 to 13 with the solvers of
 /// theory.md sections 5 and 6.
-/// @param[in] sphere rigid core and layers
+/// @param[in] body rigid core and layers
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options how to solve
 /// @return the solution, with its status
@@ -23,20 +23,33 @@ namespace viscoroll {
 /// speeds at or above `critical_speed`, and drives with which the sphere slides without end
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped the solve
-[[nodiscard]] Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options = {});
+[[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
-/// @brief A coated sphere at one speed on one mesh, for many load cases: its spectrum and its influence tables are
+/// @brief The same on something that deforms, without friction: a roller on a coated plane, a half-space or another
+/// roller (theory.md section 14).
+/// @param[in] body a cylinder, rigid if it has no layers, unless `on` is a rigid plane
+/// @param[in] on what it rolls on; not both may be rigid
+/// @param[in] load_case without friction; the surface of both passes the contact at Omega times the outer radius
+/// @param[in] options how to solve
+[[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
+                           const Options& options = {});
+
+/// @brief A sphere or roller at one speed on one mesh, for many load cases: its spectrum and its influence tables are
 /// computed once. Threads may solve on it at the same time.
 class RollingModel {
  public:
-  /// @param[in] sphere rigid core and layers
+  /// @param[in] body rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] curvature what is kept of it in the equations of the layers
   /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument for bad input, and speeds at or above `critical_speed`
-  RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads = 0,
+  RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads = 0,
+               Curvature curvature = Curvature::sphere, const Observer& observer = {});
+
+  /// @brief The same on something that deforms.
+  RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh, int threads = 0,
                Curvature curvature = Curvature::sphere, const Observer& observer = {});
   ~RollingModel();
   RollingModel(RollingModel&&) noexcept;

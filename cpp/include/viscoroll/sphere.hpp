@@ -31,7 +31,7 @@ enum class InnerBoundary {
 /// rotation about the center is taken to be zero, for no other can be told from turning the sphere.
 struct CoatedSphere {
   double core_radius = 0.0;                             ///< of the core or the cavity [m], > 0; 0 for a solid ball
-  std::vector<Layer> layers;                            ///< from the center outwards, at least one
+  std::vector<Layer> layers;                            ///< from the center outwards; none: a rigid ball
   InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< what lies within
 };
 
@@ -54,7 +54,7 @@ enum class Curvature {
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const Layer& layer, std::string_view prefix = "layer.");
 
-/// @brief Check a sphere and its layers.
+/// @brief Check a sphere and its layers, if it has some.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const CoatedSphere& sphere);
 

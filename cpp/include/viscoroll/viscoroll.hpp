@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viscoroll/cores.hpp"            // IWYU pragma: export
+#include "viscoroll/cylinder.hpp"         // IWYU pragma: export
 #include "viscoroll/drive.hpp"            // IWYU pragma: export
 #include "viscoroll/errors.hpp"           // IWYU pragma: export
 #include "viscoroll/formulation.hpp"      // IWYU pragma: export
@@ -14,7 +15,9 @@
 #include "viscoroll/modal.hpp"            // IWYU pragma: export
 #include "viscoroll/observer.hpp"         // IWYU pragma: export
 #include "viscoroll/options.hpp"          // IWYU pragma: export
+#include "viscoroll/plane.hpp"            // IWYU pragma: export
 #include "viscoroll/result.hpp"           // IWYU pragma: export
+#include "viscoroll/rolling_body.hpp"     // IWYU pragma: export
 #include "viscoroll/rolling_history.hpp"  // IWYU pragma: export
 #include "viscoroll/solve.hpp"            // IWYU pragma: export
 #include "viscoroll/sphere.hpp"           // IWYU pragma: export

@@ -19,9 +19,12 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
                         .friction = problem.friction};
   if (result.friction) {
     Friction& friction = *result.friction;
-    friction.rigid_slip = picked(problem.friction->rigid_slip, nodes);
-    friction.arms = {.x = picked(problem.friction->arms.x, nodes), .y = picked(problem.friction->arms.y, nodes)};
-    friction.rigid_slip.topRows(result.surface->shape().theta_nodes).setZero();
+    const LeverArms& arms = problem.friction->arms;
+    friction.arms = {.x = picked(arms.x, nodes), .y = picked(arms.y, nodes), .radius = arms.radius};
+    for (const auto slip : {&Friction::rigid_slip, &Friction::guided_slip}) {
+      (friction.*slip) = picked((*problem.friction).*slip, nodes);
+      (friction.*slip).topRows(result.surface->shape().theta_nodes).setZero();
+    }
   }
   return result;
 }
@@ -44,11 +47,14 @@ ContactProblem coarsened(const ContactProblem& problem) {
   }
   if (result.friction) {
     const Index stride = fine.theta.count();
-    for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways make a coarse one
-      const Index fine_node = nodes[static_cast<std::size_t>(node)];
-      const auto& fine_slip = problem.friction->rigid_slip;
-      result.friction->rigid_slip.row(node) += (1.0 - share) * fine_slip.row(fine_node - stride);
-      if (share > 0.0) result.friction->rigid_slip.row(node) += share * fine_slip.row(fine_node + stride);
+    for (const auto slip : {&Friction::rigid_slip, &Friction::guided_slip}) {
+      const Eigen::ArrayX2d& fine_slip = (*problem.friction).*slip;
+      Eigen::ArrayX2d& coarse_slip = (*result.friction).*slip;
+      for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways are a coarse one
+        const Index fine_node = nodes[static_cast<std::size_t>(node)];
+        coarse_slip.row(node) += (1.0 - share) * fine_slip.row(fine_node - stride);
+        if (share > 0.0) coarse_slip.row(node) += share * fine_slip.row(fine_node + stride);
+      }
     }
     result.friction->step *= 2.0;
   }

@@ -15,9 +15,10 @@ namespace viscoroll::detail {
 /// S = rigid_slip + speed_ratio (step, 0) + [u], where [.] is the node's value minus its neighbor's, along x and z. It
 /// sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
 struct Friction {
-  double coefficient;          ///< mu [-], > 0
-  Eigen::ArrayX2d rigid_slip;  ///< of undeformed bodies without speed, from row to row along x and z [m]; 0 in row 0
-  double step;                 ///< what a speed ratio of 1 adds to it along x [m]
+  double coefficient;           ///< mu [-], > 0
+  Eigen::ArrayX2d rigid_slip;   ///< of undeformed bodies without speed, from row to row along x and z [m]; 0 in row 0
+  Eigen::ArrayX2d guided_slip;  ///< what of it a guide brings about: lateral creepage and spin [m]
+  double step;                  ///< what a speed ratio of 1 adds to it along x [m]
   LeverArms arms;
   std::shared_ptr<const Drive> drive;
 };

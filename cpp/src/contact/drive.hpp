@@ -11,6 +11,31 @@
 
 namespace viscoroll::detail {
 
+/// @brief Forces between two bodies, and what follows from them.
+struct ContactState {
+  const SurfaceOperator& surface;
+  const LeverArms& arms;
+  const VectorField& force;         ///< [N]
+  const VectorField& displacement;  ///< of what rolls over what it rolls on [m]
+};
+
+/// @brief The force D with which pressure pushes what rolls back, see `SurfaceOperator::pushback`, linearized.
+struct Pushback {
+  double force;          ///< D [N]
+  VectorField on_force;  ///< its derivative [-]; no rows where D is taken as it is
+};
+
+/// @brief Of a rigid body on one that deforms the moment of the pressure per radius, for there the pressure itself has
+/// no moment: it stands on a sphere.
+[[nodiscard]] Pushback pushback(const ContactState& state);
+
+/// @brief Moment of the contact forces about the center of what rolls, at displaced points:
+/// sum of (y + u_y) F_x - (x + share u_x) F_y, u its own displacement, less radius times pushback.
+/// @param[in] state of the contact
+/// @param[in] pressure_share 0 where pressure does no work along the plane, else 1
+/// @return [N m]
+[[nodiscard]] double moment_about_center(const ContactState& state, double pressure_share);
+
 /// @brief A condition on forces F, displacements u and speed ratio s, as a force [N]:
 /// sum of on_force F + sum of on_displacement u + on_speed s = value.
 struct DriveRow {
@@ -29,22 +54,19 @@ class Drive {
   virtual ~Drive() = default;
 
   /// @brief The condition linearized at a state, where it is exact.
-  /// @param[in] arms undisplaced
-  /// @param[in] force,displacement the state
+  /// @param[in] state where
   /// @param[in] speed_force force that a unit of the speed ratio is to count for [N]
-  [[nodiscard]] virtual DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
-                                     double speed_force) const = 0;
+  [[nodiscard]] virtual DriveRow row(const ContactState& state, double speed_force) const = 0;
 
   /// @return the speed ratio, where it is what the drive gives
   [[nodiscard]] virtual std::optional<double> given_speed_ratio() const { return std::nullopt; }
 };
 
-/// @brief A given force on the center, forward; the contact forces balance it.
+/// @brief A given force on the center, forward; the contact forces balance it, the pushback among them.
 class GivenForce : public Drive {
  public:
   explicit GivenForce(double force) : force_(force) {}
-  [[nodiscard]] DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
-                             double speed_force) const override;
+  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
 
  private:
   double force_;
@@ -54,12 +76,13 @@ class GivenForce : public Drive {
 class GivenMoment : public Drive {
  public:
   /// @param[in] moment [N m]
-  /// @param[in] pressure_share as for `added_arms`
+  /// @param[in] pressure_share as for `moment_about_center`
   GivenMoment(double moment, double pressure_share) : moment_(moment), pressure_share_(pressure_share) {}
-  [[nodiscard]] DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
-                             double speed_force) const override;
+  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
 
  private:
+  [[nodiscard]] DriveRow row_of_pair(const ContactState& state, double arm) const;
+
   double moment_;
   double pressure_share_;
 };
@@ -68,8 +91,7 @@ class GivenMoment : public Drive {
 class GivenSpeed : public Drive {
  public:
   explicit GivenSpeed(double ratio) : ratio_(ratio) {}
-  [[nodiscard]] DriveRow row(const LeverArms& arms, const VectorField& force, const VectorField& displacement,
-                             double speed_force) const override;
+  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
   [[nodiscard]] std::optional<double> given_speed_ratio() const override { return ratio_; }
 
  private:

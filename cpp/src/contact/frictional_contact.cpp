@@ -115,11 +115,11 @@ class FrictionalContactSolver {
     return iterate(friction_.coefficient) || (restart_from(start) && iterate(friction_.coefficient));
   }
 
-  /// The same contact at a given speed, with a share of the lateral creepage. @return whether it was found
-  bool find_at_speed(double speed_ratio, double lateral_share, const ContactSolution& from) {
+  /// The same contact at a given speed, with a share of the guided slip. @return whether it was found
+  bool find_at_speed(double speed_ratio, double guided_share, const ContactSolution& from) {
     ContactProblem other = problem_;
     other.friction->drive = std::make_shared<GivenSpeed>(speed_ratio);
-    other.friction->rigid_slip.col(1) *= lateral_share;
+    other.friction->rigid_slip += (guided_share - 1.0) * friction_.guided_slip;
     FrictionalContactSolver solver(other, from, options_);
     solver.state_.speed_ratio = speed_ratio;
     const bool found = solver.has_friction_ ? solver.iterate(friction_.coefficient) : solver.find_directly();
@@ -164,7 +164,7 @@ class FrictionalContactSolver {
     return false;
   }
 
-  /// Step by step from small creepages, longitudinal and lateral, to the given ones.
+  /// Step by step from small creepages, longitudinal, lateral and spin, to the given ones.
   bool find_by_less_creepage() {
     const double creepage = *friction_.drive->given_speed_ratio() - 1.0;
     double reached = kSmallShare;
@@ -312,8 +312,8 @@ class FrictionalContactSolver {
 
   /// How far the forces are from the drive's condition [N].
   [[nodiscard]] double drive_excess() const {
-    const DriveRow drive =
-        friction_.drive->row(friction_.arms, state_.force, state_.displacement, scales_.tangential * friction_.step);
+    const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state_.force, state_.displacement},
+                                                scales_.tangential * friction_.step);
     return drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value;
   }
 

@@ -3,12 +3,12 @@
 namespace viscoroll::detail {
 
 LeverArms added_arms(const VectorField& displacement, double pressure_share) {
-  return {.x = pressure_share * displacement.col(kForward), .y = displacement.col(kDown)};
+  return {.x = pressure_share * displacement.col(kForward), .y = displacement.col(kDown), .radius = 0.0};
 }
 
 LeverArms displaced(const LeverArms& arms, const VectorField& displacement, double pressure_share) {
   const LeverArms added = added_arms(displacement, pressure_share);
-  return {.x = arms.x + added.x, .y = arms.y + added.y};
+  return {.x = arms.x + added.x, .y = arms.y + added.y, .radius = arms.radius};
 }
 
 double moment(const LeverArms& arms, const VectorField& force) {

@@ -12,6 +12,7 @@ namespace viscoroll::detail {
 struct LeverArms {
   Eigen::ArrayXd x;  ///< forward
   Eigen::ArrayXd y;  ///< down
+  double radius;     ///< of the undeformed body that turns
 };
 
 /// @brief What displacements add to lever arms.

@@ -94,8 +94,8 @@ class Equations {
         state_(state),
         contacts_(static_cast<Index>(contact_.size())),
         forces_(contacts_ + 2 * stick_.count() + slip_.count()),
-        drive_(
-            friction_.drive->row(friction_.arms, state.force, state.displacement, scales.tangential * friction_.step)) {
+        drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, state.displacement},
+                                    scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
       const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMostRigidity);
       turning_symbol_ = preconditioner.turning_symbol(rigidity, scales.tangential);

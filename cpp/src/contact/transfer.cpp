@@ -69,9 +69,10 @@ Window box_around(const LocatedContact& located, int scale, const Window& limits
 
 VectorField prolonged_force(const LocatedContact& coarse, const Window& fine) {
   VectorField force = VectorField::Zero(fine.shape().size(), 3);
+  const double patches = fine.is_line() ? 2.0 : 4.0;  // that share a coarse node's force
   for_nearest(coarse.window(), fine, [&](Index node, const std::vector<Index>& nearest, int count) {
     for (const Index coarse_node : nearest) force.row(node) += coarse.contact.force.row(coarse_node);
-    force.row(node) /= 4.0 * count;  // a quarter of the patch
+    force.row(node) /= patches * count;
   });
   return force;
 }
@@ -89,10 +90,11 @@ std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window&
 
 bool touches_edge(const LocatedContact& located) {
   const WindowShape shape = located.window().shape();
+  const bool line = located.window().is_line();
   return std::ranges::any_of(located.contact.contact, [&](Index node) {
     const Index i = node / shape.theta_nodes;
     const Index k = node % shape.theta_nodes;
-    return i <= 1 || i == shape.phi_nodes - 1 || k == 0 || k == shape.theta_nodes - 1;
+    return i <= 1 || i == shape.phi_nodes - 1 || (!line && (k == 0 || k == shape.theta_nodes - 1));
   });
 }
 

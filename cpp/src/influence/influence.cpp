@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 
@@ -31,7 +31,7 @@ InfluenceTables influence_tables(const CoatedSphere& sphere, double angular_spee
   for (const Entry entry : kAll) requests.push_back({.entry = entry});
 
   detail::Watch watch(observer);
-  const detail::OrderSum sum(sphere, angular_speed, mesh, threads, watch, curvature);
+  const detail::CoatingSum sum(sphere, angular_speed, mesh, threads, watch, curvature);
   const auto tables = sum.tables(requests, phi_reach, theta_reach, threads, watch);
 
   InfluenceTables result{.phi_reach = phi_reach, .theta_reach = theta_reach};

@@ -7,12 +7,16 @@
 #include <numbers>
 #include <variant>
 
+#include "modal/harmonic_plane.hpp"
+#include "modal/medium.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
 constexpr double kSharpness = 4.8;     // M / sigma of chi: what is left of it at order 0 is erfc(4.8) / 2 = 6e-12
 constexpr double kNegligible = 1e-13;  // weight of orders left out
 constexpr double kFirstOctave = 32.0;  // M of the first band
+constexpr double kFirstUnboundedOctave = 16.0;
 
 /// The last octave, in nodes per revolution: so many oscillations of a patch's transform fit into its end that they
 /// cancel.
@@ -59,15 +63,12 @@ std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
 
 namespace {
 
-/// Bands up to `top`. `stride_of` is told how far from the load a band reaches [rad].
+/// Octaves from the middle of one step on, up to `top`. `stride_of` is told how far from the load a band reaches [rad].
 template <class Stride>
-std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
+void append_octaves(Step below, double top, double spacing, const Stride& stride_of, std::vector<OrderBand>& bands) {
   const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
-  const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
+  const double first = below.middle;
   const auto count = static_cast<int>(std::ceil(std::log2(top / first)));
-
-  Step below{.middle = first, .sharpness = rough_orders > 0.0 && count > 0 ? kSharpnessOfMeasured : kSharpness};
-  std::vector<OrderBand> bands{make_band(1.0, below.end(), half, below)};
   for (int octave = 1; octave <= count; ++octave) {
     const Step step{.middle = first * std::pow(top / first, static_cast<double>(octave) / count)};
     // Transform of the lower, narrower step: exp(-(sigma x / 2)^2), sigma = middle / sharpness; then two patches.
@@ -77,16 +78,55 @@ std::vector<OrderBand> split(double spacing, double top, double rough_orders, co
         make_band(stride_of(confined), step.end(), reach, [&](double order) { return step(order) - below(order); }));
     below = step;
   }
+}
+
+/// Bands up to `top`, of which the first is of whole orders.
+template <class Stride>
+std::vector<OrderBand> split(double spacing, double top, double rough_orders, const Stride& stride_of) {
+  const int half = static_cast<int>(std::lround(std::numbers::pi / spacing));
+  const double first = std::min(std::max(kFirstOctave, 1.5 * rough_orders), top);
+  const bool sharp = rough_orders > 0.0 && first < top;
+  const Step lowest{.middle = first, .sharpness = sharp ? kSharpnessOfMeasured : kSharpness};
+  std::vector<OrderBand> bands{make_band(1.0, lowest.end(), half, lowest)};
+  append_octaves(lowest, top, spacing, stride_of, bands);
   return bands;
+}
+
+double spacing_of(int nodes_per_revolution) { return 2.0 * std::numbers::pi / nodes_per_revolution; }
+
+double highest_order(int nodes_per_revolution, double finest_order) {
+  return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
+}
+
+/// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
+OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution) {
+  // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
+  // tables reach 60 degrees to both sides.
+  constexpr double kLogarithmicStride = 0.07;
+  constexpr double kLowest = 1e-9;  // per middle: what is left out below is a uniform displacement
+  const double stride = kLogarithmicStride / refinement;
+  const auto count = static_cast<Eigen::Index>(std::log(step.end() / (kLowest * step.middle)) / stride);
+  const Eigen::ArrayXd orders =
+      step.end() * (stride * Eigen::ArrayXd::LinSpaced(count, 1.0 - static_cast<double>(count), 0.0)).exp();
+  return {
+      .orders = orders, .weights = 2.0 * stride * orders * orders.unaryExpr(step), .reach = nodes_per_revolution / 2};
 }
 
 }  // namespace
 
+std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement) {
+  const Step first{.middle = kFirstUnboundedOctave};
+  std::vector<OrderBand> bands{low_orders(first, refinement, nodes_per_revolution)};
+  append_octaves(
+      first, highest_order(nodes_per_revolution, finest_order), spacing_of(nodes_per_revolution),
+      [refinement](double confined) { return std::numbers::pi / confined / refinement; }, bands);
+  return bands;
+}
+
 std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order, double rough_orders) {
-  const double spacing = 2.0 * std::numbers::pi / nodes_per_revolution;
-  const double top = kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
   // Images of the load stay apart.
-  return split(spacing, top, rough_orders, [](double confined) { return std::numbers::pi / confined; });
+  return split(spacing_of(nodes_per_revolution), highest_order(nodes_per_revolution, finest_order), rough_orders,
+               [](double confined) { return std::numbers::pi / confined; });
 }
 
 std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset, double rough_orders) {
@@ -107,15 +147,19 @@ bool are_alike(const Layer& a, const Layer& b, double angular_speed) {
 }
 
 /// Of the thinnest layer, at which an incompressible one yields most; neighbors of one material are one layer.
-double finest_order(const CoatedSphere& sphere, double angular_speed) {
+double finest_order(const std::vector<Layer>& layers, double radius, double angular_speed) {
   double thinnest = std::numeric_limits<double>::infinity();
   double thickness = 0.0;
-  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const bool joined = l > 0 && are_alike(sphere.layers[l - 1], sphere.layers[l], angular_speed);
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const bool joined = l > 0 && are_alike(layers[l - 1], layers[l], angular_speed);
     if (l > 0 && !joined) thinnest = std::min(thinnest, thickness);
-    thickness = sphere.layers[l].thickness + (joined ? thickness : 0.0);
+    thickness = layers[l].thickness + (joined ? thickness : 0.0);
   }
-  return outer_radius(sphere) / std::min(thinnest, thickness);
+  return radius / std::min(thinnest, thickness);
+}
+
+double finest_order(const CoatedSphere& sphere, double angular_speed) {
+  return finest_order(sphere.layers, outer_radius(sphere), angular_speed);
 }
 
 }  // namespace
@@ -151,6 +195,16 @@ std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_sp
   const int nodes = theta_nodes_per_revolution(mesh);
   return mesh.max_order ? whole_orders(*mesh.max_order, nodes)
                         : octaves(nodes, finest_order(sphere, angular_speed), rough_orders);
+}
+
+PlaneBands plane_bands(const CoatedPlane& plane, double angular_speed, double radius, const Mesh& mesh) {
+  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
+  const std::vector<Layer> layers = layers_from_base(plane);
+  const double finest = finest_order(layers, radius, angular_speed);
+  const bool measured =
+      std::ranges::any_of(layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
+  return {.phi = unbounded_octaves(mesh.nodes_per_revolution, finest, measured ? kRefinementOfMeasured : 1.0),
+          .theta = unbounded_octaves(theta_nodes_per_revolution(mesh), finest)};
 }
 
 double measured_order(const Mesh& mesh) {

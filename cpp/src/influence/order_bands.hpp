@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "viscoroll/mesh.hpp"
+#include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -33,6 +34,14 @@ struct OrderBand {
 /// @param[in] rough_orders orders up to which it may change abruptly: these are summed one by one
 [[nodiscard]] std::vector<OrderBand> octaves(int nodes_per_revolution, double finest_order = 0.0,
                                              double rough_orders = 0.0);
+
+/// @brief The same on an unbounded plane, which has no orders to be summed one by one: all orders below the first
+/// octave are taken at equal ratios, down to where they displace all nodes alike. None is 0.
+/// @param[in] nodes_per_revolution of the patches, along a circumference that makes wave numbers orders
+/// @param[in] finest_order order at which the compliance still has features of its own
+/// @param[in] refinement by how much orders lie closer than those of a smooth compliance
+[[nodiscard]] std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order = 0.0,
+                                                       double refinement = 1.0);
 
 /// @brief Orders for sums at offsets from a load that are no larger than a window.
 /// @param[in] spacing of the patches [rad]
@@ -61,6 +70,17 @@ struct OrderBand {
 /// @return bands along theta
 [[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                                  double rough_orders = 0.0);
+
+/// @brief Bands of a plane, along both directions.
+struct PlaneBands {
+  std::vector<OrderBand> phi;
+  std::vector<OrderBand> theta;
+};
+
+/// @param[in] plane layers and base, not rigid
+/// @param[in] angular_speed,radius of what rolls over it
+/// @param[in] mesh that of what rolls
+[[nodiscard]] PlaneBands plane_bands(const CoatedPlane& plane, double angular_speed, double radius, const Mesh& mesh);
 
 /// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicCoating`
 [[nodiscard]] double measured_order(const Mesh& mesh);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "influence/coating_sum.hpp"
 #include "influence/gauss_legendre.hpp"
 #include "influence/legendre.hpp"
 #include "influence/patch.hpp"
@@ -246,8 +247,8 @@ void SphereSum::add_local(const SphereRequest& request, std::vector<SphereTable>
         {.entry = entry, .power = request.power, .phi_shift = request.power ? 0.0 : request.collocation});
   }
   for (std::size_t i = 0; i < metrics.nodes().size(); ++i) {
-    const OrderSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},
-                       threads, watch);
+    const CoatingSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},
+                         threads, watch);
     const std::vector<Table> local = sum.tables(requests, reach, nodes - 1, threads, watch);
     parallel_for(static_cast<std::size_t>(2 * reach + 1), threads, watch, "joining tables",
                  [&](std::size_t row, const Worker&) {

@@ -4,17 +4,16 @@
 #include <array>
 #include <complex>
 #include <numbers>
-#include <utility>
 
 #include "influence/patch.hpp"
-#include "validate.hpp"
+#include "influence/waves.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 using cplx = std::complex<double>;
 using Eigen::Index;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMajor = RowMajorMatrix;
 
 /// A request with what its summands are multiplied by. A coefficient is even or odd in n, by its entry and its patches.
 struct Kernel {
@@ -42,8 +41,8 @@ Eigen::ArrayXd theta_weights(const Kernel& kernel, const OrderBand& band, double
 }
 
 /// Weights of a kernel along phi, and the scale of the whole sum.
-Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double spacing, double outer_radius) {
-  const double circumference = 2.0 * std::numbers::pi * outer_radius;
+Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double spacing, double radius) {
+  const double circumference = 2.0 * std::numbers::pi * radius;
   const cplx scale = kernel.phase / (circumference * circumference);
   return band.weights * band.orders.unaryExpr([&](double m) {
     const double patch = sinc(0.5 * m * spacing);
@@ -52,36 +51,10 @@ Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double 
   });
 }
 
-/// Cosines and sines of order times offset, a row for each order and a column for each offset from 0.
-struct Waves {
-  RowMajor cosines;
-  RowMajor sines;
-};
-
-Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
-  constexpr int kStride = 32;  // products in a row before round-off is shed
-  Waves waves{RowMajor(orders.size(), reach + 1), RowMajor(orders.size(), reach + 1)};
-  for (Index i = 0; i < orders.size(); ++i) {
-    const cplx step = std::polar(1.0, orders[i] * spacing);
-    cplx wave;
-    for (Index l = 0; l <= reach; ++l) {
-      wave = l % kStride == 0 ? std::polar(1.0, orders[i] * spacing * static_cast<double>(l)) : wave * step;
-      waves.cosines(i, l) = wave.real();
-      waves.sines(i, l) = wave.imag();
-    }
-  }
-  return waves;
-}
-
 /// Share of the orders that is not summed by degrees.
 Eigen::ArrayXd local_share(double m, const Eigen::ArrayXd& n, const LocalMetric& metric) {
   if (metric.exact_degree == 0.0) return Eigen::ArrayXd::Ones(n.size());
   return 1.0 - (m * m + n.square()).sqrt().unaryExpr([&](double k) { return exact_share(k, metric.exact_degree); });
-}
-
-std::vector<double> scaled(std::vector<double> orders, double factor) {
-  for (double& order : orders) order *= factor;
-  return orders;
 }
 
 /// Sums over n: the rows belong to the orders m, the columns to the offsets in theta.
@@ -93,7 +66,7 @@ struct ThetaSums {
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
-            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Mesh& mesh, double outer_radius,
+            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Mesh& mesh, double radius,
             int theta_reach)
       : phi_bands_(phi_bands),
         theta_bands_(theta_bands),
@@ -107,7 +80,7 @@ class Synthesis {
       Eigen::ArrayXcd weights(count);
       Index first = 0;
       for (const OrderBand& band : phi_bands) {
-        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, phi_spacing_, outer_radius);
+        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, phi_spacing_, radius);
         first += band.orders.size();
       }
       phi_weights_.push_back(std::move(weights));
@@ -223,48 +196,11 @@ class Synthesis {
   std::vector<ThetaSums> sums_;                             // [kernel]
 };
 
-double highest(const std::vector<OrderBand>& bands) {
-  double highest = 0.0;
-  for (const OrderBand& band : bands) highest = std::max(highest, band.orders[band.orders.size() - 1]);
-  return highest;
-}
-
-/// Bands are made of what has been checked alone.
-CoatedSphere checked(CoatedSphere sphere, double angular_speed) {
-  validate(sphere);
-  require_positive("angular_speed", angular_speed, "rad/s");
-  return sphere;
-}
-
 }  // namespace
-
-OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
-                   Curvature curvature, double inertia_tolerance)
-    : OrderSum(checked(sphere, angular_speed), angular_speed, mesh, phi_bands(sphere, angular_speed, mesh),
-               theta_bands(sphere, angular_speed, mesh), threads, watch, curvature, {}, inertia_tolerance) {}
-
-OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-                   std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature,
-                   const LocalMetric& metric, double inertia_tolerance)
-    : mesh_(mesh),
-      phi_bands_(std::move(phi_bands)),
-      theta_bands_(std::move(theta_bands)),
-      metric_(metric),
-      // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
-      coating_(sphere, angular_speed * metric.sine, scaled(all_orders(phi_bands_), 1.0 / metric.sine),
-               measured_order(mesh) / metric.sine, curvature),
-      spectrum_(make_spectrum(coating_, highest(theta_bands_), threads, watch, inertia_tolerance)) {}
-
-OrderSum::OrderSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
-                   int threads, Watch& watch)
-    : OrderSum(checked(sphere, angular_speed), angular_speed, mesh,
-               phi_bands(sphere, angular_speed, mesh, metric.exact_degree),
-               theta_bands(sphere, angular_speed, mesh, metric.exact_degree), threads, watch, Curvature::sphere,
-               metric) {}
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
-  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, coating_.outer_radius(), theta_reach);
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, radius_, theta_reach);
   parallel_for(synthesis.blocks(), threads, watch, "summing orders",
                [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
 

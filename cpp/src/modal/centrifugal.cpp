@@ -37,9 +37,20 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
   return sum;
 }
 
-}  // namespace
+/// Equations of u_r and r sigma_rr without inertia.
+using ElasticMatrix = Eigen::Matrix2d (*)(double mu, double b);
 
-std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media) {
+Eigen::Matrix2d sphere_matrix(double mu, double b) {
+  return Eigen::Matrix2d{{-2.0 + 4.0 * b, b / mu}, {4.0 * mu * (3.0 - 4.0 * b), 1.0 - 4.0 * b}};
+}
+
+Eigen::Matrix2d cylinder_matrix(double mu, double b) {
+  return Eigen::Matrix2d{{2.0 * b - 1.0, b / mu}, {4.0 * mu * (1.0 - b), 1.0 - 2.0 * b}};
+}
+
+/// At the inner boundary of the innermost layer and at the outer radius of each.
+std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<double>>> media,
+                                        ElasticMatrix elastic_matrix) {
   const double stress_unit = media.back().mu.real();
 
   // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
@@ -56,7 +67,7 @@ std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::comp
   for (const auto& medium : media) {
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
-    const Eigen::Matrix2d elastic{{-2.0 + 4.0 * b, b / mu}, {4.0 * mu * (3.0 - 4.0 * b), 1.0 - 4.0 * b}};
+    const Eigen::Matrix2d elastic = elastic_matrix(mu, b);
     // In a solid ball the irregular solution, r^-3 of the regular one, dies out from this depth.
     const double inner = std::max(medium.inner_radius, 1e-6 * medium.outer_radius);
     const double extent = std::log(medium.outer_radius / inner);
@@ -92,9 +103,22 @@ std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::comp
   return states;
 }
 
+double uniform_displacement(std::span<const Medium<std::complex<double>>> media, ElasticMatrix elastic_matrix) {
+  return states_at_boundaries(media, elastic_matrix).back()(0);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media) {
+  return states_at_boundaries(media, sphere_matrix);
+}
+
 double centrifugal_displacement(const HarmonicCoating& coating) {
-  const auto media = coating.media(0);
-  return centrifugal_states(media).back()(0);
+  return uniform_displacement(coating.media(0), sphere_matrix);
+}
+
+double cylinder_centrifugal_displacement(std::span<const Medium<std::complex<double>>> media) {
+  return uniform_displacement(media, cylinder_matrix);
 }
 
 }  // namespace detail

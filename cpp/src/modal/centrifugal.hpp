@@ -15,7 +15,11 @@ namespace viscoroll::detail {
 /// @return d_R^(c) [m], outwards
 [[nodiscard]] double centrifugal_displacement(const HarmonicCoating& coating);
 
-/// @brief u_r [m] and r sigma_rr [N/m] under the centrifugal load.
+/// @brief The same of a cylinder, in plane strain.
+/// @param[in] media layers at rest, core outwards
+[[nodiscard]] double cylinder_centrifugal_displacement(std::span<const Medium<std::complex<double>>> media);
+
+/// @brief u_r [m] and r sigma_rr [N/m] of a sphere under the centrifugal load.
 /// @param[in] media layers at order 0, from the center outwards
 /// @return at the inner boundary of the innermost layer and at the outer radius of each
 [[nodiscard]] std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "viscoroll/cylinder.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -34,5 +35,10 @@ void require_subcritical(const CoatedSphere& sphere, double angular_speed, doubl
 /// @throws std::invalid_argument with the order
 void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
                           const std::vector<std::vector<std::complex<double>>>& moduli, Curvature curvature);
+
+/// @brief The same for a cylinder.
+void require_subcritical(const CoatedCylinder& cylinder, double angular_speed, double highest_frequency);
+void require_damped_waves(const CoatedCylinder& cylinder, double angular_speed, std::span<const double> orders,
+                          const std::vector<std::vector<std::complex<double>>>& moduli);
 
 }  // namespace viscoroll::detail

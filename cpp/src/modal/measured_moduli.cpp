@@ -11,22 +11,22 @@ constexpr double kModulusTolerance = 1e-13;
 
 }  // namespace
 
-std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicCoating& coating,
+std::optional<MeasuredModuli> MeasuredModuli::try_make(const LayeredSurface& surface,
                                                        std::span<const std::size_t> orders, int most_terms) {
-  const std::vector<std::size_t> layers = coating.measured_layers();
+  const std::vector<std::size_t> layers = surface.measured_layers();
   const auto count = static_cast<Eigen::Index>(orders.size());
   MeasuredModuli moduli;
-  moduli.lowest_m_ = coating.orders()[orders.front()];
-  moduli.highest_m_ = coating.orders()[orders.back()];
+  moduli.lowest_m_ = surface.orders()[orders.front()];
+  moduli.highest_m_ = surface.orders()[orders.back()];
   moduli.layers_ = static_cast<Eigen::Index>(layers.size());
 
   Eigen::ArrayXd points(count);
   Eigen::ArrayXXcd rest(count, moduli.layers_);  // what the polynomials leave of the moduli
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t order = orders[static_cast<std::size_t>(i)];
-    points[i] = moduli.coordinate(coating.orders()[order]);
+    points[i] = moduli.coordinate(surface.orders()[order]);
     for (Eigen::Index l = 0; l < moduli.layers_; ++l) {
-      rest(i, l) = coating.modulus(layers[static_cast<std::size_t>(l)], order);
+      rest(i, l) = surface.modulus(layers[static_cast<std::size_t>(l)], order);
     }
   }
   const Eigen::ArrayXXd limit = kModulusTolerance * rest.abs();

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/layered_surface.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief The measured moduli of a coating on a run of orders without kinks: polynomials of ln m.
+/// @brief The measured moduli of layers on a run of orders without kinks: polynomials of ln m.
 ///
 /// They go through the values at some of the orders, taken one after another where the product of the distances to
 /// those before is largest (Leja's points, on which a polynomial is well conditioned), until they meet the values at
@@ -24,11 +24,11 @@ class MeasuredModuli {
   MeasuredModuli() = default;
 
   /// @brief Those of a run.
-  /// @param[in] coating layers at the orders m
+  /// @param[in] surface layers at the orders m
   /// @param[in] orders numbers of the orders of the run, at least one, with m > 0 ascending
   /// @param[in] most_terms of a polynomial
   /// @return nothing where so many terms do not meet the moduli at every order of the run
-  [[nodiscard]] static std::optional<MeasuredModuli> try_make(const HarmonicCoating& coating,
+  [[nodiscard]] static std::optional<MeasuredModuli> try_make(const LayeredSurface& surface,
                                                               std::span<const std::size_t> orders, int most_terms);
 
   /// @param[in] orders m within the run

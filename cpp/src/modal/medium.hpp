@@ -6,8 +6,12 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "modal/layered_surface.hpp"
 #include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
@@ -53,8 +57,41 @@ template <class Scalar>
   return Scalar((1.0 - 2.0 * *layer.poisson_ratio) / (2.0 * (1.0 - *layer.poisson_ratio)));
 }
 
+/// @brief Complex shear moduli of layers at the frequencies m Omega.
+/// @param[in] layers of a coating
+/// @param[in] angular_speed Omega [rad/s]
+/// @param[in] orders m >= 0, not necessarily whole
+/// @param[in] measured_order materials that were measured, `MasterCurve` and `CustomModulus`, are not asked for
+/// frequencies beyond this order's: from about half of it on they are taken at lower ones
+/// @return [layer][order] [Pa]
+[[nodiscard]] std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector<Layer>& layers,
+                                                                             double angular_speed,
+                                                                             const std::vector<double>& orders,
+                                                                             double measured_order);
+
+/// @return the highest frequency at which measured materials are asked for theirs [rad/s]
+[[nodiscard]] double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order);
+
+/// @return whether a modulus was measured, and so may have kinks
+[[nodiscard]] bool is_measured(const ShearModulus& modulus);
+
+/// @return those of some layers
+[[nodiscard]] std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers);
+
+/// @brief Moduli of layers at other orders.
+/// @param[in] layers of a body
+/// @param[in] frequencies of the orders [rad/s]
+/// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
+/// @return [layer][order] [Pa]
+[[nodiscard]] std::vector<std::vector<std::complex<double>>> resampled_moduli(const std::vector<Layer>& layers,
+                                                                              const std::vector<double>& frequencies,
+                                                                              const Eigen::ArrayXXcd& measured);
+
+/// @return an order that approaches a limit smoothly: series over such orders stay smooth
+[[nodiscard]] double limited(double order, double limit);
+
 /// @brief The layers of a coating at a list of orders m, whose material sees the frequencies m Omega.
-class HarmonicCoating {
+class HarmonicCoating final : public LayeredSurface {
  public:
   /// @param[in] sphere rigid core and layers
   /// @param[in] angular_speed Omega [rad/s], > 0
@@ -67,22 +104,18 @@ class HarmonicCoating {
                   double measured_order = std::numeric_limits<double>::infinity(),
                   Curvature curvature = Curvature::sphere);
 
-  /// @brief The same layers at other orders, within the range of these.
-  /// @param[in] orders m
-  /// @param[in] measured moduli that were measured, a row for each order and a column for each of `measured_layers`
-  [[nodiscard]] HarmonicCoating at(std::vector<double> orders, const Eigen::ArrayXXcd& measured) const;
-
-  /// @brief Layers of which the modulus was measured, and so may have kinks.
-  [[nodiscard]] std::vector<std::size_t> measured_layers() const;
-
   /// @brief Layers at the i-th order, core outwards.
   [[nodiscard]] std::vector<Medium<std::complex<double>>> media(std::size_t i) const;
 
-  /// @return complex shear modulus of a layer at the i-th order [Pa]
-  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const { return moduli_[layer][i]; }
-
-  /// @return the orders m
-  [[nodiscard]] const std::vector<double>& orders() const { return orders_; }
+  [[nodiscard]] const std::vector<double>& orders() const override { return orders_; }
+  [[nodiscard]] std::vector<std::size_t> measured_layers() const override;
+  [[nodiscard]] std::complex<double> modulus(std::size_t layer, std::size_t i) const override {
+    return moduli_[layer][i];
+  }
+  [[nodiscard]] std::unique_ptr<LayeredSurface> resampled(std::vector<double> orders,
+                                                          const Eigen::ArrayXXcd& measured) const override;
+  [[nodiscard]] std::complex<double> outer_modulus(std::size_t i) const override { return moduli_.back()[i]; }
+  void compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const override;
 
   [[nodiscard]] const CoatedSphere& sphere() const { return sphere_; }
   [[nodiscard]] double outer_radius() const { return radii_.back(); }

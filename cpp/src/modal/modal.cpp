@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
 
 #include "modal/compliance_recursion.hpp"
 #include "modal/degree_compliance.hpp"
+#include "modal/harmonic_plane.hpp"
 #include "modal/layer_system.hpp"
 #include "modal/medium.hpp"
 #include "parallel.hpp"
@@ -79,6 +81,32 @@ std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double
     matrix = {c.radial, c.mixed, 0.0, c.mixed, c.along, 0.0, 0.0, 0.0, c.across};
     if (order[i] < 0) std::ranges::transform(matrix, matrix.begin(), [](cplx z) { return std::conj(z); });
   });
+  return compliances;
+}
+
+std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double speed, std::span<const double> k_xi,
+                                               std::span<const double> k_zeta) {
+  if (k_xi.size() != k_zeta.size()) {
+    detail::reject("k_zeta", "as long as k_xi (" + std::to_string(k_xi.size()) + ")", std::to_string(k_zeta.size()));
+  }
+  std::vector<double> magnitudes;
+  for (std::size_t i = 0; i < k_xi.size(); ++i) {
+    detail::require_finite("k_xi", k_xi[i]);
+    detail::require_finite("k_zeta", k_zeta[i]);
+    if (k_xi[i] == 0.0 && k_zeta[i] == 0.0) detail::reject("k_zeta", "other than 0 1/m where k_xi is", "0 1/m");
+    magnitudes.push_back(std::abs(k_xi[i]));
+  }
+  const detail::HarmonicPlane harmonics(plane, speed, 1.0, magnitudes);
+  std::vector<ComplexMatrix3> compliances(k_xi.size());
+  for (std::size_t i = 0; i < k_xi.size(); ++i) {
+    // The fields are real, so the wave (-k_xi, k_zeta) is the conjugate of (k_xi, -k_zeta).
+    const bool conjugate = k_xi[i] < 0.0;
+    const detail::OrderAt order{.i = i, .n = conjugate ? -k_zeta[i] : k_zeta[i]};
+    Eigen::Matrix3cd compliance;
+    harmonics.compliances(std::span(&order, 1), std::span(&compliance, 1));
+    compliance = detail::to_physical(compliance).eval();
+    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate().eval() : compliance;
+  }
   return compliances;
 }
 

@@ -2,8 +2,7 @@
 
 #include <array>
 #include <cmath>
-
-#include "modal/compliance_recursion.hpp"
+#include <span>
 
 namespace viscoroll::detail {
 namespace {
@@ -25,18 +24,15 @@ bool is_resolved(const Panel<cplx>& panel, double m) {
 }  // namespace
 
 void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
-  const auto media = coating_.media(i);
-  const double order = coating_.orders()[i];
+  const double order = surface_->orders()[i];
   const auto sample = [&](const std::array<double, kPanelNodes>& nodes) {
-    std::array<OrderInLayers<cplx>, kPanelNodes> orders{};
-    std::array<Matrix3<cplx>, kPanelNodes> solved;
-    for (std::size_t j = 0; j < orders.size(); ++j) {
-      orders[j] = {.media = media, .m = order, .n = std::sqrt(nodes[j] - order * order)};
-    }
-    surface_compliances<cplx>(orders, solved);
+    std::array<OrderAt, kPanelNodes> orders{};
+    std::array<Eigen::Matrix3cd, kPanelNodes> solved;
+    for (std::size_t j = 0; j < orders.size(); ++j) orders[j] = {.i = i, .n = std::sqrt(nodes[j] - order * order)};
+    surface_->compliances(orders, solved);
     Eigen::Matrix<cplx, kEntries, kPanelNodes> entries;
     for (std::size_t j = 0; j < orders.size(); ++j) {
-      const Matrix3<cplx>& y = solved[j];
+      const Eigen::Matrix3cd& y = solved[j];
       const double n = orders[j].n;
       entries.col(static_cast<Eigen::Index>(j)) << y(0, 0), y(0, 1), y(0, 2) / n, y(1, 1), y(1, 2) / n, y(2, 2);
     }
@@ -45,7 +41,9 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
   series.clear();
   double lowest = order * order;
   if (order == 0.0) {
-    const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, 0.0);
+    const OrderAt zero{.i = i, .n = 0.0};
+    Eigen::Matrix3cd y;
+    surface_->compliances(std::span(&zero, 1), std::span(&y, 1));
     Eigen::VectorXcd entries(kEntries);
     entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
     append_constants(kZeroOrder, entries, series);

@@ -9,8 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "modal/compliance_recursion.hpp"
-
 namespace viscoroll::detail {
 namespace {
 
@@ -25,7 +23,6 @@ constexpr int kMostOrderNodes = 24;
 constexpr double kNearestPole = 0.5 * std::numbers::pi;   // of a modulus of frequency, or cut
 constexpr double kNearestBend = 0.25 * std::numbers::pi;  // of measured frequencies, where they near their highest
 
-constexpr double kLowestOrder = 2.0;        // orders below are few
 constexpr double kLargestOrderRatio = 8.0;  // of m at the ends of a cell, over which a relaxation is resolved
 constexpr double kSmallestRatio = 1.05;     // what a cell this narrow does not resolve is round-off
 
@@ -45,16 +42,14 @@ int order_terms(double lowest_m, double highest_m, double distance) {
 /// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
 class CellSamples {
  public:
-  CellSamples(const HarmonicCoating& coating, const SmoothRun& run, const Cell& cell)
+  CellSamples(const LayeredSurface& surface, const SmoothRun& run, const Cell& cell)
       : m_(chebyshev_nodes(cell.lowest_m, cell.highest_m, run.nodes)),
         m_count_(run.nodes),
         m_transform_(chebyshev_transform(m_count_).transpose().cast<cplx>()),
         ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
         highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)),
-        values_(m_count_, kEntries * kPanelNodes) {
-    const HarmonicCoating at_nodes = coating.at(m_, run.measured.at(m_));
-    for (std::size_t i = 0; i < m_.size(); ++i) media_.push_back(at_nodes.media(i));
-  }
+        surface_(surface.resampled(m_, run.measured.at(m_))),
+        values_(m_count_, kEntries * kPanelNodes) {}
 
   /// Whether the last terms along k are negligible at the outermost m.
   [[nodiscard]] bool is_resolved_along_k() {
@@ -123,22 +118,22 @@ class CellSamples {
 
   void solve(const std::vector<int>& m_nodes, const std::vector<int>& k_nodes) {
     // Side by side are orders of like k.
-    std::vector<OrderInLayers<cplx>> orders;
+    std::vector<OrderAt> orders;
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
-        const double m = m_[static_cast<std::size_t>(i)];
-        const double n = m * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0);
-        orders.push_back({.media = media_[static_cast<std::size_t>(i)], .m = m, .n = n});
+        const auto place = static_cast<std::size_t>(i);
+        orders.push_back({.i = place, .n = m_[place] * std::sqrt(ratios_[static_cast<std::size_t>(j)] - 1.0)});
       }
     }
-    std::vector<Matrix3<cplx>> solved(orders.size());
-    surface_compliances<cplx>(orders, solved);
+    std::vector<Eigen::Matrix3cd> solved(orders.size());
+    surface_->compliances(orders, solved);
     auto order = orders.begin();
     auto compliance = solved.begin();
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
-        const Matrix3<cplx> y = *compliance++ * (order->m * order->media.back().mu);
-        const double n_ratio = order->n / order->m;
+        const double m = m_[order->i];
+        const Eigen::Matrix3cd y = *compliance++ * (m * surface_->outer_modulus(order->i));
+        const double n_ratio = order->n / m;
         ++order;
         const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1),           y(0, 2) / n_ratio,
                                                  y(1, 1), y(1, 2) / n_ratio, y(2, 2)};
@@ -152,18 +147,18 @@ class CellSamples {
   Eigen::MatrixXcd m_transform_;
   std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
   double highest_n_ratio_;
-  std::vector<std::vector<Medium<cplx>>> media_;  // at each m
+  std::unique_ptr<LayeredSurface> surface_;  // at each m
   CellTerms values_;
 };
 
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
-void append_cells(const HarmonicCoating& coating, const SmoothRun& run, Cell cell, const Worker& worker,
+void append_cells(const LayeredSurface& surface, const SmoothRun& run, Cell cell, const Worker& worker,
                   std::vector<Cell>& cells) {
   worker.checkpoint();
   const bool is_wide_along_k = cell.highest_ratio / cell.lowest_ratio > kSmallestRatio;
   const bool is_wide_along_m = cell.highest_m / cell.lowest_m > kSmallestRatio;
   const auto append = [&](double lowest_m, double highest_m, double lowest_ratio, double highest_ratio) {
-    append_cells(coating, run, {lowest_m, highest_m, lowest_ratio, highest_ratio, {}}, worker, cells);
+    append_cells(surface, run, {lowest_m, highest_m, lowest_ratio, highest_ratio, {}}, worker, cells);
   };
   const auto halve_along_k = [&] {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
@@ -175,7 +170,7 @@ void append_cells(const HarmonicCoating& coating, const SmoothRun& run, Cell cel
     append(cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio);
     append(middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio);
   };
-  CellSamples samples(coating, run, cell);
+  CellSamples samples(surface, run, cell);
   if (!samples.is_resolved_along_k() && is_wide_along_k) return halve_along_k();
   if (!samples.is_resolved_along_m() && is_wide_along_m) return halve_along_m();
   samples.complete();
@@ -196,16 +191,16 @@ Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
 }
 
 /// The longest run at the beginning of some orders, by their numbers.
-SmoothRun first_smooth_run(const HarmonicCoating& coating, std::span<const std::size_t> orders) {
-  const auto order = [&](std::size_t i) { return coating.orders()[i]; };
+SmoothRun first_smooth_run(const LayeredSurface& surface, std::span<const std::size_t> orders) {
+  const auto order = [&](std::size_t i) { return surface.orders()[i]; };
   const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * order(orders.front()), {}, order);
   const auto most = static_cast<std::size_t>(end - orders.begin());
-  const bool has_measured = !coating.measured_layers().empty();
+  const bool has_measured = !surface.measured_layers().empty();
   SmoothRun run;
   const auto extend_to = [&](std::size_t count) {
     const double lowest = order(orders.front());
     const double highest = order(orders[count - 1]);
-    auto measured = MeasuredModuli::try_make(coating, orders.first(count), order_terms(lowest, highest, kNearestPole));
+    auto measured = MeasuredModuli::try_make(surface, orders.first(count), order_terms(lowest, highest, kNearestPole));
     if (!measured) return false;
     const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMostOrderNodes;
     run = {.lowest_m = lowest, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
@@ -229,9 +224,10 @@ SmoothRun first_smooth_run(const HarmonicCoating& coating, std::span<const std::
 
 }  // namespace
 
-OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch)
-    : coating_(coating), one_by_one_(coating, highest_n) {
-  find_ranges();
+OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
+                         Watch& watch)
+    : surface_(std::move(surface)), one_by_one_(surface_, highest_n) {
+  find_ranges(lowest_m);
   struct Part {
     std::size_t range;
     Cell cell;
@@ -251,7 +247,7 @@ OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int t
     }
   }
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_cells(coating_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
+    append_cells(*surface_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
   });
   for (Part& part : parts) {
     auto& cells = ranges_[part.range].cells;
@@ -259,14 +255,14 @@ OrderPanels::OrderPanels(const HarmonicCoating& coating, double highest_n, int t
   }
 }
 
-void OrderPanels::find_ranges() {
-  const std::vector<double>& m = coating_.orders();
+void OrderPanels::find_ranges(double lowest_m) {
+  const std::vector<double>& m = surface_->orders();
   std::vector<std::size_t> ascending(m.size());
   std::iota(ascending.begin(), ascending.end(), std::size_t{0});
   std::ranges::sort(ascending, {}, [&](std::size_t i) { return m[i]; });
-  const auto lowest = std::ranges::lower_bound(ascending, kLowestOrder, {}, [&](std::size_t i) { return m[i]; });
+  const auto lowest = std::ranges::lower_bound(ascending, lowest_m, {}, [&](std::size_t i) { return m[i]; });
   for (std::span<const std::size_t> left(lowest, ascending.end()); !left.empty();) {
-    SmoothRun run = first_smooth_run(coating_, left);
+    SmoothRun run = first_smooth_run(*surface_, left);
     if (std::cmp_greater(run.count, run.nodes)) {
       left = left.subspan(run.count);
       ranges_.push_back({.run = std::move(run), .cells = {}});
@@ -282,12 +278,11 @@ const OrderPanels::Range* OrderPanels::range_of(double m) const {
 }
 
 void OrderPanels::series(std::size_t i, OrderSeries& series) const {
-  const double m = coating_.orders()[i];
+  const double m = surface_->orders()[i];
   const Range* range = range_of(m);
   if (!range) return one_by_one_.series(i, series);
 
-  const std::size_t outermost = coating_.sphere().layers.size() - 1;
-  const cplx unit = 1.0 / (m * coating_.modulus(outermost, i));
+  const cplx unit = 1.0 / (m * surface_->outer_modulus(i));
   std::size_t used = 0;
   for (const Cell& cell : range->cells) {
     const bool is_last = cell.highest_m == range->run.highest_m;

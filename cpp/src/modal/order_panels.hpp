@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spectrum of any coating: sampled in both directions of order, where its moduli are smooth.
+/// @brief Spectrum of any surface: sampled in both directions of order, where its moduli are smooth.
 #pragma once
 
 #include <memory>
@@ -15,15 +15,17 @@ namespace viscoroll::detail {
 ///
 /// Multiplied by m and the modulus of the outer layer, the compliance is as smooth in ln m as it is in ln k: moduli of
 /// frequency have their poles and cuts where ln m is half of pi off the real axis. So some 24 solutions stand for as
-/// many orders m as there are in three octaves. Measured moduli have kinks, between which 6 to 24 solutions stand for the
-/// orders. Orders that lie less closely are solved one by one.
+/// many orders m as there are in three octaves. Measured moduli have kinks, between which 6 to 24 solutions stand for
+/// the orders. Orders that lie less closely are solved one by one.
 class OrderPanels final : public Spectrum {
  public:
-  /// @param[in] coating layers at the orders m
+  /// @param[in] surface layers at the orders m
+  /// @param[in] lowest_m from which on series stand for orders
   /// @param[in] highest_n largest order n that is asked for
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  OrderPanels(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch);
+  OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
+              Watch& watch);
 
   void series(std::size_t i, OrderSeries& series) const override;
 
@@ -52,10 +54,10 @@ class OrderPanels final : public Spectrum {
     std::vector<Cell> cells;  ///< at any m in the order of k^2 / m^2
   };
 
-  void find_ranges();
+  void find_ranges(double lowest_m);
   [[nodiscard]] const Range* range_of(double m) const;
 
-  HarmonicCoating coating_;
+  std::shared_ptr<const LayeredSurface> surface_;
   OrderByOrderSpectrum one_by_one_;
   std::vector<Range> ranges_;
 };

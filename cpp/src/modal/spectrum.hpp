@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "modal/chebyshev_panels.hpp"
+#include "modal/harmonic_plane.hpp"
 #include "modal/medium.hpp"
 #include "parallel.hpp"
 
@@ -85,6 +86,10 @@ constexpr double kInertiaTolerance = 1e-12;
 /// a term or two, or none
 [[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads,
                                                       Watch& watch, double inertia_tolerance = kInertiaTolerance);
+
+/// @brief The same of a plane, whose orders are not whole: none is 0.
+[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads,
+                                                      Watch& watch);
 
 /// @brief Sums the series of one order m at a list of orders n. Several entries share the work on the coordinates.
 class OrderValues {

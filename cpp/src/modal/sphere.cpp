@@ -40,7 +40,9 @@ void validate(const CoatedSphere& sphere) {
   } else {
     detail::require_positive("core_radius", sphere.core_radius, "m");
   }
-  if (sphere.layers.empty()) detail::reject("layers", "a list of at least one layer", "none");
+  if (sphere.layers.empty() && sphere.inner_boundary != InnerBoundary::rigid) {
+    detail::reject("layers", "a list of at least one layer without a rigid core", "none");
+  }
   for (std::size_t j = 0; j < sphere.layers.size(); ++j) {
     validate(sphere.layers[j], "layers[" + std::to_string(j) + "].");
   }

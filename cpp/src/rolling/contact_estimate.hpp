@@ -2,7 +2,7 @@
 /// @brief Size of the contact before anything is solved.
 #pragma once
 
-#include "modal/medium.hpp"
+#include "rolling/rolling_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -13,16 +13,20 @@ namespace viscoroll::detail {
 /// a exceeds it, and the softest modulus of all layers is taken. A layer's modulus is the relaxed one, or half of that
 /// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
 /// but not in so short a time, is as stiff as it rolls.
-/// @param[in] sphere rigid core and layers
+/// Of a roller: P = pi G a^2 / (2 (1 - nu) R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
+/// Of two bodies, and of layers on a half-space: the compliances, a load's inverse at a given a, add up. Of a groove:
+/// the circle with the mean of both curvatures.
+/// @param[in] pair what rolls, and what it rolls on
 /// @param[in] angular_speed Omega [rad/s]
 /// @param[in] load P [N]
 /// @return a [m]
-[[nodiscard]] double estimate_contact_radius(const CoatedSphere& sphere, double angular_speed, double load);
+[[nodiscard]] double estimate_contact_radius(const RollingPair& pair, double angular_speed, double load);
 
 /// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
 /// incompressible bonded layer for a contact as wide as the sphere, of the stiffest layer at the highest harmonic.
-/// @param[in] coating layers at the harmonics of rolling
-/// @return load [N]
-[[nodiscard]] double unbearable_load(const HarmonicCoating& coating);
+/// @param[in] pair what rolls, and what it rolls on
+/// @param[in] stiffest_modulus the largest shear modulus of a layer at the highest harmonic [Pa]
+/// @return load [N], of a roller per length
+[[nodiscard]] double unbearable_load(const RollingPair& pair, double stiffest_modulus);
 
 }  // namespace viscoroll::detail

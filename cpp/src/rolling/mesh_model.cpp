@@ -4,23 +4,19 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <iterator>
 #include <numbers>
+#include <span>
 #include <string>
 
+#include "influence/coating_sum.hpp"
+#include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
+#include "modal/harmonic_plane.hpp"
 #include "validate.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
-
-/// Up to this reach the compliance of the orders costs more than their sums: tables of all kinds are made together.
-constexpr int kShortReach = 128;
-
-std::vector<TableRequest> requests(const Formulation& formulation, TableKind kind) {
-  return kind == TableKind::displacement ? displacement_tables(formulation) : dissipation_tables(formulation);
-}
 
 /// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
 CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
@@ -44,69 +40,108 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
 /// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
 /// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
 /// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
-double stable_collocation(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature) {
-  const std::array m{mesh.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 compliance = surface_compliance(sphere, angular_speed, m, n, curvature).front();
-  const double phase = std::max(-std::arg(compliance[0]), -std::arg(compliance[4]));
+/// @param[in] normal,along compliance of that order
+double stable_collocation(std::complex<double> normal, std::complex<double> along) {
+  const double phase = std::max(-std::arg(normal), -std::arg(along));
   return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+}
+
+/// A row of nodes has no spacing sideways: its nodes bear forces per length.
+void require_line_mesh(const Mesh& mesh) {
+  if (mesh.theta_nodes_per_revolution) {
+    reject("mesh.theta_nodes_per_revolution", "left out with a cylinder, whose contact is a single row of nodes",
+           std::to_string(*mesh.theta_nodes_per_revolution));
+  }
+}
+
+void require_curvature_of_cylinder(Curvature curvature) {
+  if (curvature == Curvature::sphere) return;
+  reject("curvature", "left out with a cylinder, whose equations keep all of it",
+         curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
 }  // namespace
 
-MeshModel::MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature,
-                     int threads, Watch& watch, double inertia_tolerance)
-    : orders_(curvature == Curvature::exact ? without_inertia(sphere, angular_speed) : sphere, angular_speed, mesh,
-              threads, watch, curvature == Curvature::exact ? Curvature::sphere : curvature, inertia_tolerance),
-      centrifugal_(centrifugal_displacement(coating_at_rest(sphere, angular_speed, coating().curvature()))),
-      collocation_(stable_collocation(coating().sphere(), angular_speed, mesh, coating().curvature())) {
-  if (curvature == Curvature::exact) {
-    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(coating().sphere(), angular_speed, mesh));
+MeshModel::MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+                     Watch& watch, double inertia_tolerance)
+    : pair_(pair), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
+  if (const auto* sphere = std::get_if<CoatedSphere>(&pair.body)) {
+    if (!is_rigid(pair.body)) roll_sphere(*sphere, threads, watch, inertia_tolerance);
+    if (!is_rigid(pair.on)) roll_over(plane_of(pair.on), threads, watch);
+  } else {
+    roll_cylinder(std::get<CoatedCylinder>(pair.body), threads, watch);
+  }
+  collocation_ = stable_collocation(alternating_.normal, alternating_.along);
+}
+
+void MeshModel::roll_over(const CoatedPlane& plane, int threads, Watch& watch) {
+  if (curvature_ == Curvature::exact) {
+    reject("curvature", "SPHERE or PAPER where what the ball rolls on deforms", "EXACT");
+  }
+  const double radius = outer_radius(body());
+  track_ = std::make_unique<const TableStore>(
+      std::make_unique<const OrderSum>(plane_sum(plane, angular_speed_, radius, mesh_, threads, watch)), mesh_);
+  const double highest = 0.5 * mesh_.nodes_per_revolution;
+  const HarmonicPlane harmonics(plane, angular_speed_ * radius, radius, {highest, 16.0 * highest},
+                                measured_order(mesh_));
+  const OrderAt order{.i = 0, .n = 0.0};
+  Eigen::Matrix3cd compliance;
+  harmonics.compliances(std::span(&order, 1), std::span(&compliance, 1));
+  alternating_.normal += compliance(0, 0);
+  alternating_.along += compliance(1, 1);
+  for (std::size_t layer = 0; layer < harmonics.layers().size(); ++layer) {
+    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(harmonics.modulus(layer, 1)));
   }
 }
 
-std::shared_ptr<const std::vector<Table>> MeshModel::tables(const Formulation& formulation, TableKind kind,
-                                                            int phi_reach, int theta_reach,
-                                                            const Execution& execution) const {
-  const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
-  if (const TableSet* set = find(formulation, kind)) {
-    if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
-    // Rising loads are to ask for few sets.
-    phi_reach = std::min(std::max(phi_reach, 3 * set->phi_reach / 2), mesh().nodes_per_revolution / 2);
-    theta_reach = std::min(std::max(theta_reach, 3 * set->theta_reach / 2), theta_nodes_per_revolution(mesh()) / 2);
+void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance) {
+  const bool exact = curvature_ == Curvature::exact;
+  const Curvature curvature = exact ? Curvature::sphere : curvature_;
+  const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
+  auto orders =
+      std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads, watch, curvature, inertia_tolerance);
+  const HarmonicCoating& coating = orders->coating();
+  const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
+  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
+    stiffest_modulus_ =
+        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
   }
-  constexpr std::array kAll{TableKind::displacement, TableKind::dissipation};
-  const bool together = std::max(phi_reach, theta_reach) <= kShortReach;
-  add(formulation, together ? std::span<const TableKind>(kAll) : std::span(&kind, 1), phi_reach, theta_reach,
-      execution);
-  return find(formulation, kind)->tables;
+  own_ = std::make_unique<const TableStore>(std::move(orders), mesh_);
+  pair_.body = rolling;
+  centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
+  const std::array m{mesh_.nodes_per_revolution / 2};
+  const std::array n{0};
+  const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
+  alternating_.normal += alternating[0];
+  alternating_.along += alternating[4];
+  if (exact) sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
 }
 
-void MeshModel::add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
-                    const Execution& execution) const {
-  std::vector<TableRequest> all;
-  for (const TableKind kind : kinds) {
-    const auto wanted = requests(formulation, kind);
-    all.insert(all.end(), wanted.begin(), wanted.end());
+void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
+  require_line_mesh(mesh_);
+  require_curvature_of_cylinder(curvature_);
+  const double radius = viscoroll::outer_radius(cylinder);
+  const double speed = angular_speed_ * radius;
+  const double arc = radius * phi_spacing(mesh_);
+  roller_ = roller_surface(cylinder, speed, arc, mesh_, threads, watch);
+  if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
+    counterpart_ = plane_surface(*plane, speed, radius, mesh_);
+  } else {
+    counterpart_ = roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch);
   }
-  std::vector<Table> tables = orders_.tables(all, phi_reach, theta_reach, execution.threads, execution.watch);
-  auto next = std::make_move_iterator(tables.begin());
-  for (const TableKind kind : kinds) {
-    const auto end = next + static_cast<std::ptrdiff_t>(requests(formulation, kind).size());
-    std::erase_if(sets_, [&](const TableSet& set) { return set.formulation == formulation && set.kind == kind; });
-    sets_.push_back({.formulation = formulation,
-                     .kind = kind,
-                     .phi_reach = phi_reach,
-                     .theta_reach = theta_reach,
-                     .tables = std::make_shared<const std::vector<Table>>(next, end)});
-    next = end;
-  }
+  own_ = std::make_unique<const TableStore>(std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get()),
+                                            mesh_);
+  alternating_ = {.normal = roller_.normal + counterpart_.normal, .along = roller_.along + counterpart_.along};
+  stiffest_modulus_ = std::max(roller_.stiffest_modulus, counterpart_.stiffest_modulus);
+  centrifugal_ = roller_.centrifugal + counterpart_.centrifugal;
 }
 
-const MeshModel::TableSet* MeshModel::find(const Formulation& formulation, TableKind kind) const {
-  const auto set =
-      std::ranges::find_if(sets_, [&](const TableSet& s) { return s.formulation == formulation && s.kind == kind; });
-  return set == sets_.end() ? nullptr : &*set;
+SurfaceGrid MeshModel::grid() const {
+  const double radius = outer_radius(body());
+  // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
+  return {.radius = radius,
+          .phi_spacing = phi_spacing(mesh_),
+          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_)};
 }
 
 }  // namespace viscoroll::detail

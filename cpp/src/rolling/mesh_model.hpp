@@ -2,30 +2,23 @@
 /// @brief What all load cases at one speed on one mesh share: the spectrum, and the influence tables made of it.
 #pragma once
 
+#include <complex>
 #include <memory>
-#include <mutex>
-#include <span>
-#include <vector>
 
-#include "influence/synthesis.hpp"
 #include "parallel.hpp"
+#include "rolling/line_surface.hpp"
+#include "rolling/rolling_body.hpp"
 #include "rolling/sphere_tables.hpp"
+#include "rolling/table_store.hpp"
 #include "surface/surface_window.hpp"
-#include "surface/table_operator.hpp"
 #include "viscoroll/mesh.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief What influence tables are for.
-enum class TableKind {
-  displacement,  ///< those of `displacement_tables`
-  dissipation,   ///< those of `dissipation_tables`
-};
-
-/// @brief A coating at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
+/// @brief Two bodies at a speed on a mesh. Threads may share it: tables are summed under a lock, and never change.
 class MeshModel {
  public:
-  /// @param[in] sphere rigid core and layers
+  /// @param[in] pair what rolls, and what it rolls on
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacing and truncation
   /// @param[in] curvature what is kept of it in the equations of the layers
@@ -33,53 +26,56 @@ class MeshModel {
   /// @param[in] watch progress and cancellation
   /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
-  MeshModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
+  MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
             Watch& watch, double inertia_tolerance = kInertiaTolerance);
 
-  [[nodiscard]] const HarmonicCoating& coating() const { return orders_.coating(); }
-  [[nodiscard]] const Mesh& mesh() const { return orders_.mesh(); }
-  [[nodiscard]] SurfaceGrid grid() const {
-    return {
-        .radius = coating().outer_radius(), .phi_spacing = phi_spacing(mesh()), .theta_spacing = theta_spacing(mesh())};
-  }
+  [[nodiscard]] const RollingPair& pair() const { return pair_; }
+  [[nodiscard]] const RollingBody& body() const { return pair_.body; }
+  [[nodiscard]] double angular_speed() const { return angular_speed_; }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] SurfaceGrid grid() const;
+  /// @return the largest shear modulus of a layer at the highest harmonic [Pa]
+  [[nodiscard]] double stiffest_modulus() const { return stiffest_modulus_; }
+  /// @return sums of what the body rolls on, none where that is rigid
+  [[nodiscard]] const TableSum* counterpart() const { return counterpart_.sum.get(); }
   /// @return tables of the exact sphere, where that is what the model is of
   [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
   /// @return what was kept of the curvature
-  [[nodiscard]] Curvature curvature() const { return sphere_tables_ ? Curvature::exact : coating().curvature(); }
+  [[nodiscard]] Curvature curvature() const { return curvature_; }
   /// @return where displacements are taken, downstream of the nodes, see `SurfaceOperator::collocation` [spacings]
   [[nodiscard]] double collocation() const { return collocation_; }
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
-  /// @brief Tables of a formulation, as made for an earlier load case where that is enough.
-  /// @param[in] formulation which tables
-  /// @param[in] kind which of them
-  /// @param[in] phi_reach,theta_reach offsets that they reach at least
-  /// @param[in] execution of the sum
-  [[nodiscard]] std::shared_ptr<const std::vector<Table>> tables(const Formulation& formulation, TableKind kind,
-                                                                 int phi_reach, int theta_reach,
-                                                                 const Execution& execution) const;
+  /// @return tables of what rolls, of a roller together with those of what it rolls on; none of a rigid ball
+  [[nodiscard]] const TableStore* own() const { return own_.get(); }
+  /// @return tables of what a ball rolls on, none where that is rigid
+  [[nodiscard]] const TableStore* track() const { return track_.get(); }
 
  private:
-  struct TableSet {
-    Formulation formulation;
-    TableKind kind;
-    int phi_reach;
-    int theta_reach;
-    std::shared_ptr<const std::vector<Table>> tables;
+  /// Compliance of the mesh's highest order along phi [m/Pa].
+  struct Alternating {
+    std::complex<double> normal = 0.0;
+    std::complex<double> along = 0.0;
   };
 
-  /// Sum the tables of some kinds at once, and keep them.
-  void add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
-           const Execution& execution) const;
-  [[nodiscard]] const TableSet* find(const Formulation& formulation, TableKind kind) const;
+  void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance);
+  void roll_over(const CoatedPlane& plane, int threads, Watch& watch);
+  void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
 
-  OrderSum orders_;
+  RollingPair pair_;
+  double angular_speed_;
+  Mesh mesh_;
+  Curvature curvature_;
+  LineSurface roller_;       // in line contact
+  LineSurface counterpart_;  // the same
+  std::unique_ptr<const TableStore> own_;
+  std::unique_ptr<const TableStore> track_;
   std::unique_ptr<const SphereTables> sphere_tables_;
-  double centrifugal_;
-  double collocation_;
-  mutable std::timed_mutex mutex_;
-  mutable std::vector<TableSet> sets_;  // the widest of each kind
+  Alternating alternating_;
+  double centrifugal_ = 0.0;
+  double collocation_ = 0.0;
+  double stiffest_modulus_ = 0.0;
 };
 
 }  // namespace viscoroll::detail

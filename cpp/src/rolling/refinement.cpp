@@ -13,6 +13,7 @@
 
 #include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -37,14 +38,14 @@ Mesh make_mesh(double nodes_per_revolution) {
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
 
 /// Finest mesh whose tables can be kept: those of the exact sphere depend on both thetas.
-double most_nodes_per_revolution(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options,
+double most_nodes_per_revolution(const RollingPair& pair, const LoadCase& load_case, const Options& options,
                                  double contact_radius) {
   if (options.curvature != Curvature::exact) return kMostNodesPerRevolution;
   const bool tangential = options.compliance == Compliance::vertical || load_case.friction > 0.0;
   const int count = SphereRequest{.tangential = tangential, .power = false}.count();
   const double nodes_across = std::cbrt(0.5 * kMostTableValues / count);
   constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
-  return std::numbers::pi * nodes_across / kMargin * outer_radius(sphere) / contact_radius;
+  return std::numbers::pi * nodes_across / kMargin * outer_radius(pair.body) / contact_radius;
 }
 
 /// Whether the next mesh would ask for more than is at hand.
@@ -62,12 +63,12 @@ struct Answer {
 };
 
 /// What a user may read first: always in the same order for the same load case.
-std::vector<Answer> answers(const Result& result, const LoadCase& load_case) {
+std::vector<Answer> answers(const Result& result, const LoadCase& load_case, double radius) {
   const double torque = std::abs(result.resisting_torque);
   const double negligible = std::max(1e-10 * load_case.load * result.semi_axis_x, std::numeric_limits<double>::min());
-  const double force = torque / (result.center_height + result.penetration);
-  std::vector<Answer> answers{{result.penetration, std::abs(result.penetration)},
-                              {result.resisting_torque, std::max(torque, negligible)}};
+  const double force = torque / radius;
+  std::vector<Answer> answers{{result.resisting_torque, std::max(torque, negligible)}};
+  if (result.penetration) answers.push_back({*result.penetration, std::abs(*result.penetration)});
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
@@ -100,12 +101,12 @@ double largest_change(const std::vector<Answer>& now, const std::vector<Answer>&
 /// Meshes of twice the nodes each, until two of them agree.
 class Refiner {
  public:
-  Refiner(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch)
-      : sphere_(sphere), load_case_(load_case), options_(options), watch_(watch) {
-    const double radius = estimate_contact_radius(sphere, load_case.angular_speed, load_case.load);
-    most_nodes_ = most_nodes_per_revolution(sphere, load_case, options, radius);
+  Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
+      : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
+    const double radius = estimate_contact_radius(pair, load_case.angular_speed, load_case.load);
+    most_nodes_ = most_nodes_per_revolution(pair, load_case, options, radius);
     // The first mesh is to show the error of the second, which should do.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(sphere) / radius;
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(pair.body) / radius;
     mesh_ = make_mesh(std::min(nodes, most_nodes_));
   }
 
@@ -124,7 +125,7 @@ class Refiner {
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model(sphere_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_,
+      const MeshModel model(pair_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_,
                             kInertiaShare * options_.accuracy);
       note(solve_load_case(model, load_case_, options_, watch_));
     } catch (const MeshTooFine&) {
@@ -149,7 +150,7 @@ class Refiner {
 
   void note(Result&& result) {
     Refinement& step = result.refinements.back();
-    std::vector<Answer> found = answers(result, load_case_);
+    std::vector<Answer> found = answers(result, load_case_, outer_radius(pair_.body));
     // There is nothing to compare the first mesh with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
@@ -158,7 +159,7 @@ class Refiner {
     best_ = std::move(result);
   }
 
-  const CoatedSphere& sphere_;
+  const RollingPair& pair_;
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
@@ -172,8 +173,8 @@ class Refiner {
 
 }  // namespace
 
-Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options, Watch& watch) {
-  return Refiner(sphere, load_case, options, watch).solve();
+Result solve_to_accuracy(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch) {
+  return Refiner(pair, load_case, options, watch).solve();
 }
 
 }  // namespace viscoroll::detail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "parallel.hpp"
+#include "rolling/rolling_body.hpp"
 #include "viscoroll/load_case.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"
@@ -12,7 +13,7 @@ namespace viscoroll::detail {
 /// @brief Solve on finer and finer meshes until the larger of the power-balance error and the changes from the mesh
 /// before is below `options.accuracy`, or the finest mesh allowed is reached. Where a finer mesh cannot be solved, the
 /// answer of the finest that could comes back.
-[[nodiscard]] Result solve_to_accuracy(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options,
+[[nodiscard]] Result solve_to_accuracy(const RollingPair& pair, const LoadCase& load_case, const Options& options,
                                        Watch& watch);
 
 }  // namespace viscoroll::detail

@@ -63,23 +63,33 @@ class Summary {
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
-    r.penetration = contact_.penetration - given_.centrifugal;
-    r.center_height = radius() - r.penetration;
-    r.strain = r.penetration / given_.coating_thickness;
-    r.model_error = kErrorPerStrain * std::abs(r.strain);
     r.centrifugal_displacement = given_.centrifugal;
-    r.semi_axis_x = semi_axis(window_.x(), touching * area_);
-    r.semi_axis_z = semi_axis(window_.z(), touching * area_);
     r.contact_area = (touching * area_).sum();
+    // A strip is as wide as its area per length.
+    const bool line = window_.window().is_line();
+    r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
+    if (!line) r.semi_axis_z = semi_axis(window_.z(), touching * area_);
+    if (!given_.approach_exists) return;
+    const double penetration = contact_.penetration - given_.centrifugal;
+    r.penetration = penetration;
+    r.center_height = radius() - penetration;
+    // A half-space is strained as deep as the contact is wide.
+    const double width = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
+    r.strain = penetration / (given_.thickness + given_.half_space_share * width);
+    r.model_error = kErrorPerStrain * std::abs(*r.strain);
   }
 
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
-    r.resisting_torque = (window_.x() * pressing_).sum();
+    r.resisting_torque = (given_.lever * pressing_).sum();
     const double load = given_.load_case.load;
-    r.driving_force = settled(-forward.sum(), load);
-    r.lateral_force = settled(contact_.force.col(kSideways).sum(), load);
-    r.driving_torque = settled(moment(given_.arms, contact_.force), load * radius());
+    r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
+    const ArrayXd sideways = contact_.force.col(kSideways);
+    r.lateral_force = settled(sideways.sum(), load);
+    r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
+
+    // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
+    r.driving_torque = settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius());
   }
 
   void add_powers(Result& r) const {
@@ -90,7 +100,9 @@ class Summary {
       r.creepage = *speed_ratio - 1.0;
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
-    r.bulk_power = load_case.angular_speed * given_.dissipation;
+    r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
+    r.counterpart_bulk_power = load_case.angular_speed * given_.losses.counterpart;
+    r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
@@ -98,9 +110,12 @@ class Summary {
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
-    double work = r.driving_torque * load_case.angular_speed + r.driving_force * r.linear_speed.value_or(0.0);
+    const double counterpart = counterpart_force(r);
+    double work = r.driving_torque * load_case.angular_speed +
+                  (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
     if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-      work -= r.lateral_force * given->lateral_creepage * load_case.angular_speed * radius();
+      const double speed_given = load_case.angular_speed * radius();
+      work -= (r.lateral_force * given->lateral_creepage + r.spin_moment * given->spin) * speed_given;
     }
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
     const double negligible =
@@ -126,7 +141,8 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    r.displacement = to_vector(contact_.gap - given_.height + r.penetration);
+    const ArrayXd rise = contact_.gap - given_.height;
+    r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;
@@ -137,6 +153,14 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
+  [[nodiscard]] double counterpart_force(const Result& r) const {
+    return given_.drag - r.resisting_torque * (1.0 / given_.relative_radius - 1.0 / radius());
+  }
+
+  /// Power that the counterpart takes from what drives the two.
+  [[nodiscard]] double counterpart_power() const { return given_.drag * given_.load_case.angular_speed * radius(); }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
   [[nodiscard]] ArrayX2d slip_velocity() const {

@@ -19,10 +19,15 @@ struct ContactConditions {
   LeverArms arms;  ///< of the displaced nodes
   Curvature curvature;
   PatchLoad patch_load;
-  double coating_thickness;  ///< [m]
-  double centrifugal;        ///< d_R^(c) [m]
-  Eigen::ArrayXd height;     ///< above the lowest point of where displacements are taken, undeformed [m]
-  double dissipation;        ///< in the coating, per radian [N m]
+  double thickness;         ///< of all layers, without half-spaces [m]
+  double half_space_share;  ///< of the contact's size, that a half-space adds to the thickness, by its softness [-]
+  double centrifugal;       ///< d_R^(c) [m]
+  bool approach_exists;     ///< whether displacements are those from a place that rests
+  Eigen::ArrayXd height;    ///< above the lowest point of where displacements are taken, undeformed [m]
+  Losses losses;            ///< in the layers of each body, per radian [N m]
+  Eigen::ArrayXd lever;     ///< of the pressure: relative radius times slope of the undeformed gap [m]
+  double relative_radius;   ///< R, 1/R = 1/R_1 + 1/R_2 [m]
+  double drag;              ///< of the pressure along the deformed surface of the counterpart, D_2 [N]
 };
 
 /// @brief Torques, powers and fields of a solved contact.

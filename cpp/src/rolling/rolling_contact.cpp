@@ -11,9 +11,14 @@
 #include <vector>
 
 #include "contact/multilevel.hpp"
+#include "influence/convolution.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/initial_gap.hpp"
 #include "rolling/result.hpp"
+#include "rolling/rigid_slip.hpp"
+#include "rolling/rolling_body.hpp"
 #include "surface/sphere_operator.hpp"
+#include "surface/sum_operator.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -41,20 +46,30 @@ class LoadCaseSolver {
         swelling_(1.0 + model.centrifugal() / grid_.radius) {}
 
   [[nodiscard]] Result solve() const {
-    if (load_case_.load > unbearable_load(model_.coating())) reject_load("would be pressed through any such coating");
-    const double estimate =
-        estimate_contact_radius(model_.coating().sphere(), load_case_.angular_speed, load_case_.load);
+    if (is_roller(model_.body()) && options_.patch_load != PatchLoad::flat) {
+      reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
+    }
+    if (model_.counterpart() != nullptr) require_frictionless();
+    if (model_.track() != nullptr) require_plain_formulation();
+    if (track_curvature(model_.pair().on).along != 0.0 && load_case_.friction > 0.0) {
+      reject("friction", "0 where the path is curved (on.path_radius)", text(load_case_.friction));
+    }
+    if (load_case_.load > unbearable_load(model_.pair(), model_.stiffest_modulus())) {
+      reject_load("would be pressed through any such coating");
+    }
+    const double estimate = estimate_contact_radius(model_.pair(), load_case_.angular_speed, load_case_.load);
     require_lasting_stiffness(estimate);
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
-    const int theta_limit = theta_nodes_per_revolution(model_.mesh()) / 6;
+    const int theta_limit = is_roller(model_.body()) ? 0 : theta_nodes_per_revolution(model_.mesh()) / 6;
     const auto half_width = [&](double spacing) {
       return static_cast<int>(std::ceil(1.1 * estimate / (grid_.radius * spacing))) + 2;
     };
     int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
     int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
-    const double thickness = coating_thickness(model_.coating().sphere());
-    for (bool is_likely = estimated_depth(estimate) < 0.5 * thickness;; is_likely = false) {
+    const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
+    const bool cheap = is_roller(model_.body());  // a single row of nodes
+    for (bool is_likely = cheap || shallow;; is_likely = cheap) {
       if (is_likely || holds_rough_contact(phi, theta, estimate)) {
         if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
       }
@@ -79,7 +94,7 @@ class LoadCaseSolver {
       const ContactSolution whole = extended(located, problem);
       const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
       if (!boxed || !(at_edge || overclosed)) {
-        return result(nodes, whole, located.problem.surface->dissipation(located.contact.force));
+        return result(nodes, problem, whole, located.problem.surface->dissipation(located.contact.force));
       }
       // The box that was thought to hold the contact does not.
       located = solve_on_window(problem, whole, limits_);
@@ -100,8 +115,8 @@ class LoadCaseSolver {
     const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
     const Mesh mesh{.nodes_per_revolution = coarsened(model_.mesh().nodes_per_revolution),
                     .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(model_.mesh()))};
-    const MeshModel rough(model_.coating().sphere(), load_case_.angular_speed, mesh, model_.curvature(),
-                          options_.threads, execution_.watch);
+    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, model_.curvature(), options_.threads,
+                          execution_.watch);
     const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
     const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
     return LoadCaseSolver(rough, pressed, options_, execution_.watch)
@@ -110,22 +125,39 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
-    const WindowShape shape = nodes.shape();
-    const auto tables = [this](TableKind kind) {
-      return [this, kind](int phi_reach, int theta_reach) {
-        return model_.tables(formulation_, kind, phi_reach, theta_reach, execution_);
-      };
-    };
-    std::shared_ptr<const SurfaceOperator> surface = std::make_shared<TableOperator>(
-        formulation_, nodes, tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
-        tables(TableKind::dissipation), execution_);
-    if (model_.sphere_tables()) surface = on_exact_sphere(std::move(surface));
-    ContactProblem problem{.surface = std::move(surface),
-                           .initial_gap = swelling_ * displaced_points(nodes).height(),
+    const SurfaceWindow points = displaced_points(nodes);
+    ContactProblem problem{.surface = make_surface(nodes),
+                           .initial_gap = swelling_ * points.height() + counterpart_drop(points, model_.pair().on),
                            .normal_force = load_case_.load,
                            .friction = std::nullopt};
     if (load_case_.friction > 0.0) problem.friction = make_friction(nodes);
     return problem;
+  }
+
+  /// Of what rolls, of what it rolls on, or the sum of both.
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> make_surface(const SurfaceWindow& nodes) const {
+    std::shared_ptr<const SurfaceOperator> own;
+    if (model_.own() != nullptr) own = operator_of(*model_.own(), formulation_, nodes);
+    if (model_.sphere_tables() != nullptr) own = on_exact_sphere(std::move(own));
+    if (model_.track() == nullptr) return own;
+    Formulation formulation = formulation_;
+    formulation.is_counterpart = true;
+    auto track = operator_of(*model_.track(), formulation, nodes);
+    return own ? std::make_shared<SumOperator>(std::move(own), std::move(track)) : track;
+  }
+
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_of(const TableStore& store,
+                                                                   const Formulation& formulation,
+                                                                   const SurfaceWindow& nodes) const {
+    const auto tables = [&store, formulation, this](TableKind kind) {
+      return [&store, formulation, kind, this](int phi_reach, int theta_reach) {
+        return store.tables(formulation, kind, phi_reach, theta_reach, execution_);
+      };
+    };
+    const WindowShape shape = nodes.shape();
+    return std::make_shared<TableOperator>(formulation, nodes,
+                                           tables(TableKind::displacement)(shape.phi_nodes - 1, shape.theta_nodes - 1),
+                                           tables(TableKind::dissipation), execution_);
   }
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
@@ -149,38 +181,78 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
+    const RigidSlip slip = rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
     return {.coefficient = load_case_.friction,
-            .rigid_slip = rigid_slip(nodes),
+            .rigid_slip = slip.own + slip.guided,
+            .guided_slip = slip.guided,
             .step = grid_.radius * grid_.phi_spacing,
             .arms = lever_arms(nodes),
             .drive = make_drive()};
   }
 
+  /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
+  /// surface; under a rigid ball that is the ball's.
+  [[nodiscard]] double drag(const SurfaceWindow& nodes, const ContactProblem& problem,
+                            const ContactSolution& contact) const {
+    if (model_.counterpart() != nullptr) return roller_drag(contact);
+    switch (problem.surface->bodies()) {
+      case Bodies::rolling:
+        return 0.0;
+      case Bodies::counterpart:
+        return (pressing_force(contact) * pressure_lever(nodes, model_.pair())).sum() / relative_radius(model_.pair());
+      default:
+        return problem.surface->pushback(contact.force);
+    }
+  }
+
+  /// By central differences.
+  [[nodiscard]] double roller_drag(const ContactSolution& contact) const {
+    const Eigen::ArrayXd pressing = pressing_force(contact);
+    const auto count = static_cast<int>(pressing.size());
+    const std::vector<Table> table =
+        model_.counterpart()->tables({TableRequest{}}, count - 1, 0, execution_.threads, execution_.watch);
+    const Convolution product({count, 1}, table, {{.result = 0, .table = 0, .operand = 0, .sign = 1.0}},
+                              execution_.threads, execution_.watch);
+    const Eigen::ArrayXd w = product.apply(pressing, execution_.threads, execution_.watch).col(0);
+    const Eigen::ArrayXd slope = (w.tail(count - 2) - w.head(count - 2)) / (2.0 * grid_.radius * grid_.phi_spacing);
+    return (pressing.segment(1, count - 2) * slope).sum();
+  }
+
+  /// Friction between two bodies that deform has kinematics of its own, which are not here.
+  void require_frictionless() const {
+    if (load_case_.friction > 0.0) {
+      reject("friction", "0 where the counterpart of a cylinder deforms", text(load_case_.friction));
+    }
+    if (options_.compliance == Compliance::vertical) {
+      reject("compliance", "RADIAL where the counterpart deforms", "VERTICAL");
+    }
+  }
+
+  /// What the tables of a plane are made for.
+  void require_plain_formulation() const {
+    const std::string why = " where what the ball rolls on deforms";
+    if (options_.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
+    if (options_.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
+  }
+
+  /// A half-space under a line load has no place that rests: each octave of longer waves adds as much to displacements.
+  [[nodiscard]] bool approach_exists() const {
+    return !is_roller(model_.body()) || std::isfinite(thickness(model_.pair()));
+  }
+
+  /// Of what rolls by itself.
+  [[nodiscard]] static VectorField own_displacement(const ContactProblem& problem, const ContactSolution& contact) {
+    if (problem.surface->bodies() == Bodies::rolling) return contact.displacement;
+    return problem.surface->rolling_displacement(contact.force);
+  }
+
   [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& nodes) const {
-    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y()};
+    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
   }
 
   /// Where displacements are taken.
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
     return {grid_, nodes.window(), formulation_.collocation};
-  }
-
-  /// Of material over the plane, from row to row, were the speed 0.
-  [[nodiscard]] Eigen::ArrayX2d rigid_slip(const SurfaceWindow& nodes) const {
-    const double step = grid_.radius * grid_.phi_spacing;
-    const Eigen::Index stride = nodes.shape().theta_nodes;
-    const Eigen::Index rest = nodes.shape().size() - stride;
-    Eigen::ArrayX2d slip = Eigen::ArrayX2d::Zero(nodes.shape().size(), 2);
-    if (options_.slip_kinematics == SlipKinematics::exact) {
-      const Eigen::ArrayXd x = swelling_ * displaced_points(nodes).x();
-      slip.col(0).tail(rest) = x.tail(rest) - x.head(rest);
-    } else {
-      slip.col(0).tail(rest).setConstant(-step);
-    }
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-      slip.col(1).tail(rest).setConstant(given->lateral_creepage * step);
-    }
-    return slip;
   }
 
   [[nodiscard]] std::shared_ptr<const Drive> make_drive() const {
@@ -194,22 +266,29 @@ class LoadCaseSolver {
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
-  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactSolution& contact, double dissipation) const {
-    if (!(contact.penetration > 0.0)) {
+  [[nodiscard]] Result result(const SurfaceWindow& nodes, const ContactProblem& problem, const ContactSolution& contact,
+                              const Losses& losses) const {
+    if (approach_exists() && !(contact.penetration > 0.0)) {
       reject("friction", "so small that the forces along the plane do not lift the sphere out of its own contact",
              text(load_case_.friction));
     }
     require_clear_of_core(contact.penetration - model_.centrifugal());
+    const SurfaceWindow points = displaced_points(nodes);
     return make_result(nodes, contact,
                        {.load_case = load_case_,
                         .mesh = model_.mesh(),
-                        .arms = displaced(lever_arms(nodes), contact.displacement, pressure_share()),
+                        .arms = displaced(lever_arms(nodes), own_displacement(problem, contact), pressure_share()),
                         .curvature = model_.curvature(),
                         .patch_load = options_.patch_load,
-                        .coating_thickness = coating_thickness(model_.coating().sphere()),
+                        .thickness = layer_thickness(model_.pair()),
+                        .half_space_share = half_space_share(model_.pair()),
                         .centrifugal = model_.centrifugal(),
-                        .height = displaced_points(nodes).height(),
-                        .dissipation = dissipation});
+                        .approach_exists = approach_exists(),
+                        .height = points.height() + counterpart_drop(points, model_.pair().on),
+                        .losses = losses,
+                        .lever = pressure_lever(nodes, model_.pair()),
+                        .relative_radius = relative_radius(model_.pair()),
+                        .drag = drag(nodes, problem, contact)});
   }
 
   [[nodiscard]] LocatedContact solve_contact(const ContactProblem& problem, double likely_depth) const {
@@ -229,9 +308,9 @@ class LoadCaseSolver {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
-      const ContactSolution& state = sliding.contact;
-      limits[side] =
-          moment(displaced(sliding.problem.friction->arms, state.displacement, pressure_share()), state.force);
+      limits[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
+                                          sliding.contact.force, sliding.contact.displacement},
+                                         pressure_share());
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject("drive.torque",
@@ -257,24 +336,25 @@ class LoadCaseSolver {
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
-    reject("load", "small enough for the coating", text(load_case_.load) + " N (the sphere " + reason + ")");
+    reject("load", "small enough for the coating",
+           text(load_case_.load) + " " + std::string(load_unit(model_.body())) + " (the " +
+               std::string(name(model_.body())) + " " + reason + ")");
   }
 
   /// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
   struct Relaxation {
-    std::size_t layer;
+    std::string layer;
     double modulus;  ///< relaxed [Pa]
     double share;
   };
 
   [[nodiscard]] Relaxation strongest_relaxation(double contact_radius) const {
-    const std::vector<Layer>& layers = model_.coating().sphere().layers;
     const std::array frequencies{0.0, load_case_.angular_speed * std::max(1.0, grid_.radius / contact_radius)};
-    Relaxation strongest{.layer = 0, .modulus = 0.0, .share = 2.0};
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      const auto moduli = complex_modulus(layers[i].shear_modulus, frequencies);
+    Relaxation strongest{.layer = "", .modulus = 0.0, .share = 2.0};
+    for (const auto& [name, layer] : layers(model_.pair())) {
+      const auto moduli = complex_modulus(layer.shear_modulus, frequencies);
       const double share = moduli.front().real() / std::abs(moduli.back());
-      if (share < strongest.share) strongest = {.layer = i, .modulus = moduli.front().real(), .share = share};
+      if (share < strongest.share) strongest = {.layer = name, .modulus = moduli.front().real(), .share = share};
     }
     return strongest;
   }
@@ -285,13 +365,13 @@ class LoadCaseSolver {
     constexpr double kLeastShare = 3e-3;  // below, sets of nodes in contact do not settle
     const Relaxation relaxation = strongest_relaxation(contact_radius);
     if (relaxation.share >= kLeastShare) return;
-    reject("layers[" + std::to_string(relaxation.layer) + "].shear_modulus",
+    reject(relaxation.layer + ".shear_modulus",
            "one that relaxes to " + text(kLeastShare) + " of what it is in passing the contact at the least",
            "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) + " of it");
   }
 
   void require_clear_of_core(double penetration) const {
-    const double thickness = coating_thickness(model_.coating().sphere());
+    const double thickness = detail::thickness(model_.pair());
     if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
     if (penetration >= thickness) {
       reject_load("is pressed " + text(penetration) + " m into a coating of " + text(thickness) + " m");

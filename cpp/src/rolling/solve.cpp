@@ -11,6 +11,7 @@
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
+#include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "rolling/warnings.hpp"
 #include "validate.hpp"
@@ -38,8 +39,8 @@ void validate(const DriveTorque& drive, const LoadCase& load_case) {
   }
 }
 
-void validate(const LoadCase& load_case) {
-  detail::require_positive("load", load_case.load, "N");
+void validate(const LoadCase& load_case, const RollingBody& body) {
+  detail::require_positive("load", load_case.load, detail::load_unit(body));
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   detail::require_nonnegative("friction", load_case.friction, "");
   if (const auto* pull = std::get_if<DriveForce>(&load_case.drive)) validate(*pull, load_case);
@@ -47,6 +48,7 @@ void validate(const LoadCase& load_case) {
   if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
     detail::require_finite("drive.creepage", given->creepage);
     detail::require_finite("drive.lateral_creepage", given->lateral_creepage);
+    detail::require_finite("drive.spin", given->spin);
   }
 }
 
@@ -66,15 +68,20 @@ Result with_warnings(Result result, const Options& options, bool mesh_given) {
 
 }  // namespace
 
-Result solve(const CoatedSphere& sphere, const LoadCase& load_case, const Options& options) {
-  validate(sphere);
-  validate(load_case);
+Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options) {
+  return solve(body, CoatedPlane{}, load_case, options);
+}
+
+Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const Options& options) {
+  const detail::RollingPair pair{.body = body, .on = on};
+  detail::validate(pair);
+  validate(load_case, body);
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) {
-    return with_warnings(detail::solve_to_accuracy(sphere, load_case, options, watch), options, false);
+    return with_warnings(detail::solve_to_accuracy(pair, load_case, options, watch), options, false);
   }
-  const detail::MeshModel model(sphere, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
+  const detail::MeshModel model(pair, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
                                 watch);
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
@@ -83,15 +90,20 @@ struct RollingModel::Impl {
   detail::MeshModel model;
 };
 
-RollingModel::RollingModel(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, int threads,
-                           Curvature curvature, const Observer& observer) {
-  validate(sphere);
+RollingModel::RollingModel(const RollingBody& body, double angular_speed, const Mesh& mesh, int threads,
+                           Curvature curvature, const Observer& observer)
+    : RollingModel(body, CoatedPlane{}, angular_speed, mesh, threads, curvature, observer) {}
+
+RollingModel::RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+                           int threads, Curvature curvature, const Observer& observer) {
+  const detail::RollingPair pair{.body = body, .on = on};
+  detail::validate(pair);
   viscoroll::validate(mesh);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
   // NOLINTNEXTLINE(modernize-make-unique): which cannot make an aggregate in place, and this one cannot be moved
-  impl_ = std::unique_ptr<Impl>(new Impl{.model{sphere, angular_speed, mesh, curvature, threads, watch}});
+  impl_ = std::unique_ptr<Impl>(new Impl{.model{pair, angular_speed, mesh, curvature, threads, watch}});
 }
 
 RollingModel::~RollingModel() = default;
@@ -99,9 +111,9 @@ RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
 Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
-  validate(load_case);
+  validate(load_case, impl_->model.body());
   validate(options);
-  const double speed = impl_->model.coating().angular_speed();
+  const double speed = impl_->model.angular_speed();
   if (load_case.angular_speed != speed) {
     detail::reject("angular_speed", "that of the model, " + detail::text(speed) + " rad/s",
                    detail::text(load_case.angular_speed) + " rad/s");

@@ -22,8 +22,9 @@ int nodes_across(const Result& result) {
     rows_touched[node / columns] = true;
     columns_touched[node % columns] = true;
   }
-  return static_cast<int>(std::min(std::count(rows_touched.begin(), rows_touched.end(), true),
-                                   std::count(columns_touched.begin(), columns_touched.end(), true)));
+  const auto along = std::count(rows_touched.begin(), rows_touched.end(), true);
+  if (columns == 1) return static_cast<int>(along);  // line contact
+  return static_cast<int>(std::min(along, std::count(columns_touched.begin(), columns_touched.end(), true)));
 }
 
 std::string coarse_mesh_text(int across, double estimate) {
@@ -50,11 +51,11 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
   if (mesh_given && (across < kFewestNodesAcross || !(result.error_estimate <= kLargestEstimate))) {
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
   }
-  if (result.strain > kLargestStrain) {
+  if (result.strain && *result.strain > kLargestStrain) {
     warnings.push_back({WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
-                                                       rounded(result.strain) + " (good up to " +
+                                                       rounded(*result.strain) + " (good up to " +
                                                        rounded(kLargestStrain) + "): linear theory may be off by " +
-                                                       rounded(result.model_error) + " of the torque"});
+                                                       rounded(*result.model_error) + " of the torque"});
   }
   return warnings;
 }

@@ -119,12 +119,12 @@ std::shared_ptr<const SurfaceOperator> SphereOperator::within(const Window& wind
   return std::make_shared<SphereOperator>(nearby_->within(window), tables_, dissipation_source_);
 }
 
-double SphereOperator::dissipation(const VectorField& force) const {
+Losses SphereOperator::dissipation(const VectorField& force) const {
   const int half_theta = std::max(-window().theta.first, window().theta.last);
   const Tables tables = dissipation_source_(shape().phi_nodes - 1, half_theta);
   const SphereProduct product = make_product(*tables, *nearby_);
   const Eigen::ArrayXXd loads = this->loads(force);
-  return (loads * product.apply(loads, execution().threads, execution().watch)).sum();
+  return {.rolling = (loads * product.apply(loads, execution().threads, execution().watch)).sum()};
 }
 
 }  // namespace viscoroll::detail

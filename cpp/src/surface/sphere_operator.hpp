@@ -37,7 +37,7 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   /// From the spectral power of each degree and order, summed as the displacements are.
-  [[nodiscard]] double dissipation(const VectorField& force) const override;
+  [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
   /// Forces along x, y and z as loads along the components.

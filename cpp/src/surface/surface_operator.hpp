@@ -22,6 +22,17 @@ using VectorField = Eigen::ArrayX3d;
 /// @brief Column of a `VectorField`.
 enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
 
+/// @brief Which of two bodies deform.
+enum class Bodies { rolling, counterpart, both };
+
+/// @brief Work lost in each of two bodies.
+struct Losses {
+  double rolling = 0.0;
+  double counterpart = 0.0;
+
+  [[nodiscard]] double sum() const { return rolling + counterpart; }
+};
+
 /// @brief Who computes, and who may stop it.
 struct Execution {
   int threads;                          ///< 0 for all cores
@@ -64,6 +75,20 @@ class SurfaceOperator {
   [[nodiscard]] virtual Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                             const Eigen::VectorXd& pressing) const = 0;
 
+  /// @brief Of which of the two bodies it is. Forces are those on the body that rolls; displacements those of it,
+  /// relative to what it rolls on.
+  [[nodiscard]] virtual Bodies bodies() const { return Bodies::rolling; }
+
+  /// @param[in] force on every node [N]
+  /// @return displacement of every node of the body that rolls by itself [m]
+  [[nodiscard]] virtual VectorField rolling_displacement(const VectorField& force) const { return displacement(force); }
+
+  /// @brief The force with which pressure pushes the rolling body back along the deformed surface of what it rolls on:
+  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 15).
+  /// @param[in] force on every node [N]
+  /// @return [N]
+  [[nodiscard]] virtual double pushback(const VectorField& /*force*/) const { return 0.0; }
+
   /// @return the same surface with every other node, each of whose patches is twice as wide and long
   [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> coarsened() const = 0;
 
@@ -73,8 +98,8 @@ class SurfaceOperator {
   [[nodiscard]] virtual const LocalCompliance& local() const = 0;
 
   /// @param[in] force on every node [N]
-  /// @return work lost in the body per radian of turning [N m], which uses neither the contact nor the displacements
-  [[nodiscard]] virtual double dissipation(const VectorField& force) const = 0;
+  /// @return work lost per radian of turning [N m], which uses neither the contact nor the displacements
+  [[nodiscard]] virtual Losses dissipation(const VectorField& force) const = 0;
 
   [[nodiscard]] WindowShape shape() const { return window().shape(); }
 

@@ -101,9 +101,9 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
     const std::array<std::size_t, 3> axis_of{kDown, kForward, kSideways};
     for (std::size_t p = 0; p < directions.size(); ++p) {
       directions[p].fill(ArrayXd::Zero(count));
-      directions[p][axis_of[p]].setConstant(p == 0 ? 1.0 : -1.0);
+      directions[p][axis_of[p]].setConstant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
     }
-    if (formulation.tangential) {
+    if (formulation.tangential && !formulation.is_counterpart) {
       directions[0][kForward] = window.x() / window.grid().radius;
       directions[0][kSideways] = window.z() / window.grid().radius;
     }
@@ -128,20 +128,22 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
 namespace {
 
 /// Sums of a table over patches of two spacings: a quarter, a half and a quarter each way; at every `stride`-th offset.
+/// A line has one way.
 /// A share of displacements is taken an offset further downstream.
 Table widened(const Table& fine, int stride, double downstream = 0.0) {
-  constexpr std::array<double, 3> kShare{0.25, 0.5, 0.25};
+  const int aside = fine.theta_reach() == 0 ? 0 : 1;
+  const std::array<double, 3> share = aside == 0 ? std::array{0.0, 1.0, 0.0} : std::array{0.25, 0.5, 0.25};
   const std::array<double, 4> phi_share{0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream,
                                         0.25 * downstream};
   const int last = downstream > 0.0 ? 2 : 1;
-  Table coarse((fine.phi_reach() - last) / stride, (fine.theta_reach() - 1) / stride, fine.mirror() < 0.0);
+  Table coarse((fine.phi_reach() - last) / stride, (fine.theta_reach() - aside) / stride, fine.mirror() < 0.0);
   for (int j = -coarse.phi_reach(); j <= coarse.phi_reach(); ++j) {
     const auto row = coarse.row(j);
     for (int l = 0; l <= coarse.theta_reach(); ++l) {
       double sum = 0.0;
       for (int dj = -1; dj <= last; ++dj) {
-        for (int dl = -1; dl <= 1; ++dl) {
-          sum += phi_share[static_cast<std::size_t>(dj + 1)] * kShare[static_cast<std::size_t>(dl + 1)] *
+        for (int dl = -aside; dl <= aside; ++dl) {
+          sum += phi_share[static_cast<std::size_t>(dj + 1)] * share[static_cast<std::size_t>(dl + 1)] *
                  fine(stride * j + dj, stride * l + dl);
         }
       }
@@ -224,6 +226,19 @@ VectorField TableOperator::displacement(const VectorField& force) const {
   return result;
 }
 
+VectorField TableOperator::rolling_displacement(const VectorField& force) const {
+  return formulation_.is_counterpart ? VectorField(VectorField::Zero(force.rows(), 3)) : displacement(force);
+}
+
+double TableOperator::pushback(const VectorField& force) const {
+  if (!formulation_.is_counterpart) return 0.0;
+  const Eigen::ArrayXd depth = -displacement(force).col(kDown);
+  const Eigen::Index stride = shape().theta_nodes;
+  const Eigen::Index inner = force.rows() - 2 * stride;  // at the rim nothing presses
+  const double way = 2.0 * grid_.radius * grid_.phi_spacing;
+  return -(force.col(kDown).segment(stride, inner) * (depth.tail(inner) - depth.head(inner))).sum() / way;
+}
+
 Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
   const auto& directions = local_.directions;
   Eigen::VectorXd result(pressing.size());
@@ -280,12 +295,13 @@ std::shared_ptr<const SurfaceOperator> TableOperator::within(const Window& windo
                                          execution_);
 }
 
-double TableOperator::dissipation(const VectorField& force) const {
+Losses TableOperator::dissipation(const VectorField& force) const {
   const WindowShape shape = window_.shape();
   const Tables tables = dissipation_source_(shape.phi_nodes - 1, shape.theta_nodes - 1);
   const Convolution product(shape, *tables, Terms(formulation_).dissipation(), execution_.threads, execution_.watch);
   const Eigen::ArrayXXd loads = this->loads(force);
-  return (loads * product.apply(loads, execution_.threads, execution_.watch)).sum();
+  const double lost = (loads * product.apply(loads, execution_.threads, execution_.watch)).sum();
+  return formulation_.is_counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
 }
 
 }  // namespace viscoroll::detail

@@ -22,6 +22,9 @@ struct Formulation {
   PatchLoad patch_load;
   bool tangential;           ///< whether forces along the plane occur
   double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
+  /// Of the plane that a body rolls on. Its frame is the mirror image of the body's, so that forces and displacements
+  /// along it keep their signs; its normals do not turn. Radial compliance and flat patches.
+  bool is_counterpart = false;
 
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
@@ -59,6 +62,12 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] const Window& window() const override { return window_; }
   [[nodiscard]] const Execution& execution() const override { return execution_; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
+  [[nodiscard]] Bodies bodies() const override {
+    return formulation_.is_counterpart ? Bodies::counterpart : Bodies::rolling;
+  }
+  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override;
+  /// By central differences.
+  [[nodiscard]] double pushback(const VectorField& force) const override;
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
@@ -69,7 +78,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
   [[nodiscard]] double collocation() const override { return formulation_.collocation; }
   /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
-  [[nodiscard]] double dissipation(const VectorField& force) const override;
+  [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
   /// Forces along x, y and z as loads along the components, a column for each component * shapes + shape.

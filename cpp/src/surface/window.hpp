@@ -26,6 +26,8 @@ struct Window {
   NodeRange theta;
 
   [[nodiscard]] WindowShape shape() const { return {phi.count(), theta.count()}; }
+  /// @return whether it is a single row of nodes: line contact, which has no edges sideways
+  [[nodiscard]] bool is_line() const { return theta.first == 0 && theta.last == 0; }
   /// @return the number, in this window, of node (i, k)
   [[nodiscard]] Eigen::Index number_of(int i, int k) const {
     return static_cast<Eigen::Index>(i - phi.first) * theta.count() + k - theta.first;

@@ -82,7 +82,7 @@ Eigen::ArrayXd half_weights(Index half_nodes) {
   return weights;
 }
 
-MirroredTables::MirroredTables(const OrderSum& sum, Index components, Index half_nodes, int threads, Watch& watch)
+MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index half_nodes, int threads, Watch& watch)
     : components_(components), half_nodes_(half_nodes), ring_(sum.mesh().nodes_per_revolution) {
   const auto most = static_cast<int>(ring_ / 2);
   const auto aside = static_cast<int>(std::min<Index>(2 * half_nodes - 2, theta_nodes_per_revolution(sum.mesh()) / 2));

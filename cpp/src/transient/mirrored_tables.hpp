@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 
 namespace viscoroll::detail {
@@ -30,7 +30,7 @@ class MirroredTables {
   /// @param[in] half_nodes nodes of a row on one side, that in the middle included
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  MirroredTables(const OrderSum& sum, Eigen::Index components, Eigen::Index half_nodes, int threads, Watch& watch);
+  MirroredTables(const CoatingSum& sum, Eigen::Index components, Eigen::Index half_nodes, int threads, Watch& watch);
 
   [[nodiscard]] Eigen::Index components() const { return components_; }
   [[nodiscard]] Eigen::Index half_nodes() const { return half_nodes_; }

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "influence/synthesis.hpp"
+#include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "transient/lattice.hpp"
@@ -130,7 +130,7 @@ struct RollingHistory::Impl {
       }
       half_nodes = most;
     }
-    const detail::OrderSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
+    const detail::CoatingSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
     const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
     return std::make_shared<const CreepingCoating>(CreepingCoating{
         .grid = {.radius = outer_radius(elastic),
@@ -367,7 +367,7 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
   if (start == Start::fresh && impl.spectrum.instantaneous == 0.0) {
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
-  const double contact_radius = detail::estimate_contact_radius(impl.elastic, 1.0, load);
+  const double contact_radius = detail::estimate_contact_radius({.body = impl.elastic, .on = CoatedPlane{}}, 1.0, load);
   if (!impl.options.mesh) impl.options.mesh = chosen_mesh(outer_radius(sphere), contact_radius);
   const auto half_width = [&](double spacing) {
     return static_cast<Index>(std::ceil(1.1 * contact_radius / (outer_radius(sphere) * spacing))) + 2;

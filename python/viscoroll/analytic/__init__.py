@@ -9,8 +9,10 @@
 
 Contacts at rest: `hertz`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques: `low_speed_torque`
 with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`; `greenwood_tabor_torque`;
-`persson_torque`; `winkler_torque` of a thin coating. `applicable` says which torques a ball has. Loads and speeds
-may be arrays.
+`persson_torque`; `winkler_torque` of a thin coating. Of rollers, per length: `hertz_line`,
+`thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest, `winkler_torque_line` of a thin coating,
+`hunter` on a half-plane, and the traction of `carter_force`. `applicable` says which torques a ball or roller has.
+Loads and speeds may be arrays.
 
 All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
 """
@@ -18,21 +20,37 @@ All quantities are in SI units and all moduli are shear moduli, but where a name
 from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
+from .hunter import HunterContact, hunter
+from .line_contact import (
+    LineContact,
+    carter_force,
+    hertz_line,
+    thin_compressible_layer_line,
+    thin_incompressible_layer_line,
+)
 from .low_speed import brilliantov_poschel_time, loss_time, low_speed_torque, sphere_loss_time
-from .winkler import winkler_torque
+from .winkler import winkler_torque, winkler_torque_line
 
 __all__ = [
     "ClosedForm",
+    "HunterContact",
+    "LineContact",
     "PointContact",
     "applicable",
     "brilliantov_poschel_time",
+    "carter_force",
     "greenwood_tabor_torque",
     "hertz",
+    "hertz_line",
+    "hunter",
     "loss_time",
     "low_speed_torque",
     "persson_torque",
     "sphere_loss_time",
     "thin_compressible_layer",
+    "thin_compressible_layer_line",
     "thin_incompressible_layer",
+    "thin_incompressible_layer_line",
     "winkler_torque",
+    "winkler_torque_line",
 ]

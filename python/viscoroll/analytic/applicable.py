@@ -1,61 +1,34 @@
-"""Which closed forms a ball has."""
+"""Which closed forms a ball or a roller has."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float, require_type
+from .._arrays import require_type
 from .._core import InnerBoundary
-from ..geometry import CoatedSphere
-from ._inputs import Floats, complex_modulus, plain, positives
+from ..geometry import CoatedCylinder, CoatedSphere, RollingBody
+from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
+from ._inputs import Floats, plain, positives
+from .applicable_roller import forms_of_roller
 from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
-from .low_speed import loss_time, low_speed_torque, sphere_loss_time
+from .low_speed import low_speed_torque, sphere_loss_time
 from .winkler import KNOWN_IN_TIME, longest_time, winkler_torque
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ..geometry import Layer
-    from ..materials import ShearModulusLike
-
 __all__ = ["ClosedForm", "applicable"]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ClosedForm:
-    """Resisting torque of one ball by a closed form, and where it is valid.
-
-    Attributes
-    ----------
-    torque : callable
-        torque(load, angular_speed) → T [N m], of P [N] and Ω [rad/s], which may be arrays. Calling the object does it.
-    holds : callable
-        holds(load, angular_speed) → array of bool: whether contact and speed are small enough for the form, so that
-        these add no more than about 10 % to the errors it has of its own.
-    validity : str
-        The same in words.
-    """
-
-    torque: Callable[[ArrayLike, ArrayLike], Floats]
-    holds: Callable[[ArrayLike, ArrayLike], NDArray[np.bool_]]
-    validity: str
-
-    def __call__(self, load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        """Evaluate the torque."""
-        return self.torque(load, angular_speed)
-
-
-def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
-    """Find the closed forms of the resisting torque that suit the materials and layers of a ball.
+def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
+    """Find the closed forms of the resisting torque that suit the materials and layers of a ball or roller.
 
     Parameters
     ----------
-    ball : CoatedSphere
+    ball : CoatedSphere or CoatedCylinder
         Rigid core and layers.
 
     Returns
@@ -63,8 +36,9 @@ def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
     dict of str to ClosedForm
         ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
         material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
-        one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Empty
-        where none suits. Ask each form's `holds` about loads and speeds.
+        one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Of a
+        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``. Empty where none
+        suits. Ask each form's `holds` about loads and speeds.
 
     Raises
     ------
@@ -83,12 +57,14 @@ def applicable(ball: CoatedSphere) -> dict[str, ClosedForm]:
     >>> f"{forms['low_speed'](0.01, 0.1) * 1e9:.1f} nN m"
     '20.0 nN m'
     """
-    require_type("ball", ball, CoatedSphere)
-    return _low_speed(ball) | (_half_space(ball) | _thin(ball) if _is_homogeneous(ball) else {})
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    if isinstance(ball, CoatedCylinder):
+        return forms_of_roller(ball)
+    return _low_speed(ball) | (_half_space(ball) | _thin(ball) if is_homogeneous(ball.layers) else {})
 
 
 def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
-    time = _shared_loss_time(ball)
+    time = _loss_time(ball)
     if time is None:
         return {}
 
@@ -98,7 +74,7 @@ def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         a = _contact_radius(ball, load)
         path = positives("angular_speed", angular_speed, "rad/s") * ball.outer_radius * time
-        met: NDArray[np.bool_] = (path <= 0.05 * a) & (_is_real(ball) | (a <= 0.2 * ball.thickness))
+        met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(ball.layers) | (a <= 0.2 * ball.thickness))
         return met
 
     moves = "the surface moves by less than 5 % of the contact radius in the loss time; no inertia"
@@ -107,7 +83,7 @@ def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
 
 def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
     layer, radius = ball.layers[0], ball.outer_radius
-    modulus, nu = _at_rest(layer)
+    modulus, nu = at_rest(layer)
 
     def greenwood_tabor(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
         torque = greenwood_tabor_torque(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu)
@@ -130,14 +106,14 @@ def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
 
     small = "contact radius below a fifth of the thickness; no inertia"
     forms = {"greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}")}
-    if _is_known_throughout(layer.shear_modulus):
+    if is_known_throughout(layer.shear_modulus):
         forms["persson"] = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
     return forms
 
 
 def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
     layer, h = ball.layers[0], ball.thickness
-    modulus, nu = _at_rest(layer)
+    modulus, nu = at_rest(layer)
     material = layer.shear_modulus
     if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5 or ball.inner_boundary is not InnerBoundary.RIGID:
         return {}
@@ -169,45 +145,15 @@ def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
     return {"winkler": ClosedForm(torque=torque, holds=holds, validity=wide)}
 
 
-def _is_real(ball: CoatedSphere) -> bool:
-    """Whether Poisson's ratio of every layer is real."""
-    return all(layer.poisson_ratio is not None for layer in ball.layers)
-
-
-def _is_homogeneous(ball: CoatedSphere) -> bool:
-    materials = [(layer.shear_modulus, layer.poisson_ratio, layer.bulk_modulus) for layer in ball.layers]
-    return all(material == materials[0] for material in materials)
-
-
-def _is_known_throughout(modulus: ShearModulusLike) -> bool:
-    try:
-        complex_modulus(modulus, [1e-12, 1e12])
-    except ValueError:
-        return False
-    return True
-
-
-def _shared_loss_time(ball: CoatedSphere) -> float | None:
+def _loss_time(ball: CoatedSphere) -> float | None:
     """Return t of a compliance C(0) (1 - iωt), if the ball has one."""
-    try:
-        times = [loss_time(layer.shear_modulus) for layer in ball.layers]
-    except ValueError:
+    time = shared_loss_time(ball.layers)
+    if time is None or is_real(ball.layers):
+        return time
+    if not is_homogeneous(ball.layers):
         return None
-    if _is_real(ball):
-        return times[0] if np.allclose(times, times[0], rtol=1e-9, atol=0.0) else None
-    if not _is_homogeneous(ball):
-        return None
-    modulus, nu = _at_rest(ball.layers[0])
-    return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=times[0] * modulus)
-
-
-def _at_rest(layer: Layer) -> tuple[float, float]:
-    """Shear modulus [Pa] and Poisson's ratio of a layer at rest."""
-    modulus = float(complex_modulus(layer.shear_modulus, 0.0).real)
-    if layer.poisson_ratio is not None:
-        return modulus, layer.poisson_ratio
-    bulk = as_float("bulk_modulus", layer.bulk_modulus)
-    return modulus, (3.0 * bulk - 2.0 * modulus) / (6.0 * bulk + 2.0 * modulus)
+    modulus, nu = at_rest(ball.layers[0])
+    return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
 def _contact_radius(ball: CoatedSphere, load: ArrayLike) -> NDArray[np.float64]:
@@ -216,9 +162,9 @@ def _contact_radius(ball: CoatedSphere, load: ArrayLike) -> NDArray[np.float64]:
     Of the thin limits the larger one counts, since a thin layer gives way in both manners at once.
     """
     h, radius = ball.thickness, ball.outer_radius
-    at_rest = [(layer.thickness / h, *_at_rest(layer)) for layer in ball.layers]
-    modulus = 1.0 / sum(share / g for share, g, _ in at_rest)
-    nu = min(sum(share * ratio for share, _, ratio in at_rest), 0.5)
+    mixed = [(layer.thickness / h, *at_rest(layer)) for layer in ball.layers]
+    modulus = 1.0 / sum(share / g for share, g, _ in mixed)
+    nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
     thick = hertz(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu).radius
     thin = thin_incompressible_layer(load=load, radius=radius, thickness=h, shear_modulus=modulus).radius
     if nu < 0.5:

@@ -1,4 +1,4 @@
-"""Rolling torque of a ball with a thin compressible coating, a bed of springs with memory, at any speed."""
+"""Rolling torque of balls and rollers with a thin compressible coating, a bed of springs with memory, at any speed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._inputs import Floats, plain, poisson, positive, positives
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["KNOWN_IN_TIME", "longest_time", "winkler_torque"]
+__all__ = ["KNOWN_IN_TIME", "longest_time", "winkler_torque", "winkler_torque_line"]
 
 #: Materials whose relaxation function is a sum of exponentials.
 KNOWN_IN_TIME = (Elastic, KelvinVoigt, StandardLinearSolid, Prony)
@@ -106,6 +106,64 @@ def winkler_torque(
     return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
 
 
+def winkler_torque_line(
+    *,
+    load: ArrayLike,
+    angular_speed: ArrayLike,
+    radius: float,
+    thickness: float,
+    shear_modulus: ShearModulus,
+    poisson_ratio: float | None = None,
+    bulk_modulus: float | None = None,
+) -> Floats:
+    """Torque per length of a roller whose coating is a bed of viscoelastic springs: one strip of `winkler_torque`.
+
+    Parameters
+    ----------
+    load : array_like
+        P per length [N/m], > 0.
+    angular_speed, radius, thickness, shear_modulus, poisson_ratio, bulk_modulus
+        As of `winkler_torque`.
+
+    Returns
+    -------
+    float or ndarray
+        T per length [N].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, section 9.4.
+
+    Examples
+    --------
+    >>> from viscoroll import StandardLinearSolid
+    >>> foam = StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
+    >>> torque = winkler_torque_line(
+    ...     load=1e3, angular_speed=2.0, radius=50e-3, thickness=0.5e-3, shear_modulus=foam, poisson_ratio=0.2
+    ... )
+    >>> f"{torque:.3f} N"
+    '0.466 N'
+    """
+    size, h = positive("radius", radius, "m"), positive("thickness", thickness, "m")
+    springs = _springs(shear_modulus, poisson_ratio, bulk_modulus)
+    forces, speeds = positives("load", load, "N/m"), positives("angular_speed", angular_speed, "rad/s")
+
+    def torque(force: float, speed: float) -> float:
+        # Between the square and the cube of a, as dashpots or springs bear the load.
+        a = float(np.cbrt(1.5 * force * size * h / springs.moduli.sum()))
+        for _ in range(_STEPS):
+            borne, moment = (float(value[0]) for value in springs.strips(np.array([a]), speed * size))
+            a *= float(np.cbrt(force * size * h / borne))
+        return moment * force / borne
+
+    return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
+
+
 @dataclass(frozen=True, slots=True)
 class _Springs:
     """M(t) of a coating: springs M_k [Pa] with relaxation times τ_k [s], the last one ∞, and a dashpot [Pa s]."""
@@ -119,10 +177,15 @@ class _Springs:
         nodes, weights = np.polynomial.legendre.leggauss(_STRIPS)
         psi = 0.25 * np.pi * (1.0 + nodes)  # z = a₀ sin ψ, both sides alike
         a = a0 * np.cos(psi)
+        load, moment = self.strips(a, velocity)
+        widths = 0.5 * np.pi * weights * a
+        return float(widths @ load), float(widths @ moment)
+
+    def strips(self, a: NDArray[np.float64], velocity: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return loads and torques per width of strips that begin at x = a [m], times R h."""
         length = self._length(a, velocity)
         q, sum_of_q = (self._pressure(a, length, velocity, integrals=count) for count in (1, 2))
-        strips = 0.5 * np.pi * weights * a
-        return float(strips @ q), float(strips @ ((a - length) * q + sum_of_q))
+        return q, (a - length) * q + sum_of_q
 
     def _length(self, a: NDArray[np.float64], velocity: float) -> NDArray[np.float64]:
         """Find L in [a, 2a]: pressed until a, a spring with memory cannot press any more at 2a, where δ is 0 again."""

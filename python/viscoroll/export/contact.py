@@ -127,6 +127,8 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
         For a study without points.
     """
     if isinstance(source, Result):
+        if source.penetration is None:
+            raise ValueError("result must have a penetration: a roller on a half-plane has none")
         return [
             OperatingPoint(
                 load=source.load,

@@ -22,7 +22,16 @@ if TYPE_CHECKING:
 
     from ..result import Result
 
-__all__ = ["COMPONENTS", "DIRECTIONS", "bond_fields", "interior_fields", "order_fields", "places_of", "tractions_of"]
+__all__ = [
+    "COMPONENTS",
+    "DIRECTIONS",
+    "bond_fields",
+    "coated_ball",
+    "interior_fields",
+    "order_fields",
+    "places_of",
+    "tractions_of",
+]
 
 #: Components of vectors and of symmetric tensors, in the order of the arrays.
 DIRECTIONS = ("r", "phi", "theta")
@@ -38,6 +47,24 @@ _TEXT = {
     "opening_traction": ("Pa", "tension across the surface r = const, where there is any"),
     "shear_traction": ("Pa", "shear on the surface r = const"),
 }
+
+
+def coated_ball(result: Result) -> CoatedSphere:
+    """Return the ball of a result, whose coating there is to look into.
+
+    Raises
+    ------
+    TypeError
+        For a roller.
+    ValueError
+        For a rigid ball.
+    """
+    ball = result.ball
+    require_type("result.ball", ball, CoatedSphere)
+    assert isinstance(ball, CoatedSphere)
+    if not ball.layers:
+        raise ValueError("result.ball must have a layer, for there to be an inside, got none")
+    return ball
 
 
 def tractions_of(result: Result) -> _core.Tractions:
@@ -150,14 +177,15 @@ def interior_fields(
         import xarray
 
     require_callable("progress", progress)
-    radii, layers = places_of(result.ball, depth, radius)
+    ball = coated_ball(result)
+    radii, layers = places_of(ball, depth, radius)
     on_nodes = phi is None and theta is None
     angles = [
         result._angles()[axis] if given is None else _line(name, given)
         for axis, (name, given) in enumerate((("phi", phi), ("theta", theta)))
     ]
     values = _core.interior_fields(
-        result.ball._to_core(),
+        ball._to_core(),
         tractions_of(result),
         radius=radii,
         layer=layers,
@@ -187,7 +215,7 @@ def interior_fields(
             for name, (dimensions, array) in variables.items()
         },
         {
-            "depth": ("depth", result.ball.outer_radius - radii, {"units": "m"}),
+            "depth": ("depth", ball.outer_radius - radii, {"units": "m"}),
             "radius": ("depth", radii, {"units": "m"}),
             "layer": ("depth", layers, {"long_name": "number of the layer, from the center outwards"}),
             "phi": ("phi", angles[0], {"units": "rad"}),
@@ -199,7 +227,7 @@ def interior_fields(
         attrs={
             "load": result.load,
             "angular_speed": result.angular_speed,
-            "outer_radius": result.ball.outer_radius,
+            "outer_radius": ball.outer_radius,
             "compliance": result.compliance.name,
             "curvature": result.curvature.name,
         },
@@ -208,8 +236,9 @@ def interior_fields(
 
 def bond_fields(result: Result, **options: object) -> xarray.Dataset:
     """Fields where layers are bonded to the core and to one another; see `Result.bonds`."""
-    radii = result.ball.core_radius + np.concatenate([[0.0], np.cumsum([la.thickness for la in result.ball.layers])])
-    bonds = radii[:-1] if result.ball.inner_boundary is _core.InnerBoundary.RIGID else radii[1:-1]
+    ball = coated_ball(result)
+    radii = ball.core_radius + np.concatenate([[0.0], np.cumsum([layer.thickness for layer in ball.layers])])
+    bonds = radii[:-1] if ball.inner_boundary is _core.InnerBoundary.RIGID else radii[1:-1]
     if not bonds.size:
         raise ValueError("ball must have a rigid core or several layers, for anything to be bonded")
     return interior_fields(result, radius=bonds, **options)  # type: ignore[arg-type]

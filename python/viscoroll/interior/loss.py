@@ -10,7 +10,7 @@ from .. import _core
 from .._arrays import as_int, require_callable
 from .._extras import extra
 from ..materials import Prony, StandardLinearSolid
-from .fields import places_of, tractions_of
+from .fields import coated_ball, places_of, tractions_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..materials import ShearModulusLike
     from ..result import Result
 
-__all__ = ["default_max_order", "loss_of"]
+__all__ = ["contact_size", "default_max_order", "loss_of"]
 
 #: Orders, per r_o over the contact's semi-axis, that hold 0.9999 of the loss; near the surface w is right to 1e-3.
 _ORDERS_PER_CONTACT = 40.0
@@ -30,10 +30,14 @@ _ORDERS_PER_CONTACT = 40.0
 _BALANCE = 1e-7
 
 
+def contact_size(result: Result) -> float:
+    """Return the smaller semi-axis of the contact of a ball, or a spacing of the mesh where it has none [m]."""
+    return min(result.semi_axis_x or 0.0, result.semi_axis_z or 0.0) or result.ball.outer_radius * result.mesh.spacing
+
+
 def default_max_order(result: Result, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
     """Return the orders that the loss is summed up to: those that matter, of those that the mesh has."""
-    contact = min(result.semi_axis_x, result.semi_axis_z) or result.ball.outer_radius * result.mesh.spacing
-    wanted = int(np.ceil(orders_per_contact * result.ball.outer_radius / contact))
+    wanted = int(np.ceil(orders_per_contact * result.ball.outer_radius / contact_size(result)))
     most = result.mesh.max_order or 10 * result.mesh.nodes_per_revolution
     return max(8, min(wanted, most, 20000))
 
@@ -51,7 +55,7 @@ def loss_of(
         import xarray
 
     require_callable("progress", progress)
-    ball = result.ball
+    ball = coated_ball(result)
     radii, layers = (np.empty(0), np.empty(0, np.int32)) if depth is None else places_of(ball, depth, None)
     order = default_max_order(result) if max_order is None else as_int("max_order", max_order)
     loss = _core.loss_density(
@@ -65,7 +69,7 @@ def loss_of(
         progress=progress,
     )
     balance = abs(loss.volume_power - loss.surface_power)
-    if balance > _BALANCE * max(loss.surface_power, 1e-6 * abs(result.bulk_power)):
+    if balance > _BALANCE * max(loss.surface_power, 1e-6 * abs(result.rolling_bulk_power)):
         raise _core.ConvergenceError(
             f"the loss in the volume, {loss.volume_power:.12g} W, is not the power of the tractions, "
             f"{loss.surface_power:.12g} W"
@@ -108,7 +112,7 @@ def loss_of(
         attrs={
             "power": loss.volume_power,
             "surface_power": loss.surface_power,
-            "bulk_power": result.bulk_power,
+            "bulk_power": result.rolling_bulk_power,
             "max_order": order,
             "angular_speed": result.angular_speed,
             "load": result.load,

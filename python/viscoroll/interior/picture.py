@@ -8,7 +8,7 @@ import numpy as np
 
 from .._extras import extra
 from ..caution import kept_in_results
-from .fields import interior_fields
+from .fields import coated_ball, interior_fields
 from .loss import loss_of
 
 with extra("plot"):
@@ -17,6 +17,7 @@ with extra("plot"):
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ..geometry import CoatedSphere
     from ..result import Result
     from .temperature import Temperature
 
@@ -42,7 +43,7 @@ def plot_section(result: Result) -> Figure:
     matplotlib.figure.Figure
         Of no window.
     """
-    ball = result.ball
+    ball = coated_ball(result)
     spacing = ball.outer_radius * result.mesh.spacing
     # The surface itself is left to the pressure above: there the patches show.
     shallowest = min(0.25 * spacing, 0.1 * ball.thickness)
@@ -65,7 +66,7 @@ def plot_section(result: Result) -> Figure:
         fontsize="medium",
     )
     image = below.contourf(along, inside.depth * _MM, inside.von_mises * _MPA, levels=24, cmap="viridis")
-    _draw_layers(below, result)
+    _draw_layers(below, ball)
     below.set(xlabel="along the surface, rolling to the right [mm]", ylabel="depth [mm]")
     below.set_ylim(deepest * _MM, 0.0)
     figure.colorbar(image, ax=below, label="von Mises stress [MPa]")
@@ -80,16 +81,17 @@ def plot_loss(result: Result) -> Figure:
     result : Result
         A solution, not with curvature EXACT.
     """
-    loss = loss_of(result, depth=np.linspace(0.0, result.ball.thickness, _DEPTHS)).drop_duplicates("radius")
+    ball = coated_ball(result)
+    loss = loss_of(result, depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
     figure = Figure(figsize=(10.0, 4.0), layout="constrained")
     axes = figure.subplots()
-    across = result.ball.outer_radius * (loss.theta - 0.5 * np.pi) * _MM
+    across = ball.outer_radius * (loss.theta - 0.5 * np.pi) * _MM
     image = axes.contourf(across, loss.depth * _MM, loss.power_density * 1e-3, levels=24, cmap="inferno")
-    _draw_layers(axes, result)
-    reach = (2.0 * result.semi_axis_z + 2.0 * result.ball.thickness) * _MM
+    _draw_layers(axes, ball)
+    reach = (2.0 * (result.semi_axis_z or 0.0) + 2.0 * ball.thickness) * _MM
     axes.set(xlim=(-reach, reach), xlabel="across the track [mm]", ylabel="depth [mm]")
-    axes.set_ylim(result.ball.thickness * _MM, 0.0)
-    axes.set_title(f"{result.bulk_power:.3g} W are lost in the coating", fontsize="medium")
+    axes.set_ylim(ball.thickness * _MM, 0.0)
+    axes.set_title(f"{result.rolling_bulk_power:.3g} W are lost in the coating", fontsize="medium")
     figure.colorbar(image, ax=axes, label="mean power density [kW/m³]")
     return figure
 
@@ -115,10 +117,10 @@ def plot_temperature(temperature: Temperature) -> Figure:
     return figure
 
 
-def _draw_layers(axes: Axes, result: Result) -> None:
+def _draw_layers(axes: Axes, ball: CoatedSphere) -> None:
     """Outline of the layers."""
     depth = 0.0
-    for layer in reversed(result.ball.layers):
+    for layer in reversed(ball.layers):
         axes.axhline(depth * _MM, color="k", linewidth=1.0)
         depth += layer.thickness
     axes.axhline(depth * _MM, color="k", linewidth=2.0)

@@ -16,7 +16,8 @@ from .._text import shown
 from ..caution import warn
 from ..result import Result
 from .conduction import Conduction, legendre_values
-from .loss import loss_of
+from .fields import coated_ball
+from .loss import contact_size, loss_of
 
 if TYPE_CHECKING:
     import xarray
@@ -153,23 +154,22 @@ def temperature(
         import xarray
 
     require_type("result", result, Result)
-    ball = result.ball
+    ball = coated_ball(result)
     conductivities = _conductivities(ball, conductivity)
     surroundings = _positive("ambient", ambient, "K")
     capacity = _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     film = convection if callable(convection) else _not_negative("convection", convection, "W/(m^2 K)")
     core_conductivity, core_rise = _core(ball, core, core_temperature, surroundings)
-    if core_conductivity is not None and film == 0.0 and result.bulk_power > 0.0:
+    if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
     loss = loss_of(result, max_order=max_order)
-    contact = min(result.semi_axis_x, result.semi_axis_z) or ball.outer_radius * result.mesh.spacing
-    degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact) + 2, _MOST_DEGREES)
+    degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
     layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)
     heat = layers.heat_of(source)
     if heat > 0.0:
-        source = source * (result.bulk_power / heat)  # of all orders
+        source = source * (result.rolling_bulk_power / heat)  # of all orders
     rises = layers.solve(source, core_rise)
     means = _means(ball, layers, source, rises)
     theta = loss.theta.to_numpy()
@@ -241,6 +241,7 @@ def plane_cooling(
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
     require_type("result", result, Result)
+    coated_ball(result)
     base = _not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(
         _positive("conductivity", conductivity, "W/(m K)") * _positive("heat_capacity", heat_capacity, "J/(m^3 K)")

@@ -14,7 +14,7 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._extras import extra
 from ..result import FIELDS, VECTOR_FIELDS
-from ..scalars import SCALARS
+from ..scalars import PER_LENGTH, SCALARS, scalar_units
 from .dimensions import LOAD_CASE, UNITS, label
 from .plan import LoadCase, Plan
 from .run import Outcome
@@ -57,17 +57,20 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
         import xarray
 
     names = [dimension.name for dimension in plan.dimensions]
-    coordinates = {d.name: ([d.name], d.labels(), _attributes(d.unit, _spelled(d.name))) for d in plan.dimensions}
+    coordinates = {
+        d.name: ([d.name], d.labels(), _attributes(_unit(plan, d.unit), _spelled(d.name))) for d in plan.dimensions
+    }
     fixed: dict[str, Any] = {
-        name: ([], value, _attributes(UNITS.get(name), _spelled(name)))
+        name: ([], value, _attributes(_unit(plan, UNITS.get(name)), _spelled(name)))
         for name, value in plan.fixed.items()
         if isinstance(value, int | float) and not isinstance(value, bool)
     }
     table = [outcomes.get(i, Outcome()) for i in range(len(plan.cases))]
     variables: dict[str, Any] = {}
+    units = scalar_units(line_contact=plan.line_contact)
     for name, (unit, description) in (SCALARS | _COUNTS).items():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
-        variables[name] = (names, np.array(column, dtype=np.float64), _attributes(unit, description))
+        variables[name] = (names, np.array(column, dtype=np.float64), _attributes(units.get(name, unit), description))
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
     variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
@@ -129,11 +132,16 @@ def _counted(table: list[Outcome]) -> str:
     return ", ".join(f"{count} {status}" for status, count in counts.items())
 
 
+def _unit(plan: Plan, unit: str | None) -> str | None:
+    """Return the unit of a parameter: of rollers, loads, forces and torques are per length."""
+    return PER_LENGTH.get(unit, unit) if plan.line_contact and unit is not None else unit
+
+
 def _provenance(plan: Plan) -> dict[str, str]:
     balls = plan.balls()
     materials = dict.fromkeys(_clean(layer.shear_modulus) for ball in balls for layer in ball.layers)
     attributes = {
-        "title": "rolling resistance of a coated sphere",
+        "title": f"rolling resistance of a coated {'cylinder' if plan.line_contact else 'sphere'}",
         "source": f"viscoroll {__version__}",
         "version": __version__,
         "commit": __commit__,

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._arrays import as_float, as_int, as_member
+from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ..drive import Drive
+from ..geometry import CoatedCylinder, CoatedPlane, Groove
 from ..mesh import Mesh
 
 __all__ = ["LOAD_CASE", "UNITS", "Dimension", "checked", "label", "split"]
@@ -28,7 +29,7 @@ _TYPES: dict[str, type] = {
 }
 
 #: Arguments of `viscoroll.solve` that a study may fix or vary; all other parameters are those of the ball.
-LOAD_CASE = frozenset({"load", "angular_speed", "friction", "accuracy", "max_iterations", *_TYPES})
+LOAD_CASE = frozenset({"on", "load", "angular_speed", "friction", "accuracy", "max_iterations", *_TYPES})
 
 #: Units of the parameters that this package names.
 UNITS = {
@@ -41,6 +42,7 @@ UNITS = {
     "torque": "N m",
     "creepage": "1",
     "lateral_creepage": "1",
+    "spin": "1/m",
     "nodes_per_revolution": "1",
     "max_order": "1",
     "theta_nodes_per_revolution": "1",
@@ -144,10 +146,13 @@ def checked(name: str, value: object) -> object:
     TypeError
         Where an argument of `viscoroll.solve` has the wrong type.
     """
-    if value is None and name in ("mesh", "accuracy"):
+    if value is None and name in ("on", "mesh", "accuracy"):
         return None
     if name == "max_iterations":
         return as_int(name, value)
+    if name == "on":
+        require_type(name, value, CoatedPlane, Groove, CoatedCylinder)
+        return value
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):
             return as_member(name, value, _TYPES[name])  # type: ignore[arg-type]
@@ -169,7 +174,7 @@ def label(value: object) -> str:
             return value.name
         case Drive():
             numbers = {name: getattr(value, name) for name in ("force", "torque", "creepage")}
-            numbers |= {"lateral_creepage": value.lateral_creepage or None}
+            numbers |= {"lateral_creepage": value.lateral_creepage or None, "spin": value.spin or None}
             return ", ".join(f"{name}={number:g}" for name, number in numbers.items() if number is not None)
         case _:
             return str(getattr(value, "__name__", None) or repr(value))

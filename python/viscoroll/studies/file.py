@@ -14,7 +14,7 @@ import numpy as np
 from .._extras import extra
 from .._text import shown
 from ..case import Case, build_case, errors_in, read_toml
-from ..geometry import CoatedSphere
+from ..geometry import RollingBody
 from .dimensions import UNITS, Dimension
 from .plan import LoadCase, Plan
 
@@ -90,7 +90,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
 
 def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension]) -> Plan:
     cases: list[LoadCase | str] = []
-    balls: dict[tuple[Any, ...], CoatedSphere] = {}
+    balls: dict[tuple[Any, ...], RollingBody] = {}
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(places, point, strict=True))
         try:
@@ -98,7 +98,8 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
-        ball = balls.setdefault(tuple(number for place, number in chosen.items() if place[0] == "ball"), case.ball)
+        of_ball = tuple(number for place, number in chosen.items() if place[0] in ("ball", "cylinder"))
+        ball = balls.setdefault(of_ball, case.ball)
         cases.append(LoadCase(ball=ball, arguments=_arguments(case)))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..geometry import CoatedCylinder, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
-    from ..geometry import CoatedSphere
+    from ..geometry import RollingBody
     from ..mesh import Mesh
 
 __all__ = ["PointKeys", "digest"]
@@ -37,12 +38,12 @@ class PointKeys:
     def __init__(self) -> None:
         self._balls: dict[tuple[int, float, int], str] = {}
 
-    def key(self, ball: CoatedSphere, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
+    def key(self, ball: RollingBody, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
         """Return the key of a point.
 
         Parameters
         ----------
-        ball : CoatedSphere
+        ball : CoatedSphere or CoatedCylinder
             Its ball, which must outlive this object.
         arguments : mapping
             Arguments of `viscoroll.solve`; what is left out has its default.
@@ -51,6 +52,8 @@ class PointKeys:
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
         speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
+        if "on" in case:
+            case["on"] = _counterpart_text(case["on"], speed * ball.outer_radius, highest)
         place = (id(ball), speed, highest)
         if place not in self._balls:
             self._balls[place] = _ball_text(ball, speed, highest)
@@ -69,15 +72,28 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
     return mesh.max_order or 2 * mesh.nodes_per_revolution
 
 
-def _ball_text(ball: CoatedSphere, speed: float, highest: int) -> str:
+def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
     frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
-    texts = [f"{ball.inner_boundary.name} {ball.core_radius!r}"]
-    for layer in ball.layers:
-        properties = (layer.thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
-        modulus = layer.shear_modulus
-        text = _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
-        texts.append(f"{properties!r} {text}")
-    return "; ".join(texts)
+    kind = "cylinder" if isinstance(ball, CoatedCylinder) else ball.inner_boundary.name
+    return "; ".join([f"{kind} {ball.core_radius!r}", *(_layer_text(layer, frequencies) for layer in ball.layers)])
+
+
+def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> str:
+    """Text of what a body rolls on."""
+    if isinstance(on, CoatedCylinder):
+        return _ball_text(on, surface_speed / on.outer_radius, highest)
+    frequencies = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
+    kind = f"groove {on.radius!r} {on.path_radius!r}" if isinstance(on, Groove) else "plane"
+    base = "rigid" if on.base is None else _layer_text(on.base, frequencies)
+    return "; ".join([kind, base, *(_layer_text(layer, frequencies) for layer in on.layers)])
+
+
+def _layer_text(layer: Layer | HalfSpace, frequencies: list[float]) -> str:
+    thickness = layer.thickness if isinstance(layer, Layer) else None
+    properties = (thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
+    modulus = layer.shear_modulus
+    text = _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
+    return f"{properties!r} {text}"
 
 
 def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:

@@ -9,14 +9,14 @@ from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..geometry import CoatedSphere
+from ..geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
 
 __all__ = ["NOT_OF_A_POINT", "LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: What points with one influence table have in common, besides the ball.
-_SHARED = ("angular_speed", "mesh", "compliance", "curvature", "patch_load")
+_SHARED = ("on", "angular_speed", "mesh", "compliance", "curvature", "patch_load")
 
 #: Exceptions that say nothing of the point at which they are raised.
 NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
@@ -29,7 +29,7 @@ _LONGEST_TEXT = 160
 class LoadCase:
     """One point: a ball, and arguments of `viscoroll.solve`."""
 
-    ball: CoatedSphere
+    ball: RollingBody
     arguments: dict[str, Any]
 
 
@@ -38,7 +38,7 @@ class Task:
     """Points that share a ball and all that decides the influence table, for one worker."""
 
     indices: tuple[int, ...]
-    ball: CoatedSphere
+    ball: RollingBody
     shared: dict[str, Any]
     cases: tuple[dict[str, Any], ...]
     fields: tuple[str, ...]
@@ -64,7 +64,8 @@ class Plan:
     Raises
     ------
     ValueError
-        Where no point can be solved, with the reason of the first.
+        Where no point can be solved, with the reason of the first, and where spheres and cylinders, whose results
+        have unlike units, are mixed.
     """
 
     dimensions: tuple[Dimension, ...]
@@ -77,6 +78,8 @@ class Plan:
         """Refuse plans without anything to solve, and find the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
+        if len({isinstance(ball, CoatedCylinder) for ball in self.balls()}) > 1:
+            raise ValueError("ball must be a sphere at all points or a cylinder at all points, got both")
         known = PointKeys()
         keys = [
             known.key(case.ball, case.arguments, self.fields) if isinstance(case, LoadCase) else None
@@ -89,9 +92,14 @@ class Plan:
         """Number of values of each dimension."""
         return tuple(len(dimension.values) for dimension in self.dimensions)
 
-    def balls(self) -> list[CoatedSphere]:
+    def balls(self) -> list[RollingBody]:
         """Return every ball once."""
         return list({id(case.ball): case.ball for case in self.cases if isinstance(case, LoadCase)}.values())
+
+    @property
+    def line_contact(self) -> bool:
+        """Whether rollers roll, whose loads and results are per length."""
+        return isinstance(self.balls()[0], CoatedCylinder)
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
         """Return tasks of at most `largest` points that solve the points of `indices`."""
@@ -99,7 +107,7 @@ class Plan:
         for i in indices:
             case = self.cases[i]
             if isinstance(case, LoadCase):
-                key = (id(case.ball), *(case.arguments.get(name) for name in _SHARED))
+                key = (id(case.ball), *(_mark(case.arguments.get(name)) for name in _SHARED))
                 groups.setdefault(key, []).append(i)
         # Every so many points to a task, and not a run of them: they tend to become harder along a dimension.
         parts = {key: -(-len(group) // largest) for key, group in groups.items()}
@@ -128,8 +136,13 @@ class Plan:
         }
 
 
+def _mark(argument: object) -> object:
+    """Return what tells arguments apart: bodies by what they are, for their layers may hold lists."""
+    return id(argument) if isinstance(argument, CoatedPlane | Groove | CoatedCylinder) else argument
+
+
 def plan_sweep(
-    ball: CoatedSphere | Callable[..., CoatedSphere], parameters: dict[str, object], *, fields: tuple[str, ...]
+    ball: RollingBody | Callable[..., RollingBody], parameters: dict[str, object], *, fields: tuple[str, ...]
 ) -> Plan:
     """Plan a study of the product of all one-dimensional `parameters`.
 
@@ -158,11 +171,11 @@ def plan_sweep(
 class _Balls:
     """The ball of each point, made once for all points that share its parameters."""
 
-    source: CoatedSphere | Callable[..., CoatedSphere]
-    made: dict[tuple[int, ...], CoatedSphere | str] = field(default_factory=dict)
+    source: RollingBody | Callable[..., RollingBody]
+    made: dict[tuple[int, ...], RollingBody | str] = field(default_factory=dict)
 
     def check(self, names: Sequence[str]) -> None:
-        if isinstance(self.source, CoatedSphere):
+        if isinstance(self.source, CoatedSphere | CoatedCylinder):
             if names:
                 raise TypeError(
                     f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
@@ -171,16 +184,17 @@ class _Balls:
             return
         if not callable(self.source):
             raise TypeError(
-                f"ball must be a viscoroll.CoatedSphere or a function that returns one, got {self.source!r}"
+                "ball must be a viscoroll.CoatedSphere, a viscoroll.CoatedCylinder or a function that returns one, "
+                f"got {self.source!r}"
             )
         try:
             inspect.signature(self.source).bind(**dict.fromkeys(names))
         except TypeError as error:
             raise TypeError(f"ball, called with {', '.join(names) or 'no parameter'}: {error}") from None
 
-    def __call__(self, key: tuple[int, ...], parameters: dict[str, Any]) -> CoatedSphere | str:
+    def __call__(self, key: tuple[int, ...], parameters: dict[str, Any]) -> RollingBody | str:
         """Return the ball, or the message of the exception that its parameters raise."""
-        if isinstance(self.source, CoatedSphere):
+        if isinstance(self.source, CoatedSphere | CoatedCylinder):
             return self.source
         if key not in self.made:
             try:
@@ -190,8 +204,10 @@ class _Balls:
             except Exception as error:
                 self.made[key] = f"{type(error).__name__}: {error}"
             else:
-                if not isinstance(ball, CoatedSphere):
-                    raise TypeError(f"ball must return a viscoroll.CoatedSphere, got {ball!r}")
+                if not isinstance(ball, CoatedSphere | CoatedCylinder):
+                    raise TypeError(
+                        f"ball must return a viscoroll.CoatedSphere or a viscoroll.CoatedCylinder, got {ball!r}"
+                    )
                 self.made[key] = ball
         return self.made[key]
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .._core import ConvergenceError, core_count
 from ..caution import kept_in_results
-from ..geometry import CoatedSphere
+from ..geometry import RollingBody
 from ..result import Result
 from ..rolling import RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
@@ -53,7 +53,7 @@ class Outcome:
 
 
 def solve_group(
-    ball: CoatedSphere,
+    ball: RollingBody,
     shared: Mapping[str, Any],
     cases: Sequence[Mapping[str, Any]],
     *,
@@ -66,7 +66,7 @@ def solve_group(
 
     Parameters
     ----------
-    ball : CoatedSphere
+    ball : CoatedSphere or CoatedCylinder
         The ball of all points.
     shared : mapping
         Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, curvature, patch
@@ -128,12 +128,12 @@ def solve_point(solver: Callable[..., Result], **case: Any) -> Result:
 
 
 def _solver(
-    ball: CoatedSphere, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
+    ball: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
 ) -> Callable[..., Result]:
     """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
-    of_model = {name: value for name, value in shared.items() if name in ("angular_speed", "mesh", "curvature")}
+    of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
     model = RollingModel(ball, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._extras import extra
 from ..caution import warn
-from ..geometry import CoatedSphere
+from ..geometry import RollingBody
 from ..result import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
@@ -28,7 +28,7 @@ __all__ = ["doubts", "run_plan", "sweep"]
 
 
 def sweep(
-    ball: CoatedSphere | Callable[..., CoatedSphere],
+    ball: RollingBody | Callable[..., RollingBody],
     *,
     executor: Executor | None = None,
     cache: str | Path | None = None,
@@ -45,7 +45,7 @@ def sweep(
 
     Parameters
     ----------
-    ball : CoatedSphere or callable
+    ball : CoatedSphere, CoatedCylinder or callable
         The ball of all points, or a function that returns it, called as ball(name=value, ...) with all parameters that
         are not of `viscoroll.solve`.
     executor : concurrent.futures.Executor, optional

@@ -1,0 +1,75 @@
+#include "influence/line_sum.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include "influence/patch.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::Index;
+
+/// An entry in the components r, phi, theta: forces across and along the line do not know of each other.
+cplx value(const LineCompliance<cplx>& compliance, Entry entry) {
+  switch (entry) {
+    case Entry::rr:
+      return compliance.normal;
+    case Entry::rphi:
+      return cplx(0.0, -1.0) * compliance.mixed;
+    case Entry::phiphi:
+      return compliance.along;
+    case Entry::thetatheta:
+      return compliance.axial;
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace
+
+LineSum::LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing)
+    : bands_(std::move(bands)), spectrum_(std::move(spectrum)), radius_(radius), spacing_(spacing) {}
+
+std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int /*theta_reach*/,
+                                   int threads, Watch& watch) const {
+  std::vector<Waves> waves;
+  for (const OrderBand& band : bands_) {
+    waves.push_back(make_waves(band.orders, spacing_, std::min(band.reach, phi_reach)));
+  }
+  std::vector<Table> tables(requests.size(), Table(phi_reach, 0, false));
+  parallel_for(requests.size(), threads, watch, "summing tables",
+               [&](std::size_t i, const Worker&) { tables[i] = table(requests[i], phi_reach, waves); });
+  return tables;
+}
+
+Table LineSum::table(const TableRequest& request, int phi_reach, const std::vector<Waves>& waves) const {
+  const double scale = 1.0 / (2.0 * std::numbers::pi * radius_);
+  Eigen::VectorXd even = Eigen::VectorXd::Zero(phi_reach + 1);
+  Eigen::VectorXd odd = Eigen::VectorXd::Zero(phi_reach + 1);
+  std::size_t order = 0;
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
+    const OrderBand& band = bands_[b];
+    Eigen::VectorXcd summand(band.orders.size());
+    for (Index i = 0; i < band.orders.size(); ++i, ++order) {
+      const double m = band.orders[i];
+      const double patch = sinc(0.5 * m * spacing_);
+      const cplx received = request.power ? cplx(0.0, m) * patch : std::polar(1.0, m * spacing_ * request.phi_shift);
+      summand[i] = scale * band.weights[i] * patch * received * value(spectrum_[order], request.entry);
+    }
+    // Re[(cos + i sin)(a + i b)]
+    even.head(waves[b].cosines.cols()) += waves[b].cosines.transpose() * summand.real();
+    odd.head(waves[b].sines.cols()) -= waves[b].sines.transpose() * summand.imag();
+  }
+  Table table(phi_reach, 0, is_odd(request.entry));
+  for (int j = 0; j <= phi_reach; ++j) {
+    table.row(j)[0] = even[j] + odd[j];
+    table.row(-j)[0] = even[j] - odd[j];
+  }
+  return table;
+}
+
+}  // namespace viscoroll::detail

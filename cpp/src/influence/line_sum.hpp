@@ -1,0 +1,36 @@
+/// @file
+/// @brief Influence tables of line contact: from the compliance of orders m alone, theory.md section 14.
+#pragma once
+
+#include <vector>
+
+#include "influence/order_bands.hpp"
+#include "influence/table_sum.hpp"
+#include "influence/waves.hpp"
+#include "modal/line_compliance.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Displacements by forces per length on the patches of a row of nodes: tables that reach no further sideways
+/// than the row itself.
+class LineSum : public TableSum {
+ public:
+  /// @param[in] bands of orders, see `order_bands.hpp`
+  /// @param[in] spectrum compliance at the orders of all bands, one band after the other
+  /// @param[in] radius that makes wave numbers orders [m]
+  /// @param[in] spacing of the nodes [rad]
+  LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing);
+
+  [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
+                                          int threads, Watch& watch) const override;
+
+ private:
+  [[nodiscard]] Table table(const TableRequest& request, int phi_reach, const std::vector<Waves>& waves) const;
+
+  std::vector<OrderBand> bands_;
+  LineSpectrum spectrum_;
+  double radius_;
+  double spacing_;
+};
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,24 @@
+#include "influence/waves.hpp"
+
+#include <complex>
+
+namespace viscoroll::detail {
+
+Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
+  using cplx = std::complex<double>;
+  using Eigen::Index;
+  constexpr int kStride = 32;  // products in a row before round-off is shed
+  Waves waves{RowMajorMatrix(orders.size(), reach + 1), RowMajorMatrix(orders.size(), reach + 1)};
+  for (Index i = 0; i < orders.size(); ++i) {
+    const cplx step = std::polar(1.0, orders[i] * spacing);
+    cplx wave;
+    for (Index l = 0; l <= reach; ++l) {
+      wave = l % kStride == 0 ? std::polar(1.0, orders[i] * spacing * static_cast<double>(l)) : wave * step;
+      waves.cosines(i, l) = wave.real();
+      waves.sines(i, l) = wave.imag();
+    }
+  }
+  return waves;
+}
+
+}  // namespace viscoroll::detail

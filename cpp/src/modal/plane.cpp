@@ -1,0 +1,52 @@
+#include "viscoroll/plane.hpp"
+
+#include <string>
+
+#include "validate.hpp"
+
+namespace viscoroll {
+namespace {
+
+/// Its checks are those of a layer of any thickness.
+Layer as_layer(const HalfSpace& base) {
+  return {.thickness = 1.0,
+          .shear_modulus = base.shear_modulus,
+          .poisson_ratio = base.poisson_ratio,
+          .bulk_modulus = base.bulk_modulus,
+          .density = base.density};
+}
+
+}  // namespace
+
+double coating_thickness(const CoatedPlane& plane) {
+  double thickness = 0.0;
+  for (const Layer& layer : plane.layers) thickness += layer.thickness;
+  return thickness;
+}
+
+bool is_rigid(const CoatedPlane& plane) { return plane.layers.empty() && !plane.base; }
+
+bool is_rigid(const Groove& groove) { return is_rigid(groove.surface); }
+
+void validate(const Groove& groove) {
+  const auto require_curved = [](const char* name, const std::optional<double>& radius) {
+    if (!radius) return;
+    detail::require_finite(name, *radius);
+    if (*radius == 0.0) detail::reject(name, "other than 0 m, or left out where it is straight", *radius);
+  };
+  require_curved("groove.radius", groove.radius);
+  require_curved("groove.path_radius", groove.path_radius);
+  if (!groove.radius && !groove.path_radius) {
+    detail::reject("groove.radius or groove.path_radius", "given", "neither (a CoatedPlane is straight both ways)");
+  }
+  validate(groove.surface);
+}
+
+void validate(const CoatedPlane& plane) {
+  for (std::size_t j = 0; j < plane.layers.size(); ++j) {
+    validate(plane.layers[j], "layers[" + std::to_string(j) + "].");
+  }
+  if (plane.base) validate(as_layer(*plane.base), "base.");
+}
+
+}  // namespace viscoroll

@@ -1,0 +1,26 @@
+/// @file
+/// @brief How undeformed bodies slide over one another as they roll.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "surface/surface_window.hpp"
+#include "viscoroll/drive.hpp"
+#include "viscoroll/formulation.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Ways of what rolls over what it rolls on, from row to row along x and z [m]; 0 in the first row.
+struct RigidSlip {
+  Eigen::ArrayX2d own;     ///< at the speed 0: what turns, whose radius is smaller away from the middle (Heathcote)
+  Eigen::ArrayX2d guided;  ///< what a guide adds: lateral creepage, and spin about the vertical axis
+};
+
+/// @param[in] points where displacements are taken
+/// @param[in] swelling of the free surface, by the turning
+/// @param[in] kinematics with Heathcote slip or without
+/// @param[in] drive which may give creepages and spin
+[[nodiscard]] RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
+                                   const viscoroll::Drive& drive);
+
+}  // namespace viscoroll::detail

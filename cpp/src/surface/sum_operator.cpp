@@ -1,0 +1,39 @@
+#include "surface/sum_operator.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace viscoroll::detail {
+namespace {
+
+/// The sum of tables, as far as both reach.
+std::shared_ptr<const Table> sum_of(const Table& first, const Table& second, double sign) {
+  const int phi_reach = std::min(first.phi_reach(), second.phi_reach());
+  const int theta_reach = std::min(first.theta_reach(), second.theta_reach());
+  auto sum = std::make_shared<Table>(phi_reach, theta_reach, first.mirror() < 0.0);
+  for (int j = -phi_reach; j <= phi_reach; ++j) {
+    const auto row = sum->row(j);
+    for (std::size_t l = 0; l < row.size(); ++l) row[l] = first.row(j)[l] + sign * second.row(j)[l];
+  }
+  return sum;
+}
+
+/// Normal and tangential compliances add up; the tangents turn around with the normal.
+double sign_of(std::size_t entry) {
+  const auto mixed = static_cast<Entry>(entry);
+  return mixed == Entry::rphi || mixed == Entry::rtheta ? -1.0 : 1.0;
+}
+
+}  // namespace
+
+SumOperator::SumOperator(std::shared_ptr<const SurfaceOperator> rolling,
+                         std::shared_ptr<const SurfaceOperator> counterpart)
+    : rolling_(std::move(rolling)), counterpart_(std::move(counterpart)), local_(rolling_->local()) {
+  const auto& others = counterpart_->local().tables;
+  for (std::size_t entry = 0; entry < others.size(); ++entry) {
+    auto& table = local_.tables[entry];
+    if (table) table = sum_of(*table, *others[entry], sign_of(entry));
+  }
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,52 @@
+/// @file
+/// @brief Two surfaces that are pressed together.
+#pragma once
+
+#include <memory>
+
+#include "surface/surface_operator.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief The sum of the operators of two bodies on one window: that of what rolls and that of what it rolls on.
+class SumOperator : public SurfaceOperator {
+ public:
+  /// @param[in] rolling of the body that rolls
+  /// @param[in] counterpart of what it rolls on, on the same window
+  SumOperator(std::shared_ptr<const SurfaceOperator> rolling, std::shared_ptr<const SurfaceOperator> counterpart);
+
+  [[nodiscard]] const Window& window() const override { return rolling_->window(); }
+  [[nodiscard]] const Execution& execution() const override { return rolling_->execution(); }
+  [[nodiscard]] double collocation() const override { return rolling_->collocation(); }
+  [[nodiscard]] const LocalCompliance& local() const override { return local_; }
+  [[nodiscard]] Bodies bodies() const override { return Bodies::both; }
+  [[nodiscard]] VectorField displacement(const VectorField& force) const override {
+    return rolling_->displacement(force) + counterpart_->displacement(force);
+  }
+  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override {
+    return rolling_->displacement(force);
+  }
+  [[nodiscard]] double pushback(const VectorField& force) const override { return counterpart_->pushback(force); }
+  using SurfaceOperator::normal_displacement;
+  [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
+                                                    const Eigen::VectorXd& pressing) const override {
+    return rolling_->normal_displacement(nodes, pressing) + counterpart_->normal_displacement(nodes, pressing);
+  }
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override {
+    return std::make_shared<SumOperator>(rolling_->coarsened(), counterpart_->coarsened());
+  }
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override {
+    return std::make_shared<SumOperator>(rolling_->within(window), counterpart_->within(window));
+  }
+  [[nodiscard]] Losses dissipation(const VectorField& force) const override {
+    return {.rolling = rolling_->dissipation(force).rolling,
+            .counterpart = counterpart_->dissipation(force).counterpart};
+  }
+
+ private:
+  std::shared_ptr<const SurfaceOperator> rolling_;
+  std::shared_ptr<const SurfaceOperator> counterpart_;
+  LocalCompliance local_;
+};
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,152 @@
+"""Hunter's rigid cylinder that rolls on a viscoelastic half-plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._arrays import require_type
+from .._extras import extra
+from ..materials import StandardLinearSolid
+from ._inputs import Floats, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["HunterContact", "hunter"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HunterContact:
+    """Rolling contact on a strip.
+
+    Attributes
+    ----------
+    half_width : float or ndarray
+        Half of the distance of both edges [m].
+    center : float or ndarray
+        Where the middle between them lies ahead of the lowest point [m].
+    moment : float or ndarray
+        M = Σ x p per length [N], the rolling resistance times R.
+    """
+
+    half_width: Floats
+    center: Floats
+    moment: Floats
+
+
+def hunter(
+    *,
+    load: ArrayLike,
+    speed: ArrayLike,
+    radius: float,
+    shear_modulus: StandardLinearSolid,
+    poisson_ratio: float,
+) -> HunterContact:
+    """Solve rolling of a rigid cylinder on a half-plane of a standard linear solid, or the other way around.
+
+    With ξ = -x the way of the material, l = V τ, f = G₀/G_∞ and the slope of the surface w', the solid's law turns the
+    half-plane's integral equation into one for g = p + l p',
+
+        w' + f l w'' = -(1-ν)/(π G_∞) ∫ g(s)/(ξ - s) ds,
+
+    with w' = -ξ/R in contact, |ξ - ξ₀| < a. So g is a sum of Chebyshev polynomials,
+    g √(1-t²) = P/(π a) - G_∞ (c₁ t + a (2t² - 1)/2) / ((1-ν) R), with t = (ξ - ξ₀)/a and c₁ = ξ₀ + f l. Pressure
+    without a jump at the trailing edge and a slope without one at the leading edge, where the solution ahead is an
+    integral over the past, leave two equations with the modified Bessel functions at a/l and a/(f l):
+
+        P̂ I₀ - c₁ I₁ - (a/2) I₂ = 0,  P̂ K₀ + c₁ K₁ - (a/2) K₂ = 0,  P̂ = (1-ν) R P / (π a G_∞).
+
+    Both are linear in P̂ and c₁ for a given a. The moment follows from ∫ ξ g = ∫ ξ p - l P.
+
+    Valid without friction and inertia, for a ≪ R.
+
+    Parameters
+    ----------
+    load : array_like
+        P per length [N/m], > 0.
+    speed : array_like
+        V, at which material crosses the contact [m/s], > 0, of a shape that broadcasts with that of the load.
+    radius : float
+        R [m], > 0.
+    shear_modulus : StandardLinearSolid
+        G₀, G_∞ and τ.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5].
+
+    Returns
+    -------
+    HunterContact
+        Width, place and moment.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+    ImportError
+        Without SciPy (the extra `viscoroll[studies]`).
+
+    References
+    ----------
+    S. C. Hunter, "The rolling contact of a rigid cylinder with a viscoelastic half space", J. Appl. Mech. 28 (1961)
+    611-617; the derivation above.
+
+    Examples
+    --------
+    >>> from viscoroll import StandardLinearSolid
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> contact = hunter(load=5e3, speed=0.05, radius=50e-3, shear_modulus=rubber, poisson_ratio=0.5)
+    >>> f"{contact.moment:.3f} N, {contact.half_width * 1e3:.3f} mm"
+    '4.267 N, 3.791 mm'
+    """
+    force, velocity = np.broadcast_arrays(positives("load", load, "N/m"), positives("speed", speed, "m/s"))
+    size, nu = positive("radius", radius, "m"), poisson(poisson_ratio)
+    require_type("shear_modulus", shear_modulus, StandardLinearSolid)
+    solid = _Solid(
+        stiffness=np.pi * shear_modulus.relaxed_modulus / ((1.0 - nu) * size),
+        ratio=shear_modulus.instantaneous_modulus / shear_modulus.relaxed_modulus,
+    )
+    length = velocity * shear_modulus.relaxation_time
+    a = solid.half_width(force, length)
+    shift = solid.shift(a, length)
+    # ξ₀, and the moments of p and g: -M = (l + ξ₀) P - (stiffness / 2) a² c₁.
+    center = shift - solid.ratio * length
+    moment = 0.5 * solid.stiffness * a**2 * shift - (length + center) * force
+    return HunterContact(half_width=plain(a), center=plain(-center), moment=plain(moment))
+
+
+@dataclass(frozen=True, slots=True)
+class _Solid:
+    """π G_∞ / ((1-ν) R) [Pa/m], and G₀/G_∞."""
+
+    stiffness: float
+    ratio: float
+
+    def shift(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
+        """C₁ [m] of a contact of half width a [m]."""
+        i0, i1, i2, k0, k1, k2 = self._bessel(a, length)
+        return np.asarray(0.5 * a * (k2 * i0 - k0 * i2) / (k1 * i0 + k0 * i1))
+
+    def load(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
+        """P [N/m] of a contact of half width a [m]."""
+        i0, i1, i2, *_ = self._bessel(a, length)
+        return np.asarray(self.stiffness * a * (self.shift(a, length) * i1 + 0.5 * a * i2) / i0)
+
+    def half_width(self, force: NDArray[np.float64], length: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Bisect between the half widths of elastic contacts with G₀ and with G_∞."""
+        high = np.sqrt(2.0 * force / self.stiffness)
+        low = high / np.sqrt(self.ratio)
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            short = self.load(middle, length) < force
+            low, high = np.where(short, middle, low), np.where(short, high, middle)
+        return np.asarray(0.5 * (low + high))
+
+    def _bessel(self, a: NDArray[np.float64], length: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        """I₀, I₁, I₂ at a/l and K₀, K₁, K₂ at a/(f l), without their exponentials, which cancel."""
+        with extra("studies"):
+            from scipy.special import ive, kve
+
+        return [ive(n, a / length) for n in range(3)] + [kve(n, a / (self.ratio * length)) for n in range(3)]

@@ -1,0 +1,272 @@
+"""Contacts of rollers at rest, in plane strain: the thick and the thin limits, and Carter's creep curve.
+
+Loads are per length of the roller. ``radius`` is the relative one, 1/R = 1/R₁ + 1/R₂, where both bodies are curved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._arrays import as_float_array
+from ._inputs import Floats, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "LineContact",
+    "carter_force",
+    "hertz_line",
+    "thin_compressible_layer_line",
+    "thin_incompressible_layer_line",
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class LineContact:
+    """Contact on a strip, with the pressure p₀ (1 - x²/a²)ᵏ.
+
+    Attributes
+    ----------
+    half_width : float or ndarray
+        a [m].
+    approach : float or ndarray or None
+        d, by which roller and plane come closer [m]; None on a half-plane, where it has no limit: ∫ dk/k diverges.
+    max_pressure : float or ndarray
+        p₀, in the middle [Pa].
+    exponent : float
+        k [-]: 1/2 for Hertz, 1 and 2 for a thin layer that is compressible and incompressible.
+    """
+
+    half_width: Floats
+    approach: Floats | None
+    max_pressure: Floats
+    exponent: float
+
+    def pressure(self, distance: ArrayLike) -> Floats:
+        """Pressure at a distance from the middle [Pa], 0 outside of the contact.
+
+        Parameters
+        ----------
+        distance : array_like
+            x [m], of a shape that broadcasts with the half width.
+
+        Returns
+        -------
+        float or ndarray
+            p(x) [Pa].
+
+        Examples
+        --------
+        >>> hertz_line(load=5e3, radius=50e-3, shear_modulus=3e6, poisson_ratio=0.5).pressure(1.0)
+        0.0
+        """
+        inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.half_width) ** 2, 0.0, None)
+        return plain(self.max_pressure * inside**self.exponent)
+
+
+def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> LineContact:
+    """Contact of a rigid cylinder with an elastic half-plane, or the other way around: a² = 2 (1-ν) P R / (π G).
+
+    Valid without friction for a ≪ R. Compliances (1-ν)/G of two elastic bodies add.
+
+    Parameters
+    ----------
+    load : array_like
+        P per length [N/m], > 0.
+    radius : float
+        R [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5].
+
+    Returns
+    -------
+    LineContact
+        With the exponent 1/2 and p₀ = 2P / (πa); without an approach.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, equations (4.43) and (4.45).
+
+    Examples
+    --------
+    >>> contact = hertz_line(load=5e3, radius=50e-3, shear_modulus=3e6, poisson_ratio=0.5)
+    >>> f"{contact.half_width * 1e3:.3f} mm"
+    '5.150 mm'
+    """
+    force, size = positives("load", load, "N/m"), positive("radius", radius, "m")
+    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    a = np.sqrt(2.0 * (1.0 - poisson(poisson_ratio)) * force * size / (np.pi * stiffness))
+    return LineContact(half_width=plain(a), approach=None, max_pressure=plain(2.0 * force / (np.pi * a)), exponent=0.5)
+
+
+def thin_compressible_layer_line(
+    *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float, poisson_ratio: float
+) -> LineContact:
+    """Contact on a thin compressible coating, a bed of springs: P = 2 M a³ / (3 R h), d = a²/(2R).
+
+    M = λ + 2μ = 2 G (1-ν)/(1-2ν). Valid for a ≫ h and (1-2ν) a² ≫ h², to the order h/a.
+
+    Parameters
+    ----------
+    load : array_like
+        P per length [N/m], > 0.
+    radius : float
+        R [m], > 0.
+    thickness : float
+        h of the coating [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5).
+
+    Returns
+    -------
+    LineContact
+        With the exponent 1 and p₀ = M a² / (2 R h).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    Johnson, Contact Mechanics, section 5.8.
+
+    Examples
+    --------
+    >>> contact = thin_compressible_layer_line(
+    ...     load=5e3, radius=50e-3, thickness=0.5e-3, shear_modulus=3e6, poisson_ratio=0.3
+    ... )
+    >>> f"{contact.half_width * 1e3:.3f} mm"
+    '2.614 mm'
+    """
+    force, size, h = _load_and_sizes(load, radius, thickness)
+    nu = poisson(poisson_ratio, compressible=True)
+    confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    a = np.cbrt(1.5 * force * size * h / confined)
+    return LineContact(
+        half_width=plain(a), approach=plain(a**2 / (2.0 * size)), max_pressure=plain(0.75 * force / a), exponent=1.0
+    )
+
+
+def thin_incompressible_layer_line(
+    *, load: ArrayLike, radius: float, thickness: float, shear_modulus: float
+) -> LineContact:
+    """Contact on a thin incompressible bonded coating, without friction: P = 2 G a⁵ / (15 R h³), d = a²/(6R).
+
+    The coating is squeezed out sideways: (h³/3G) p'' = -(d - x²/2R), with p = 0 and no flow at the edge. Valid for
+    a ≫ h, but slow to become so: errors are of the order h/a.
+
+    Parameters
+    ----------
+    load : array_like
+        P per length [N/m], > 0.
+    radius : float
+        R [m], > 0.
+    thickness : float
+        h of the coating [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+
+    Returns
+    -------
+    LineContact
+        With the exponent 2 and p₀ = G a⁴ / (8 R h³).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    Johnson, Contact Mechanics, section 5.8.
+
+    Examples
+    --------
+    >>> contact = thin_incompressible_layer_line(load=5e3, radius=50e-3, thickness=0.5e-3, shear_modulus=3e6)
+    >>> f"{contact.half_width * 1e3:.3f} mm"
+    '2.391 mm'
+    """
+    force, size, h = _load_and_sizes(load, radius, thickness)
+    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    a = (7.5 * force * size * h**3 / stiffness) ** 0.2
+    return LineContact(
+        half_width=plain(a),
+        approach=plain(a**2 / (6.0 * size)),
+        max_pressure=plain(stiffness * a**4 / (8.0 * size * h**3)),
+        exponent=2.0,
+    )
+
+
+def carter_force(
+    *,
+    creepage: ArrayLike,
+    load: ArrayLike,
+    radius: float,
+    friction: float,
+    shear_modulus: float,
+    poisson_ratio: float,
+) -> Floats:
+    """Traction of a roller that creeps, F = μ P (1 - (1 - |c| R / (μ a))²), and μ P from |c| = μ a / R on.
+
+    Carter's curve of elastic rollers on which pressure causes no slip: an incompressible body on a rigid one, or two
+    alike. a is Hertz's half width; a zone behind the leading edge sticks.
+
+    Parameters
+    ----------
+    creepage : array_like
+        c [-], of either sign.
+    load : array_like
+        P per length [N/m], > 0, of a shape that broadcasts with the creepage's.
+    radius : float
+        R [m], > 0.
+    friction : float
+        Coulomb's coefficient μ [-], > 0.
+    shear_modulus, poisson_ratio : float
+        G [Pa], > 0, and ν [-], in (-1, 0.5], as of `hertz_line`.
+
+    Returns
+    -------
+    float or ndarray
+        F per length [N/m], with the sign of the creepage.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    F. W. Carter, Proc. R. Soc. Lond. A 112 (1926) 151-157; Johnson, Contact Mechanics, equation (8.20).
+
+    Examples
+    --------
+    >>> steel = {"load": 1e5, "radius": 0.5, "friction": 0.3, "shear_modulus": 8e10, "poisson_ratio": 0.5}
+    >>> f"{carter_force(creepage=1e-4, **steel):.0f} N/m"
+    '18231 N/m'
+    """
+    coefficient = positive("friction", friction, "")
+    contact = hertz_line(load=load, radius=radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio)
+    creep = as_float_array("creepage", creepage)
+    if not np.isfinite(creep).all():
+        raise ValueError(f"creepage must be finite, got {creep[~np.isfinite(creep)][0]:g}")
+    sliding = np.minimum(np.abs(creep) * radius / (coefficient * np.asarray(contact.half_width)), 1.0)
+    force = coefficient * positives("load", load, "N/m") * (1.0 - (1.0 - sliding) ** 2)
+    return plain(np.copysign(force, creep))
+
+
+def _load_and_sizes(load: ArrayLike, radius: float, thickness: float) -> tuple[NDArray[np.float64], float, float]:
+    return positives("load", load, "N/m"), positive("radius", radius, "m"), positive("thickness", thickness, "m")

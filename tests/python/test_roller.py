@@ -1,0 +1,294 @@
+"""Rollers in line contact: limits, closed forms, an independent computation, units, and bad input."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll import analytic
+
+RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+SOFT = vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
+ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[SOFT])
+HALF_PLANE = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
+STEEL = vr.CoatedCylinder(core_radius=50e-3, layers=[])
+
+
+def _half_plane_moment(speed: float, *, load: float, radius: float, nodes: int) -> float:
+    """M [N] of a rigid cylinder on a half-plane of RUBBER, ν = ½, by collocation on uniform strips.
+
+    Boussinesq's and Flamant's line load with a creep compliance J₀ + (J_∞ - J₀)(1 - exp(-t/τ_c)), 1/μ* of the solid:
+    the memory is an integral over the past of the elastic kernel, by Gauss's rule on panels. Dense, in NumPy alone.
+    """
+    stiff, soft = RUBBER.instantaneous_modulus, RUBBER.relaxed_modulus
+    retarded = speed * RUBBER.relaxation_time * stiff / soft
+    width = 2.6 * np.sqrt(load * radius / (np.pi * soft)) / nodes
+    way = (np.arange(nodes) - nodes / 2 + 0.5) * width  # of the material, backward
+    offset = np.arange(-nodes + 1, nodes) * width
+
+    def elastic(s):
+        def integral(t):
+            return np.where(t == 0.0, 0.0, t * np.log(np.abs(t) + 1e-300)) - t
+
+        return -(integral(s + width / 2) - integral(s - width / 2)) / (np.pi * width)
+
+    edges = np.append(
+        np.arange(0.0, 2.0 * nodes * width, width / 2), np.geomspace(2.001 * nodes * width, 40 * retarded)
+    )
+    edges = edges[edges <= max(36.0 * retarded, width)]
+    points, weights = np.polynomial.legendre.leggauss(6)
+    past = 0.5 * (edges[1:, None] + edges[:-1, None]) + 0.5 * np.diff(edges)[:, None] * points
+    share = 0.5 * np.diff(edges)[:, None] * weights * np.exp(-past / retarded) / retarded
+    faded = sum(w * elastic(offset - y) for y, w in zip(past.ravel(), share.ravel(), strict=True))
+    kernel = 0.5 * (elastic(offset) / stiff + (1.0 / soft - 1.0 / stiff) * faded)
+    index = np.arange(nodes)
+    compliance = kernel[index[:, None] - index[None, :] + nodes - 1]
+    gap = way**2 / (2.0 * radius)
+    touching = gap < 0.3 * gap.max()
+    for _ in range(60):
+        inside = np.flatnonzero(touching)
+        system = np.ones((inside.size + 1, inside.size + 1))
+        system[:-1, :-1] = compliance[np.ix_(inside, inside)]
+        system[:-1, -1], system[-1, -1] = -1.0, 0.0
+        solution = np.linalg.solve(system, np.append(-gap[inside], load))
+        force = np.zeros(nodes)
+        force[inside] = solution[:-1]
+        clear = gap + compliance @ force - solution[-1]
+        now = (force > 0.0) | (~touching & (clear < 0.0))
+        if (now == touching).all():
+            return float(-(way * force).sum())
+        touching = now
+    raise AssertionError("the contact did not settle")
+
+
+@pytest.mark.parametrize("speed", [0.005, 0.05, 0.5])
+def test_hunters_closed_form_is_what_collocation_finds(speed):
+    # 800 strips leave some 1e-5 themselves: 400 differ from them by as much.
+    found = analytic.hunter(load=5e3, speed=speed, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5).moment
+    assert found == pytest.approx(_half_plane_moment(speed, load=5e3, radius=50e-3, nodes=400), rel=1e-4)
+
+
+def test_hunter_meets_hertz_and_the_slow_limit():
+    common = {"load": 5e3, "radius": 50e-3, "poisson_ratio": 0.3}
+    slow = analytic.hunter(**common, speed=1e-6, shear_modulus=RUBBER)
+    hertz = analytic.hertz_line(**common, shear_modulus=3e6)
+    assert slow.half_width == pytest.approx(hertz.half_width, rel=1e-4)
+    assert slow.moment == pytest.approx(5e3 * 1e-6 * 0.125, rel=1e-3)  # P V τ (G₀ - G_∞)/G_∞
+    fast = analytic.hunter(**common, speed=1e4, shear_modulus=RUBBER)
+    assert fast.half_width == pytest.approx(hertz.half_width / np.sqrt(2.0), rel=1e-4)
+    assert fast.center == pytest.approx(0.0, abs=1e-4 * fast.half_width)
+
+
+@pytest.mark.parametrize("angular_speed", [0.1, 1.0, 10.0])
+def test_rigid_roller_on_a_half_plane_is_hunters(angular_speed):
+    r = vr.solve(STEEL, on=HALF_PLANE, load=5e3, angular_speed=angular_speed, accuracy=1e-3)
+    exact = analytic.hunter(
+        load=5e3, speed=angular_speed * 50e-3, radius=50e-3, shear_modulus=RUBBER, poisson_ratio=0.5
+    )
+    assert r.resisting_torque == pytest.approx(exact.moment, rel=1e-3)
+    assert r.semi_axis_x == pytest.approx(exact.half_width, rel=0.01)  # by whole nodes
+    assert r.penetration is r.strain is r.model_error is r.center_height is None
+    assert np.isfinite(r.displacement).all()
+
+
+@pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
+def test_roller_on_a_rigid_plane(angular_speed, moment):
+    # By an independent code (docs/theory.md, section 14), to its own 0.3 %.
+    r = vr.solve(ROLLER, load=5e3, angular_speed=angular_speed, accuracy=1e-3)
+    assert r.resisting_torque == pytest.approx(moment, rel=3e-3)
+    assert r.power_balance_error < 1e-3
+
+
+def test_mirrored_pairs_share_the_resistance_out():
+    # The curved layer of a large roller is a flat one: what deforms changes who is driven, and nothing else.
+    mat = vr.CoatedPlane(layers=[SOFT])
+    on_mat = vr.solve(vr.CoatedCylinder(core_radius=2.0, layers=[]), on=mat, load=5e3, angular_speed=0.02)
+    thick = vr.CoatedCylinder(core_radius=1.99, layers=[SOFT])
+    coated = vr.solve(thick, load=5e3, angular_speed=0.02)
+    assert on_mat.resisting_torque == pytest.approx(coated.resisting_torque, rel=0.01)
+    assert on_mat.driving_torque == pytest.approx(0.0, abs=5e-3 * on_mat.resisting_torque)
+    assert on_mat.driving_force * 2.0 == pytest.approx(on_mat.resisting_torque, rel=5e-3)
+    assert coated.driving_force == 0.0
+    assert coated.driving_torque == coated.resisting_torque
+
+
+def test_thin_layers_come_to_their_limits():
+    # Errors of the order h/a = 1/30, in a limit that an incompressible layer is slow to reach.
+    hard = vr.Elastic(modulus=1e6)
+    for nu, form in ((0.3, analytic.thin_compressible_layer_line), (0.5, analytic.thin_incompressible_layer_line)):
+        given = {"load": 6e4 if nu == 0.3 else 5e6, "radius": 1.0, "thickness": 1e-3, "shear_modulus": 1e6}
+        exact = form(**given, **({"poisson_ratio": nu} if nu == 0.3 else {}))
+        layer = vr.Layer(thickness=1e-3, shear_modulus=hard, poisson_ratio=nu)
+        r = vr.solve(vr.CoatedCylinder(core_radius=0.999, layers=[layer]), load=given["load"], angular_speed=1.0)
+        a_per_h = exact.half_width / 1e-3
+        assert a_per_h > 25.0
+        assert r.semi_axis_x == pytest.approx(exact.half_width, rel=2.0 / a_per_h)
+        assert r.penetration == pytest.approx(exact.approach, rel=1.0 / a_per_h)
+        assert r.max_pressure == pytest.approx(exact.max_pressure, rel=2.0 / a_per_h)
+
+
+def test_winkler_line_is_near_the_solver_on_a_thin_foam():
+    foam = vr.StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
+    layer = vr.Layer(thickness=0.2e-3, shear_modulus=foam, poisson_ratio=0.2)
+    roller = vr.CoatedCylinder(core_radius=49.8e-3, layers=[layer])
+    forms = analytic.applicable(roller)
+    assert set(forms) == {"low_speed", "hunter", "winkler_line"}
+    assert forms["winkler_line"].holds(1e3, 2.0)
+    r = vr.solve(roller, load=1e3, angular_speed=2.0, accuracy=1e-3)
+    assert forms["winkler_line"](1e3, 2.0) == pytest.approx(r.resisting_torque, rel=0.03)  # h/a = 0.08
+
+
+def test_compare_knows_hunter_where_layers_are_thick_and_wakes_short():
+    thick = vr.Layer(thickness=40e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
+    roller = vr.CoatedCylinder(core_radius=20e-3, layers=[thick])
+    form = analytic.applicable(roller)["hunter"]
+    for speed in (0.1, 0.5):
+        assert form.holds(2e3, speed)
+        r = vr.solve(roller, load=2e3, angular_speed=speed, accuracy=3e-3)
+        assert form(2e3, speed) == pytest.approx(r.resisting_torque, rel=0.02)
+    assert not form.holds(2e3, 10.0)  # where the wake reaches the core: 37 % too much
+
+
+def test_pictures_of_rollers_are_profiles(tmp_path):
+    r = vr.solve(ROLLER, load=5e3, angular_speed=1.0, accuracy=0.05)
+    assert len(r.plot().axes) == 2  # tractions, and the gap
+    for suffix in ("csv", "nc", "vtu"):
+        r.save(tmp_path / f"roller.{suffix}")
+        assert (tmp_path / f"roller.{suffix}").stat().st_size > 0
+
+
+def test_slow_rolling_loses_load_times_way_times_loss_time():
+    # Linear in speed only as long as the way in the loss time is small beside the contact: two speeds, extrapolated.
+    torque = [
+        vr.solve(ROLLER, load=5e3, angular_speed=speed, mesh=vr.Mesh(nodes_per_revolution=12000)).resisting_torque
+        / (5e3 * speed * 60e-3 * 0.125)
+        for speed in (0.004, 0.008)
+    ]
+    assert 2.0 * torque[0] - torque[1] == pytest.approx(1.0, rel=5e-3)
+
+
+def test_units_are_per_length():
+    r = vr.solve(ROLLER, load=5e3, angular_speed=1.0, accuracy=0.05)
+    assert [r.unit(name) for name in ("load", "resisting_torque", "bulk_power", "contact_area", "max_pressure")] == [
+        "N/m",
+        "N",
+        "W/m",
+        "m",
+        "Pa",
+    ]
+    text = repr(r)
+    assert "P = 5000 N/m" in text
+    assert "W/m" in text
+    assert r.semi_axis_z is None
+    assert r.pressure.shape[1] == 1
+    assert r.contact_area == pytest.approx(2.0 * r.semi_axis_x)
+
+
+def test_roller_model_gives_what_solve_gives():
+    mesh = vr.Mesh(nodes_per_revolution=3000)
+    model = vr.RollingModel(ROLLER, angular_speed=1.0, mesh=mesh)
+    one = vr.solve(ROLLER, load=5e3, angular_speed=1.0, mesh=mesh)
+    assert model.solve(load=5e3).resisting_torque == pytest.approx(one.resisting_torque, rel=1e-12)
+
+
+def test_lateral_creepage_shears_a_roller_along_its_axis():
+    # Elastic, thick, full stick at the leading edge: shear along the axis follows Carter's curve with a half-plane's
+    # antiplane compliance, 1/(μk) in place of (1-ν)/(μk): at ν = ½ half as stiff, so that the same creepage does half.
+    a = 1e-4
+    load = np.pi * 1e7 * a**2 / 0.1
+    layer = vr.Layer(thickness=60e-3, shear_modulus=vr.Elastic(modulus=1e7), poisson_ratio=0.5)
+    roller = vr.CoatedCylinder(core_radius=40e-3, layers=[layer])
+    mesh = vr.Mesh(nodes_per_revolution=300_000)
+    full = 0.3 * a / 0.1
+    drive = vr.Drive(creepage=0.0, lateral_creepage=0.5 * full)
+    r = vr.solve(roller, load=load, angular_speed=1.0, friction=0.3, drive=drive, mesh=mesh)
+    expected = 0.3 * load * (1.0 - (1.0 - 0.25) ** 2)
+    assert abs(r.lateral_force) == pytest.approx(expected, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"core_radius": 0.0, "layers": [SOFT]}, "core_radius must be > 0 m .without a core"),
+        ({"core_radius": -1.0, "layers": [SOFT]}, "core_radius must be > 0 m, got -1"),
+        ({"core_radius": 1.0, "layers": [3.0]}, r"layers\[0\] must be a viscoroll.Layer"),
+    ],
+)
+def test_bad_cylinders_are_refused_by_name(arguments, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        vr.CoatedCylinder(**arguments)
+
+
+@pytest.mark.parametrize(
+    ("roller", "given", "message"),
+    [
+        (STEEL, {}, "layers must be a list of at least one layer, of what rolls or of what it rolls on"),
+        (ROLLER, {"load": -1.0}, "load must be > 0 N/m, got -1"),
+        (ROLLER, {"load": 1e9}, "load must be small enough for the coating, got 1e[+]09 N/m .the roller"),
+        (ROLLER, {"curvature": vr.Curvature.EXACT}, "curvature must be left out with a cylinder"),
+        (ROLLER, {"patch_load": vr.PatchLoad.SPHERICAL}, "patch_load must be FLAT with a cylinder"),
+        (
+            ROLLER,
+            {"mesh": vr.Mesh(nodes_per_revolution=1000, theta_nodes_per_revolution=500)},
+            "mesh.theta_nodes_per_revolution must be left out with a cylinder",
+        ),
+        (STEEL, {"on": HALF_PLANE, "friction": 0.3}, "friction must be 0 where the counterpart of a cylinder deforms"),
+        (
+            STEEL,
+            {"on": HALF_PLANE, "compliance": vr.Compliance.VERTICAL},
+            "compliance must be RADIAL where the counterpart deforms",
+        ),
+        (
+            STEEL,
+            {"on": HALF_PLANE, "mesh": vr.Mesh(nodes_per_revolution=1000, max_order=600)},
+            "mesh.max_order must be left out where a plane deforms",
+        ),
+    ],
+)
+def test_bad_input_is_refused_by_name(roller, given, message):
+    with pytest.raises(ValueError, match=message):
+        vr.solve(roller, **{"load": 5e3, "angular_speed": 1.0} | given)
+
+
+def test_fast_rollers_with_mass_are_refused():
+    heavy = vr.CoatedCylinder(
+        core_radius=50e-3,
+        layers=[vr.Layer(thickness=10e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=1000.0)],
+    )
+    critical = vr.critical_speed(heavy)
+    # The Rayleigh wave of the short-time modulus, 0.9553 of the shear wave's speed (ν = ½).
+    assert critical == pytest.approx(0.9553 * np.sqrt(6e6 / 1000.0) / 60e-3, rel=1e-3)
+    with pytest.raises(ValueError, match="angular_speed must be below the critical speed"):
+        vr.solve(heavy, load=5e3, angular_speed=1.01 * critical)
+
+
+def test_studies_of_rollers_have_units_per_length():
+    study = vr.sweep(ROLLER, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.05)
+    assert study["load"].attrs["units"] == "N/m"
+    assert study["resisting_torque"].attrs["units"] == "N"
+    assert study["bulk_power"].attrs["units"] == "W/m"
+
+
+def test_case_files_know_cylinders(tmp_path):
+    from viscoroll.case import load_case
+
+    path = tmp_path / "roller.toml"
+    path.write_text(
+        """
+        [cylinder]
+        core_radius = 50e-3
+        [[cylinder.layers]]
+        thickness = 10e-3
+        poisson_ratio = 0.5
+        shear_modulus = { type = "standard_linear_solid", instantaneous_modulus = 6e6, relaxed_modulus = 3e6,
+                          relaxation_time = 0.125 }
+        [rolling]
+        load = 5e3
+        angular_speed = 1.0
+        """.replace("relaxed_modulus = 3e6,\n                          ", "relaxed_modulus = 3e6, ")
+    )
+    case = load_case(path)
+    assert case.ball == ROLLER
+    path.write_text("[rolling]\nload = 1.0\nangular_speed = 1.0\n")
+    with pytest.raises(ValueError, match="ball or cylinder must be given, and not both, got none"):
+        load_case(path)
