@@ -312,3 +312,24 @@ def test_the_exact_sphere_is_refused():
         r.loss()
     with pytest.raises(ValueError, match=r"max_order must be in \[1, 20000\]"):
         vr.solve(paper.ball(), load=1.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=400)).loss(max_order=0)
+
+
+@pytest.mark.parametrize("on", [vr.CoatedPlane(layers=paper.ball().layers), vr.Groove(radius=30e-3)])
+def test_inside_of_a_ball_on_something_else_than_a_rigid_plane(on):
+    r = vr.solve(paper.ball(), on=on, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500))
+    loss = r.loss(depth=[0.5e-3])
+    assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
+    assert loss.attrs["power"] == pytest.approx(r.rolling_bulk_power, rel=3e-3)
+
+
+def test_a_rigid_ball_and_a_roller_have_no_inside():
+    layers = paper.ball().layers
+    mesh = vr.Mesh(nodes_per_revolution=500)
+    rigid = vr.solve(
+        vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=layers), load=100.0, angular_speed=2.5, mesh=mesh
+    )
+    with pytest.raises(ValueError, match="must have a layer"):
+        rigid.loss()
+    roller = vr.solve(vr.CoatedCylinder(core_radius=20e-3, layers=layers), load=1e3, angular_speed=2.5, mesh=mesh)
+    with pytest.raises(TypeError, match="CoatedSphere"):
+        roller.interior(depth=[0.5e-3])
