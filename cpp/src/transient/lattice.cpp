@@ -313,30 +313,8 @@ void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
   }
 }
 
-namespace {
-
-constexpr std::array kInstant{&RollingInstant::angle,
-                              &RollingInstant::load,
-                              &RollingInstant::resisting_torque,
-                              &RollingInstant::driving_torque,
-                              &RollingInstant::penetration,
-                              &RollingInstant::contact_area,
-                              &RollingInstant::semi_axis_x,
-                              &RollingInstant::semi_axis_z,
-                              &RollingInstant::max_pressure,
-                              &RollingInstant::stored_energy,
-                              &RollingInstant::dissipated_energy,
-                              &RollingInstant::work,
-                              &RollingInstant::energy_imbalance,
-                              &RollingInstant::driving_force,
-                              &RollingInstant::center_way,
-                              &RollingInstant::slip_energy,
-                              &RollingInstant::stick_share};
-
-}  // namespace
-
 void Lattice::write(NumberWriter& numbers) const {
-  for (const auto member : kInstant) numbers.put(now_.*member);
+  for (const auto member : kLatticeScalars) numbers.put(now_.*member);
   numbers.put(static_cast<double>(half_rows_));
   numbers.put(lowest_);
   numbers.put(static_cast<double>(rows_.first));
@@ -346,7 +324,7 @@ void Lattice::write(NumberWriter& numbers) const {
 }
 
 void Lattice::read(NumberReader& numbers) {
-  for (const auto member : kInstant) now_.*member = numbers.get();
+  for (const auto member : kLatticeScalars) now_.*member = numbers.get();
   half_rows_ = numbers.count(static_cast<double>(coating_->tables.ring()) / 6.0);
   lowest_ = numbers.get();
   rows_ = {.first = numbers.count(static_cast<double>(coating_->tables.ring())), .count = numbers.count()};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <stdexcept>
 
@@ -19,6 +20,25 @@ class ContactTooWide : public std::runtime_error {
  public:
   ContactTooWide() : std::runtime_error("the contact reaches the side of the tables") {}
 };
+
+/// @brief Numbers that each lattice has of an instant: what is averaged over lattices, and stored of each.
+inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
+                                            &RollingInstant::load,
+                                            &RollingInstant::resisting_torque,
+                                            &RollingInstant::driving_torque,
+                                            &RollingInstant::penetration,
+                                            &RollingInstant::contact_area,
+                                            &RollingInstant::semi_axis_x,
+                                            &RollingInstant::semi_axis_z,
+                                            &RollingInstant::max_pressure,
+                                            &RollingInstant::stored_energy,
+                                            &RollingInstant::dissipated_energy,
+                                            &RollingInstant::work,
+                                            &RollingInstant::energy_imbalance,
+                                            &RollingInstant::driving_force,
+                                            &RollingInstant::center_way,
+                                            &RollingInstant::slip_energy,
+                                            &RollingInstant::stick_share};
 
 /// @brief Nodes of the coating at angles (I + shift) spacing + angle turned, what they bear and what they remember.
 class Lattice {

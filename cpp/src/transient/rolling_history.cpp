@@ -2,7 +2,6 @@
 #include "viscoroll/rolling_history.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -175,26 +174,9 @@ struct RollingHistory::Impl {
 };
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
-  constexpr std::array kMeans{&RollingInstant::angle,
-                              &RollingInstant::load,
-                              &RollingInstant::resisting_torque,
-                              &RollingInstant::driving_torque,
-                              &RollingInstant::penetration,
-                              &RollingInstant::contact_area,
-                              &RollingInstant::semi_axis_x,
-                              &RollingInstant::semi_axis_z,
-                              &RollingInstant::max_pressure,
-                              &RollingInstant::stored_energy,
-                              &RollingInstant::dissipated_energy,
-                              &RollingInstant::work,
-                              &RollingInstant::energy_imbalance,
-                              &RollingInstant::driving_force,
-                              &RollingInstant::center_way,
-                              &RollingInstant::slip_energy,
-                              &RollingInstant::stick_share};
   RollingInstant mean;
   const auto count = static_cast<double>(of_lattices.size());
-  for (const auto member : kMeans) {
+  for (const auto member : detail::kLatticeScalars) {
     for (const RollingInstant& one : of_lattices) mean.*member += one.*member / count;
   }
   double variance = 0.0;
