@@ -17,7 +17,7 @@ from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
 from .commands import add_commands
-from .result import SUFFIXES
+from .result_files import SUFFIXES
 from .rolling import solve as solve_rolling
 from .scalars import SCALARS
 

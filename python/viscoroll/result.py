@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -25,10 +24,7 @@ if TYPE_CHECKING:
 
     from . import _core
 
-__all__ = ["SUFFIXES", "Refinement", "Result"]
-
-#: Of the files that `Result.save` writes.
-SUFFIXES = (".csv", ".nc", ".vtu", ".vtk")
+__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Result"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -468,59 +464,9 @@ class Result(ScalarFields):
         ImportError
             For all but ``.csv``, without the extra `viscoroll[files]`.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".csv":
-                with path.open("w", newline="") as file:
-                    writer = csv.writer(file)
-                    columns = self._columns()
-                    writer.writerow(columns)
-                    writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
-            case ".nc":
-                with extra("files"):
-                    import netCDF4  # noqa: F401  (what xarray writes with)
-                self.to_xarray().to_netcdf(path, engine="netcdf4")
-            case ".vtu" | ".vtk":
-                self._write_vtk(path)
-            case _:
-                raise ValueError(f"path must end in .csv, .nc, .vtu or .vtk, got {path.name!r}")
+        from .result_files import save_result
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
-        columns = {f"{name} [{unit}]": getattr(self, name).ravel() for name, (unit, _) in FIELDS.items()}
-        for name, (unit, _) in VECTOR_FIELDS.items():
-            for direction, values in zip("xz", getattr(self, name), strict=True):
-                columns[f"{name}_{direction} [{unit}]"] = values.ravel()
-        return columns
-
-    def _write_vtk(self, path: Path) -> None:
-        with extra("files"):
-            import meshio
-
-        rows, columns = self.x.shape
-        node = np.arange(rows * columns).reshape(rows, columns)
-        if columns == 1:
-            cells = ("line", np.stack([node[:-1, 0], node[1:, 0]], axis=-1))
-        else:
-            corners = [node[:-1, :-1], node[1:, :-1], node[1:, 1:], node[:-1, 1:]]
-            cells = ("quad", np.stack(corners, axis=-1).reshape(-1, 4))
-        # The plane is at height 0; VTK readers expect the third axis to point up.
-        points = np.stack([self.x, self.z, self.gap], axis=-1).reshape(-1, 3)
-        meshio.Mesh(
-            points,
-            [cells],
-            point_data={
-                "pressure": self.pressure.ravel(),
-                "displacement": self.displacement.ravel(),
-                "contact": self.contact.ravel().astype(np.int32),
-                "stick": self.stick.ravel().astype(np.int32),
-                "shear_traction": self._vectors(self.shear_traction),
-                "slip_velocity": self._vectors(self.slip_velocity),
-            },
-        ).write(path)
-
-    @staticmethod
-    def _vectors(field: NDArray[np.float64]) -> NDArray[np.float64]:
-        return np.stack([*(part.ravel() for part in field), np.zeros(field[0].size)], axis=-1)
+        save_result(self, Path(path))
 
     def plot(self) -> Figure:
         """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.

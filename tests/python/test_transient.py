@@ -453,62 +453,7 @@ def test_results_are_saved_and_drawn(tmp_path):
     assert "RELAXED start" in repr(h)
 
 
-# --- friction -------------------------------------------------------------------------------------------------------
-
-
-def test_friction_starts_as_it_should():
-    """Fresh, 0.2 rad/s, μ = 0.3, C_r in full: the independent program's torques with their bars."""
-    h = speed(
-        0.2, 0.4, start=vr.Start.FRESH, compliance=vr.Compliance.VERTICAL, curvature=vr.Curvature.PAPER, friction=0.3,
-        mesh=vr.Mesh(nodes_per_revolution=200), lattices=1, steps_per_spacing=1,
-    )  # fmt: skip
-    torque = np.interp([0.05, 0.1, 0.2, 0.4], h.angle, h.resisting_torque * MILLI)
-    # Theirs are for fine meshes; this is π/100, whose steady torque is 4 % low (28.6 of 30.2).
-    np.testing.assert_allclose(torque, [17.1, 27.25, 30.1, 30.24], rtol=0.06)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("compliance", list(vr.Compliance))
-@pytest.mark.parametrize("friction", [0.1, 0.3, 1.0])
-def test_friction_ends_in_the_steady_state(friction, compliance):
-    mesh = vr.Mesh(nodes_per_revolution=500)
-    given = {"load": 100.0, "compliance": compliance, "friction": friction, "mesh": mesh}
-    steady = vr.solve(BALL, angular_speed=0.2, **given)
-    angle = np.arange(41) * mesh.spacing
-    h = vr.roll(BALL, time=angle / 0.2, angle=angle, lattices=1, steps_per_spacing=None, start=vr.Start.FRESH, **given)
-    # Whole nodes, on the same mesh: slip and memory are taken from node to node otherwise than in the steady solver.
-    assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=3e-3)
-    assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=3e-3)
-    assert h.creepage[-1] == pytest.approx(steady.creepage, abs=3e-4)
-
-
-@pytest.mark.parametrize("compliance", list(vr.Compliance))
-def test_energy_balance_with_friction(compliance):
-    h = vr.roll(
-        BALL, time=[0.0, 1.0, 1.5, 2.0], angle=[0.0, 0.3, 0.3, 0.2], load=100.0, start=vr.Start.FRESH, friction=0.3,
-        compliance=compliance, mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
-    )  # fmt: skip
-    assert h.slip_energy[-1] > 0.0
-    assert (np.diff(h.slip_energy) > -1e-12).all()
-    assert np.abs(h.driving_force).max() < 1e-6
-    assert h.energy_balance_error[-1] < 3e-3
-
-
-def test_a_force_on_the_center():
-    given = {"friction": 0.5, "mesh": vr.Mesh(nodes_per_revolution=120), "lattices": 1}
-    pushed = speed(0.5, 0.3, drive=vr.Drive(force=5.0), **given)
-    free = speed(0.5, 0.3, **given)
-    np.testing.assert_allclose(pushed.driving_force[1:], 5.0, rtol=1e-6)
-    # Statics: a force pushes where a torque is spared.
-    height = 21e-3 - pushed.penetration[-1]
-    np.testing.assert_allclose(
-        pushed.driving_torque[-1], pushed.resisting_torque[-1] - 5.0 * height, rtol=1e-6, atol=1e-9
-    )
-    assert pushed.creepage[-1] > free.creepage[-1]
-    with pytest.raises(ValueError, match=r"driving_force must be smaller than friction \* load = 50 N"):
-        speed(0.5, 0.3, drive=vr.Drive(force=60.0), **given)
-    with pytest.raises(ValueError, match="drive must be a force in transient rolling"):
-        speed(0.5, 0.3, drive=vr.Drive(torque=0.0), **given)
+# --- the worked example ---------------------------------------------------------------------------------------------
 
 
 def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
