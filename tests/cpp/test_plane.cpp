@@ -23,8 +23,8 @@ namespace {
 
 using cplx = std::complex<double>;
 
-const cplx kRubber(3e6, 1e6);
-const cplx kStiff(2e7, 3e5);
+constexpr cplx kRubber(3e6, 1e6);
+constexpr cplx kStiff(2e7, 3e5);
 
 cplx ratio(double nu) { return (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)); }
 

@@ -121,7 +121,7 @@ class RandomCoating {
   [[nodiscard]] CoatedSphere measured_sphere(bool with_inertia, double frequency) {
     CoatedSphere sphere = this->sphere(with_inertia);
     const int first = integer(0, static_cast<int>(sphere.layers.size()) - 1);
-    for (std::size_t j = static_cast<std::size_t>(first); j < sphere.layers.size(); ++j) {
+    for (auto j = static_cast<std::size_t>(first); j < sphere.layers.size(); ++j) {
       sphere.layers[j].shear_modulus = measured_modulus(frequency);
     }
     return sphere;

@@ -20,7 +20,7 @@ std::vector<double> scaled(std::vector<double> orders, double factor) {
 }
 
 /// Bands are made of what has been checked alone.
-const CoatedSphere& checked(const CoatedSphere& sphere, double angular_speed) {
+CoatedSphere checked(CoatedSphere sphere, double angular_speed) {
   validate(sphere);
   if (sphere.layers.empty()) reject("layers", "a list of at least one layer", "none");
   require_positive("angular_speed", angular_speed, "rad/s");
@@ -35,8 +35,8 @@ CoatingSum::CoatingSum(const CoatedSphere& sphere, double angular_speed, const M
                  theta_bands(sphere, angular_speed, mesh), threads, watch, curvature, {}, inertia_tolerance) {}
 
 CoatingSum::CoatingSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
-                       std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands, int threads, Watch& watch,
-                       Curvature curvature, const LocalMetric& metric, double inertia_tolerance)
+                       std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
+                       Watch& watch, Curvature curvature, const LocalMetric& metric, double inertia_tolerance)
     :  // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
       coating_(sphere, angular_speed * metric.sine, scaled(all_orders(phi_bands), 1.0 / metric.sine),
                measured_order(mesh) / metric.sine, curvature),

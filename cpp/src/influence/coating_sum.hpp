@@ -28,8 +28,9 @@ class CoatingSum : public TableSum {
 
   /// @brief The same with other orders than those of the mesh.
   CoatingSum(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-             std::vector<OrderBand> theta_bands, int threads, Watch& watch, Curvature curvature = Curvature::sphere,
-             const LocalMetric& metric = {}, double inertia_tolerance = kInertiaTolerance);
+             const std::vector<OrderBand>& theta_bands, int threads, Watch& watch,
+             Curvature curvature = Curvature::sphere, const LocalMetric& metric = {},
+             double inertia_tolerance = kInertiaTolerance);
 
   /// @brief The high orders in another metric, with the membrane stiffness of a sphere. Forces are per area of the
   /// equator's metric.

@@ -37,6 +37,7 @@ LineSum::LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double rad
 std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int /*theta_reach*/,
                                    int threads, Watch& watch) const {
   std::vector<Waves> waves;
+  waves.reserve(bands_.size());
   for (const OrderBand& band : bands_) {
     waves.push_back(make_waves(band.orders, spacing_, std::min(band.reach, phi_reach)));
   }

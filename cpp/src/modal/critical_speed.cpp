@@ -60,7 +60,7 @@ bool are_stiff_on_sphere(std::span<const Medium<double>> media, std::span<const 
 }
 
 bool are_stiff_on_cylinder(std::span<const Medium<double>> media, std::span<const double> orders) {
-  return std::all_of(orders.begin(), orders.end(), [&](double m) { return is_subcritical(media, m); });
+  return std::ranges::all_of(orders, [&](double m) { return is_subcritical(media, m); });
 }
 
 /// Whether no order resonates up to this speed. The slowest waves run straight along phi, so n = 0; the orders are

@@ -55,15 +55,15 @@ std::vector<std::vector<std::complex<double>>> harmonic_moduli(const std::vector
   std::vector<double> omega(orders.size());
   for (const Layer& layer : layers) {
     const bool measured = is_measured(layer.shear_modulus);
-    std::transform(orders.begin(), orders.end(), omega.begin(),
-                   [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
+    std::ranges::transform(orders, omega.begin(),
+                           [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
     moduli.push_back(complex_modulus(layer.shear_modulus, omega));
   }
   return moduli;
 }
 
 double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order) {
-  const double highest = orders.empty() ? 0.0 : *std::max_element(orders.begin(), orders.end());
+  const double highest = orders.empty() ? 0.0 : std::ranges::max(orders);
   return angular_speed * std::max(1.0, limited(highest, measured_order));
 }
 
