@@ -81,7 +81,7 @@ def draw(seed: int, number: int) -> Case:
     ]
     ball = vr.CoatedSphere(core_radius=geometry.core_radius, layers=layers, inner_boundary=geometry.inner_boundary)
     load = _load(ball, geometry, depth, 1.0 / time)
-    friction = 0.0 if rng.random() < 0.4 else 10.0 ** rng.uniform(math.log10(0.003), 2.0)
+    friction = 0.0 if rng.random() < 0.4 else 10.0 ** rng.uniform(math.log10(0.003), 1.0)
     arguments: dict[str, Any] = {
         "load": load,
         "angular_speed": speed,

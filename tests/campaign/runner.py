@@ -115,7 +115,8 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
         return outcome
     outcome.nodes = int(result.contact.sum())
     outcome.violations |= violations(case, result)
-    if case.absurd:
+    warned = case.absurd == "load" and vr.WarningKind.LARGE_STRAIN in result.warnings  # which the coating bears, just
+    if case.absurd and not warned:
         outcome.violations[f"absurd {case.absurd} accepted"] = math.inf
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind

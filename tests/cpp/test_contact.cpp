@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "contact/multilevel.hpp"
 #include "contact/normal_contact.hpp"
 #include "contact/transfer.hpp"
 #include "dense_oracle.hpp"
@@ -74,6 +75,18 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
 INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,
                          testing::Combine(testing::Bool(), testing::Values(Compliance::vertical, Compliance::radial),
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical)));
+
+/// A box around a contact cannot grow where its window ends.
+TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
+  const Model model(elastic_sphere(), {.compliance = Compliance::radial, .tangential = false}, {{-40, 40}, {-40, 40}},
+                    600);
+  ContactProblem problem = model.problem(20.0);
+  const Eigen::ArrayXd x = model.nodes.x();
+  problem.initial_gap += x.maxCoeff() / 23e-3 * x;  // the lowest point lies at an edge
+  const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 100});
+  EXPECT_TRUE(touches_edge(located));
+  EXPECT_NE(located.window(), model.nodes.window());
+}
 
 class CoarserSelfTest : public testing::TestWithParam<std::tuple<bool, double>> {};
 

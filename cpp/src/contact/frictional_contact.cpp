@@ -19,12 +19,16 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kTolerance = 1e-10;     // residual of a converged state, per load
+constexpr double kTolerance = 1e-10;     // residual of a converged state, per load, or per largest friction force ...
+constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
 constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
+constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
+constexpr int kPatience = 14;            // after which those of a continuation must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
 constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
+constexpr double kStride = 1.5;          // growth of such steps that succeed
 constexpr double kEasyFriction = 0.3;    // second start
 constexpr double kSmallCreepage = 1e-5;  // below which the scale of a search for the speed is linear
 constexpr double kFirstStride = 0.1;     // on that scale, from -1 to 1
@@ -34,6 +38,8 @@ constexpr double kSmallestRatio = 1.05;  // of one share to the next
 constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
 constexpr Index kSmallContact = 300;  // nodes up to which every step is exact, which takes fewer of them
+constexpr double kMostEffort = 1e7;   // operator applications on a mesh, times its nodes: some seconds ...
+constexpr int kLeastEffort = 800;     // ... or this many
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
 /// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
@@ -77,7 +83,8 @@ class FrictionalContactSolver {
         preconditioner_(*problem.surface),
         state_(start),
         has_friction_(start.speed_ratio.has_value()),
-        tolerance_(std::max(kTolerance, options.tolerance)) {
+        free_steps_(has_friction_ ? kFreeStepsNearby : kFreeSteps),
+        tolerance_(std::max(kTolerance * std::clamp(friction_.coefficient, kLeastFriction, 1.0), options.tolerance)) {
     if (has_friction_) return;
     state_.speed_ratio = friction_.drive->given_speed_ratio().value_or(1.0);
     state_.converged = false;
@@ -98,14 +105,15 @@ class FrictionalContactSolver {
     const double friction = friction_.coefficient;
     if (has_friction_ && (iterate(friction) || (restart_from(start) && iterate_exactly()))) return true;
     if (restart_from(start) && find_directly()) return true;
+    const auto by_friction = [&] { return restart_from(start) && iterate(kEasyFriction) && approach(kEasyFriction); };
     const bool given = friction_.drive->given_speed_ratio().has_value();
+    if (given && by_friction()) return true;
     if (restart_from(start) && (given ? find_by_less_creepage() : find_by_speed())) return true;
+    if (!given && by_friction()) return true;
     restart_from(start);
     iterate(std::numeric_limits<double>::infinity());
-    const ContactSolution stick = state_;
     const double large = 10.0 * std::max(1.0, friction);  // hardly different from full stick
-    return (restart_from(stick) && iterate(kEasyFriction) && approach(kEasyFriction, friction)) ||
-           (restart_from(stick) && approach(large, std::sqrt(large * friction)));
+    return approach(large);
   }
 
   /// From full stick or from the contact without friction, at once.
@@ -122,6 +130,7 @@ class FrictionalContactSolver {
     other.friction->rigid_slip += (guided_share - 1.0) * friction_.guided_slip;
     FrictionalContactSolver solver(other, from, options_);
     solver.state_.speed_ratio = speed_ratio;
+    solver.free_steps_ = free_steps_;
     const bool found = solver.has_friction_ ? solver.iterate(friction_.coefficient) : solver.find_directly();
     const int iterations = state_.iterations + solver.state_.iterations - from.iterations;
     const int applications =
@@ -159,7 +168,7 @@ class FrictionalContactSolver {
         restart_from(before);
         stride *= 0.5;
       }
-      if (state_.iterations >= options_.max_iterations) return false;
+      if (is_exhausted()) return false;
     }
     return false;
   }
@@ -176,7 +185,7 @@ class FrictionalContactSolver {
         reached = next;
       } else {
         ratio = std::sqrt(ratio);
-        if (ratio < kSmallestRatio || state_.iterations >= options_.max_iterations) return false;
+        if (ratio < kSmallestRatio || is_exhausted()) return false;
         restart_from(before);
       }
     }
@@ -196,18 +205,22 @@ class FrictionalContactSolver {
     return found;
   }
 
-  /// Go from the present state, at the friction `reached`, by way of `next` to the one wanted, halving steps that fail.
-  bool approach(double reached, double next) {
+  /// Go from the present state, at the friction `reached`, to the one wanted, by steps that are halved where they fail
+  /// and grow where they do not.
+  bool approach(double reached) {
+    double stride = std::abs(std::log(friction_.coefficient / reached));
     while (reached != friction_.coefficient) {
       const ContactSolution before = state_;
-      if (iterate(next)) {
+      const double left = std::log(friction_.coefficient / reached);
+      const double next =
+          stride < std::abs(left) ? reached * std::exp(std::copysign(stride, left)) : friction_.coefficient;
+      if (iterate(next, kPatience)) {
         reached = next;
-        next = friction_.coefficient;
+        stride *= kStride;
       } else {
-        if (state_.iterations >= options_.max_iterations) return false;
         restart_from(before);
-        next = std::sqrt(reached * next);
-        if (std::abs(std::log(reached / next)) < kSmallestStep) return false;
+        stride *= 0.5;
+        if (stride < kSmallestStep || is_exhausted()) return false;
       }
     }
     return true;
@@ -223,32 +236,41 @@ class FrictionalContactSolver {
     return true;
   }
 
-  /// Newton steps at a given friction, from the present state.
-  bool iterate(double friction) {
+  /// Newton steps at a given friction, from the present state, so many of which must have halved the residual.
+  bool iterate(double friction, int patience = kStepsOfOneFriction) {
     CycleBreaker breaker(problem_.initial_gap.size());
+    double first_residual = 0.0;
     for (int step = 0;; ++step) {
       const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
       ContactSets sets = classify(friction);
       if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
+      if (step == 0) first_residual = state_.residual;
       const bool stalled = state_.residual > 0.5 * before_step;
       if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;
       }
-      if (step == kStepsOfOneFriction || state_.iterations == options_.max_iterations) return false;
+      if (step == kStepsOfOneFriction || is_exhausted()) return false;
+      if (step >= patience && state_.residual > 0.5 * first_residual) return false;
       ++state_.iterations;
       const ContactSolution before = state_;
       const bool freed = breaker.free_undecided(sets);
       take_step(friction, sets, step);
-      if (step >= kFreeSteps && !freed) shorten_step(friction, before);
+      if (step >= free_steps_ && !freed) shorten_step(friction, before);
     }
+  }
+
+  /// Whether enough has been tried.
+  [[nodiscard]] bool is_exhausted() const {
+    const double most = std::max<double>(kLeastEffort, kMostEffort / static_cast<double>(problem_.initial_gap.size()));
+    return state_.iterations >= options_.max_iterations || state_.operator_applications >= most;
   }
 
   void take_step(double friction, const ContactSets& sets, int step) {
     const bool small = static_cast<Index>(sets.contact.size()) <= kSmallContact;
-    const double tolerance = small ? kExactStep : (step < kFreeSteps ? step_tolerance_ : 0.1 * step_tolerance_);
+    const double tolerance = small ? kExactStep : (step < free_steps_ ? step_tolerance_ : 0.1 * step_tolerance_);
     take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state_);
   }
 
@@ -333,6 +355,7 @@ class FrictionalContactSolver {
   StickSlipPreconditioner preconditioner_;
   ContactSolution state_;
   bool has_friction_;
+  int free_steps_;
   double tolerance_;  // residual of a converged state
   double step_tolerance_ = kRoughStep;
   double last_residual_ = 1.0;  // the last finite one, for the message of a failure

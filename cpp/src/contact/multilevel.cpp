@@ -1,5 +1,6 @@
 #include "contact/multilevel.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "contact/frictional_contact.hpp"
@@ -15,7 +16,9 @@ using Eigen::Index;
 constexpr Index kSmallWindow = 4096;            // nodes
 constexpr Index kSmallFrictionalWindow = 2500;  // where forces along the plane come on top
 constexpr double kCoarseTolerance = 1e-4;       // of a contact that is to be interpolated
-constexpr double kCoarseUnsettled = 0.001;      // of its nodes
+// Forces along the plane may be a small part of the load, and what levels leave of them adds up.
+constexpr double kCoarseFrictionalTolerance = 1e-6;
+constexpr double kCoarseUnsettled = 0.001;  // of its nodes
 
 ContactOptions rough(ContactOptions options) {
   options.tolerance = kCoarseTolerance;
@@ -51,6 +54,14 @@ NormalContactGuess guess_from(const LocatedContact& located, const Window& windo
   return guess;
 }
 
+/// The box around two.
+Window joined(const Window& one, const Window& other) {
+  const auto join = [](const NodeRange& a, const NodeRange& b) {
+    return NodeRange{std::min(a.first, b.first), std::max(a.last, b.last)};
+  };
+  return {join(one.phi, other.phi), join(one.theta, other.theta)};
+}
+
 LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, const ContactOptions& options) {
   ContactSolution contact = solve_normal_contact(problem, guess, options);
   return {.problem = std::move(problem), .contact = std::move(contact)};
@@ -64,8 +75,9 @@ LocatedContact press_multilevel(const ContactProblem& problem, double likely_dep
   NormalContactGuess guess = prolonged_guess(coarse, box);
   for (;;) {
     LocatedContact located = press(within(problem, box), guess, options);
-    if (box == limits || !touches_edge(located)) return located;
-    box = box_around(located, 1, limits);
+    const Window wider = joined(box, box_around(located, 1, limits));
+    if (wider == box || !touches_edge(located)) return located;
+    box = wider;
     guess = guess_from(located, box);
   }
 }
@@ -92,8 +104,16 @@ LocatedContact solve_multilevel(const ContactProblem& problem, double likely_dep
     return add_friction(press_multilevel(problem, likely_depth, options), options);
   };
   if (problem.initial_gap.size() <= kSmallFrictionalWindow) return by_way_of_full_stick();
+  const ContactProblem coarse = coarsened(problem);
+  const auto from_coarse = [&] {
+    ContactOptions settled = rough(options);
+    settled.tolerance = kCoarseFrictionalTolerance;
+    return refine(solve_multilevel(coarse, likely_depth, settled), problem, options);
+  };
+  // What has failed on two meshes is not tried on finer ones.
+  if (coarse.initial_gap.size() > kSmallFrictionalWindow) return from_coarse();
   try {
-    return refine(solve_multilevel(coarsened(problem), likely_depth, rough(options)), problem, options);
+    return from_coarse();
   } catch (const ConvergenceError&) {
     return by_way_of_full_stick();
   }
@@ -101,10 +121,9 @@ LocatedContact solve_multilevel(const ContactProblem& problem, double likely_dep
 
 LocatedContact solve_on_window(const ContactProblem& problem, const ContactSolution& start,
                                const ContactOptions& options) {
-  LocatedContact located =
-      press(problem, {.contact = start.contact, .pressing = pressing_force(start), .penetration = start.penetration},
-            options);
-  return problem.friction ? add_friction(std::move(located), options) : located;
+  if (problem.friction) return add_friction({.problem = problem, .contact = start}, options);
+  return press(problem, {.contact = start.contact, .pressing = pressing_force(start), .penetration = start.penetration},
+               options);
 }
 
 }  // namespace viscoroll::detail

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -140,7 +141,7 @@ class MetricNodes {
     // Tables are analytic in the metric but for the pole of the distance: errors fall with the half width of the range.
     constexpr double kTolerance = 1e-7;
     const double width = 0.25 * (1.0 - lowest);
-    const int count = width < kTolerance ? 1 : 1 + static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
+    const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
     for (int i = 0; i < std::clamp(count, 1, 12); ++i) {
       const double x = std::cos(std::numbers::pi * (i + 0.5) / std::clamp(count, 1, 12));
       nodes_.push_back(0.5 * (1.0 + low_) + 0.5 * (1.0 - low_) * x);
@@ -160,6 +161,18 @@ class MetricNodes {
   std::vector<double> nodes_;
 };
 
+/// Of a surface that is flat to a wave, all that the tables of the sphere are joined from.
+std::vector<TableRequest> flat_requests(const SphereRequest& request) {
+  constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
+  std::vector<TableRequest> requests;
+  for (const Entry entry : kAll) {
+    if (!request.tangential && entry != Entry::rr) continue;
+    requests.push_back(
+        {.entry = entry, .power = request.power, .phi_shift = request.power ? 0.0 : request.collocation});
+  }
+  return requests;
+}
+
 }  // namespace
 
 SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree)
@@ -169,13 +182,15 @@ SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh
       exact_degree_(mesh.max_order ? std::numeric_limits<double>::infinity() : exact_degree),
       highest_degree_(mesh.max_order ? *mesh.max_order : static_cast<int>(std::ceil(exact_end(exact_degree)))) {}
 
-std::vector<SphereTable> SphereSum::tables(const SphereRequest& request, int phi_reach, int half_theta, int threads,
-                                           Watch& watch) const {
-  std::vector<SphereTable> tables(static_cast<std::size_t>(request.count()),
-                                  SphereTable(phi_reach, 2 * half_theta + 1));
-  add_degrees(request, tables, threads, watch);
-  if (std::isfinite(exact_degree_)) add_local(request, tables, threads, watch);
-  return tables;
+std::vector<std::vector<SphereTable>> SphereSum::tables(const std::vector<SphereRequest>& requests, int phi_reach,
+                                                        int half_theta, int threads, Watch& watch) const {
+  std::vector<std::vector<SphereTable>> sets;
+  for (const SphereRequest& request : requests) {
+    sets.emplace_back(static_cast<std::size_t>(request.count()), SphereTable(phi_reach, 2 * half_theta + 1));
+    add_degrees(request, sets.back(), threads, watch);
+  }
+  if (std::isfinite(exact_degree_)) add_local(requests, sets, threads, watch);
+  return sets;
 }
 
 void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTable>& tables, int threads,
@@ -232,39 +247,38 @@ void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTabl
                });
 }
 
-void SphereSum::add_local(const SphereRequest& request, std::vector<SphereTable>& tables, int threads,
-                          Watch& watch) const {
-  const int nodes = tables.front().theta_nodes();
-  const int reach = tables.front().phi_reach();
+void SphereSum::add_local(const std::vector<SphereRequest>& requests, std::vector<std::vector<SphereTable>>& sets,
+                          int threads, Watch& watch) const {
+  const int nodes = sets.front().front().theta_nodes();
+  const int reach = sets.front().front().phi_reach();
   const Eigen::ArrayXd sines = node_thetas(nodes, theta_spacing(mesh_)).sin();
   const MetricNodes metrics(sines.minCoeff());
 
-  constexpr std::array kAll{Entry::rr, Entry::rphi, Entry::rtheta, Entry::phiphi, Entry::phitheta, Entry::thetatheta};
-  std::vector<TableRequest> requests;
-  for (const Entry entry : kAll) {
-    if (!request.tangential && entry != Entry::rr) continue;
-    requests.push_back(
-        {.entry = entry, .power = request.power, .phi_shift = request.power ? 0.0 : request.collocation});
-  }
+  std::vector<TableRequest> flat;
+  for (const SphereRequest& request : requests) std::ranges::copy(flat_requests(request), std::back_inserter(flat));
   for (std::size_t i = 0; i < metrics.nodes().size(); ++i) {
     const CoatingSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},
                          threads, watch);
-    const std::vector<Table> local = sum.tables(requests, reach, nodes - 1, threads, watch);
-    parallel_for(static_cast<std::size_t>(2 * reach + 1), threads, watch, "joining tables",
-                 [&](std::size_t row, const Worker&) {
-                   const int j = static_cast<int>(row) - reach;
-                   for (std::size_t t = 0; t < tables.size(); ++t) {
-                     const SignedEntry source = entry_of(t / 3, t % 3);
-                     const Table& table = local[request.tangential ? static_cast<std::size_t>(source.entry) : 0];
-                     MatrixXd& slice = tables[t].slice(j);
-                     for (int from = 0; from < nodes; ++from) {
-                       for (int to = 0; to < nodes; ++to) {
-                         const double metric = std::sqrt(sines[from] * sines[to]);
-                         slice(to, from) += source.sign * metrics.share(i, metric) / metric * table(j, to - from);
-                       }
-                     }
-                   }
-                 });
+    const std::vector<Table> local = sum.tables(flat, reach, nodes - 1, threads, watch);
+    parallel_for(
+        static_cast<std::size_t>(2 * reach + 1), threads, watch, "joining tables", [&](std::size_t row, const Worker&) {
+          const int j = static_cast<int>(row) - reach;
+          std::size_t first = 0;
+          for (std::size_t s = 0; s < requests.size(); ++s) {
+            for (std::size_t t = 0; t < sets[s].size(); ++t) {
+              const SignedEntry source = entry_of(t / 3, t % 3);
+              const Table& table = local[first + (requests[s].tangential ? static_cast<std::size_t>(source.entry) : 0)];
+              MatrixXd& slice = sets[s][t].slice(j);
+              for (int from = 0; from < nodes; ++from) {
+                for (int to = 0; to < nodes; ++to) {
+                  const double metric = std::sqrt(sines[from] * sines[to]);
+                  slice(to, from) += source.sign * metrics.share(i, metric) / metric * table(j, to - from);
+                }
+              }
+            }
+            first += flat_requests(requests[s]).size();
+          }
+        });
   }
 }
 

@@ -61,19 +61,21 @@ class SphereSum {
   SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
 
   /// @brief Sum all degrees and orders.
-  /// @param[in] request which tables
+  /// @param[in] requests which sets of tables; the local metric serves all of them at once
   /// @param[in] phi_reach largest offset in phi
   /// @param[in] half_theta the thetas are those of the nodes -half_theta ... half_theta from the equator
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  [[nodiscard]] std::vector<SphereTable> tables(const SphereRequest& request, int phi_reach, int half_theta,
-                                                int threads, Watch& watch) const;
+  /// @return a set of tables for each request
+  [[nodiscard]] std::vector<std::vector<SphereTable>> tables(const std::vector<SphereRequest>& requests, int phi_reach,
+                                                             int half_theta, int threads, Watch& watch) const;
 
   static constexpr double kExactDegree = 64.0;
 
  private:
   void add_degrees(const SphereRequest& request, std::vector<SphereTable>& tables, int threads, Watch& watch) const;
-  void add_local(const SphereRequest& request, std::vector<SphereTable>& tables, int threads, Watch& watch) const;
+  void add_local(const std::vector<SphereRequest>& requests, std::vector<std::vector<SphereTable>>& sets, int threads,
+                 Watch& watch) const;
 
   CoatedSphere sphere_;
   double angular_speed_;

@@ -28,6 +28,14 @@ namespace {
 /// Overclosure outside the box of a contact, per penetration, that shows that the contact reaches there.
 constexpr double kOverclosure = 1e-8;
 
+/// Smallest gap of the nodes that a box leaves out.
+double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& window) {
+  for_nodes_within(window, box, [&gap](Eigen::Index, Eigen::Index node) { gap[node] = 0.0; });
+  return gap.minCoeff();
+}
+
+constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
+
 constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
 
 class LoadCaseSolver {
@@ -67,6 +75,7 @@ class LoadCaseSolver {
     };
     int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
     int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
+    if (model_.sphere_tables() != nullptr) narrow(phi, theta, estimate);
     const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
     const bool cheap = is_roller(model_.body());  // a single row of nodes
     for (bool is_likely = cheap || shallow;; is_likely = cheap) {
@@ -92,7 +101,8 @@ class LoadCaseSolver {
       const bool at_edge = touches_edge(located);
       if (!boxed && at_edge) return std::nullopt;
       const ContactSolution whole = extended(located, problem);
-      const bool overclosed = whole.gap.minCoeff() < -kOverclosure * whole.penetration;
+      const bool overclosed =
+          least_gap_outside(located.window(), whole.gap, nodes.window()) < -kOverclosure * whole.penetration;
       if (!boxed || !(at_edge || overclosed)) {
         return result(nodes, problem, whole, located.problem.surface->dissipation(located.contact.force));
       }
@@ -109,19 +119,35 @@ class LoadCaseSolver {
   /// Whether a window holds the contact, as far as a mesh shows that is much coarser: of a load that is far beyond the
   /// estimate, or absurd, fine meshes on window after window would take long.
   [[nodiscard]] bool holds_rough_contact(int half_phi, int half_theta, double estimate) const {
-    constexpr int kRoughNodes = 16;  // to a side
-    if (half_phi < 3 * kRoughNodes) return true;
+    return half_phi < 3 * kRoughNodes || rough_contact(half_phi, half_theta, estimate, model_.curvature()).has_value();
+  }
+
+  /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the window is small
+  [[nodiscard]] std::optional<Result> rough_contact(int half_phi, int half_theta, double estimate,
+                                                    Curvature curvature) const {
     const double coarsening = static_cast<double>(half_phi) / kRoughNodes;
     const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
     const Mesh mesh{.nodes_per_revolution = coarsened(model_.mesh().nodes_per_revolution),
                     .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(model_.mesh()))};
-    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, model_.curvature(), options_.threads,
-                          execution_.watch);
+    const MeshModel rough(model_.pair(), load_case_.angular_speed, mesh, curvature, options_.threads, execution_.watch);
     const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
     const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
     return LoadCaseSolver(rough, pressed, options_, execution_.watch)
-        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate)
-        .has_value();
+        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate);
+  }
+
+  /// Narrow a window to what a rough mesh, and a surface that is flat but for its curvature terms, say of the contact:
+  /// tables of the exact sphere cost the cube of its width.
+  void narrow(int& half_phi, int& half_theta, double estimate) const {
+    if (half_phi < kRoughNodes) return;
+    const std::optional<Result> rough = rough_contact(half_phi, half_theta, estimate, Curvature::sphere);
+    if (!rough) return;
+    const double margin = grid_.radius * half_phi * grid_.phi_spacing / kRoughNodes;  // a rough node
+    const auto half = [&](double semi_axis, double spacing) {
+      return static_cast<int>(std::ceil(1.2 * (semi_axis + margin) / (grid_.radius * spacing))) + 2;
+    };
+    half_phi = std::min(half_phi, half(rough->semi_axis_x, grid_.phi_spacing));
+    if (rough->semi_axis_z) half_theta = std::min(half_theta, half(*rough->semi_axis_z, grid_.theta_spacing));
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
@@ -321,9 +347,9 @@ class LoadCaseSolver {
   /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press the sphere
   /// to the core are refused.
   [[nodiscard]] bool holds_pressed_contact(ContactProblem problem, double likely_depth) const {
-    constexpr Eigen::Index kRoughNodes = 1024;
+    constexpr Eigen::Index kFewNodes = 1024;
     problem.friction.reset();
-    while (problem.initial_gap.size() > kRoughNodes) problem = coarsened(problem);
+    while (problem.initial_gap.size() > kFewNodes) problem = coarsened(problem);
     const LocatedContact pressed = solve_multilevel(problem, likely_depth, limits_);
     if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
     require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
