@@ -40,18 +40,35 @@ enum Component : std::size_t {
 /// @brief Fields of one m and many n, a row for each component, in the real form.
 using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// @brief All components.
+/// @brief What all components are made of by factors that do not know of n: the state, and three rows that do.
+enum Basis : Eigen::Index {
+  kState = 0,
+  kSpread = 6,  ///< m v_phi + n v_theta - 2 u_r, the change of area
+  kShape = 7,   ///< (n v_theta - m v_phi) / 2
+  kTwist = 8,   ///< -(m v_theta + n v_phi), twice the strain phitheta
+  kBasisRows = 9,
+};
+
+/// @return whether a row of the basis is i times its real form
+[[nodiscard]] constexpr bool is_imaginary(Basis row) {
+  constexpr std::array<bool, kBasisRows> kImaginary{false, true, true, false, true, true, false, false, false};
+  return kImaginary[row];
+}
+
+/// @return whether a row of the basis changes sign with theta, under loads that are mirror images of themselves
+[[nodiscard]] constexpr bool is_odd_in_theta(Basis row) {
+  constexpr std::array<bool, kBasisRows> kOdd{false, false, true, false, false, true, false, false, true};
+  return kOdd[row];
+}
+
+/// @brief The basis of all components.
 /// @param[in] medium at the place
-/// @param[in] radius r [m]
 /// @param[in] m,n orders
 /// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
-/// @param[out] fields kFieldComponents rows
-inline void field_components(const Medium<std::complex<double>>& medium, double radius, double m,
-                             const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
+/// @param[out] basis kBasisRows rows
+inline void field_basis(const Medium<std::complex<double>>& medium, double m, const Eigen::ArrayXd& n,
+                        const ComponentRows& state, ComponentRows& basis) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
-  const std::complex<double> mu = medium.mu;
-  const std::complex<double> b = medium.b;
-  const std::complex<double> a = 1.0 - 2.0 * b;
   // Of the strain by tangential displacements, the part that changes no area carries the membrane stiffness.
   const Eigen::Array<double, 1, Eigen::Dynamic> k2 = (m * m + n.square()).transpose();
   const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr([&](double square) {
@@ -60,27 +77,58 @@ inline void field_components(const Medium<std::complex<double>>& medium, double 
   const auto orders = n.transpose().cast<std::complex<double>>();
   const Row along_phi = m * state.row(1);
   const Row along_theta = orders * state.row(2);
-  const Row t = along_phi + along_theta - 2.0 * state.row(0);
+  basis.resize(kBasisRows, n.size());
+  basis.topRows(6) = state;
+  basis.row(kSpread) = along_phi + along_theta - 2.0 * state.row(0);
+  basis.row(kShape) = 0.5 * membrane * (along_theta - along_phi);
+  basis.row(kTwist) = -membrane * (m * state.row(2) + orders * state.row(1));
+}
+
+/// @brief All components from their basis.
+/// @param[in] medium at the place
+/// @param[in] radius r [m]
+/// @param[in] basis kBasisRows rows, or sums of them over n
+/// @param[out] fields kFieldComponents rows
+inline void components_of(const Medium<std::complex<double>>& medium, double radius, const ComponentRows& basis,
+                          ComponentRows& fields) {
+  using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
+  const std::complex<double> mu = medium.mu;
+  const std::complex<double> b = medium.b;
+  const std::complex<double> a = 1.0 - 2.0 * b;
+  const auto s = basis.row(3);
+  const auto t = basis.row(kSpread);
+  const auto shape = basis.row(kShape);
   const Row area = -0.5 * t;  // u_r - (m v_phi + n v_theta) / 2, half the change of area
-  const Row shape = 0.5 * membrane * (along_theta - along_phi);
-  const Row twist = -membrane * (m * state.row(2) + orders * state.row(1));  // twice the strain phitheta
   const double per_radius = 1.0 / radius;
 
-  fields.resize(static_cast<Eigen::Index>(kFieldComponents), n.size());
-  fields.topRows(3) = state.topRows(3);
-  const Row mean = a * state.row(3) - 2.0 * a * mu * t;
-  fields.row(kStress) = per_radius * state.row(3);
+  fields.resize(static_cast<Eigen::Index>(kFieldComponents), basis.cols());
+  fields.topRows(3) = basis.topRows(3);
+  const Row mean = a * s - 2.0 * a * mu * t;
+  fields.row(kStress) = per_radius * s;
   fields.row(kStress + 1) = per_radius * (mean + 2.0 * mu * (area + shape));
   fields.row(kStress + 2) = per_radius * (mean + 2.0 * mu * (area - shape));
-  fields.row(kStress + 3) = per_radius * state.row(4);
-  fields.row(kStress + 4) = per_radius * state.row(5);
-  fields.row(kStress + 5) = per_radius * mu * twist;
-  fields.row(kStrain) = per_radius * (a * t + b / mu * state.row(3));
+  fields.row(kStress + 3) = per_radius * basis.row(4);
+  fields.row(kStress + 4) = per_radius * basis.row(5);
+  fields.row(kStress + 5) = per_radius * mu * basis.row(kTwist);
+  fields.row(kStrain) = per_radius * (a * t + b / mu * s);
   fields.row(kStrain + 1) = per_radius * (area + shape);
   fields.row(kStrain + 2) = per_radius * (area - shape);
-  fields.row(kStrain + 3) = per_radius / (2.0 * mu) * state.row(4);
-  fields.row(kStrain + 4) = per_radius / (2.0 * mu) * state.row(5);
-  fields.row(kStrain + 5) = 0.5 * per_radius * twist;
+  fields.row(kStrain + 3) = per_radius / (2.0 * mu) * basis.row(4);
+  fields.row(kStrain + 4) = per_radius / (2.0 * mu) * basis.row(5);
+  fields.row(kStrain + 5) = 0.5 * per_radius * basis.row(kTwist);
+}
+
+/// @brief All components.
+/// @param[in] medium at the place
+/// @param[in] radius r [m]
+/// @param[in] m,n orders
+/// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
+/// @param[out] fields kFieldComponents rows
+inline void field_components(const Medium<std::complex<double>>& medium, double radius, double m,
+                             const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
+  ComponentRows basis;
+  field_basis(medium, m, n, state, basis);
+  components_of(medium, radius, basis, fields);
 }
 
 }  // namespace viscoroll::detail

@@ -55,7 +55,7 @@ struct WeightedOrders {
   }
 };
 
-/// Angles from the lowest point, of which cosines and sines know the magnitude alone.
+/// Angles from the lowest point, of which cosines and sines know the magnitude but for a sign.
 struct Angles {
   ArrayXd magnitudes;             // ascending
   std::vector<Index> number;      // of each angle's magnitude
@@ -103,7 +103,8 @@ class WindowSum {
         limit_(sphere, angular_speed),
         phi_(from_lowest_point("phi", phi)),
         theta_(from_lowest_point("theta", theta)),
-        angles_(theta_),
+        along_(phi_),
+        across_(theta_),
         m_(phi_bands(sphere, angular_speed, tractions)),
         n_(theta_bands(tractions)),
         coating_(sphere, angular_speed, {m_.orders.begin(), m_.orders.end()}, measured_order(tractions.mesh),
@@ -112,16 +113,16 @@ class WindowSum {
 
   void sum(double* values, int threads, Watch& watch) const {
     const auto columns = static_cast<double>(kFieldComponents * mirrors().size()) *
-                         static_cast<double>(angles_.magnitudes.size() * 2 * m_.orders.size());
+                         static_cast<double>(across_.magnitudes.size() * 2 * m_.orders.size());
     constexpr double kMostNumbers = 3e7;
     const auto share = std::max<std::size_t>(1, static_cast<std::size_t>(kMostNumbers / std::max(columns, 1.0)));
     const auto field = kFieldComponents * phi_.size() * theta_.size();
     for (std::size_t first = 0; first < places_.size(); first += share) {
       const std::size_t last = std::min(first + share, places_.size());
       const auto waves = sum_along_theta(first, last, threads, watch);
-      for (std::size_t place = first; place < last; ++place) {
-        sum_along_phi(waves[place - first], values + place * field);
-      }
+      parallel_for(last - first, threads, watch, "fields inside", [&](std::size_t i, const Worker& worker) {
+        sum_along_phi(waves[i], values + (first + i) * field, worker);
+      });
     }
     add_centrifugal(values);
   }
@@ -172,13 +173,13 @@ class WindowSum {
       const double limit = limit_(places_[place], kDeepest);
       highest = std::max(highest, limit);
       sums[place - first].setZero(2 * m_.count_up_to(limit),
-                                  static_cast<Index>(mirrors().size()) * kComponents * angles_.magnitudes.size());
+                                  static_cast<Index>(mirrors().size()) * kComponents * across_.magnitudes.size());
     }
     std::vector<std::size_t> boundaries;
     for (std::size_t place = first; place < last; ++place) boundaries.push_back(cuts_.boundary(place));
     const double most = std::hypot(m_.orders[m_.orders.size() - 1], n_.orders[n_.orders.size() - 1]);
     const DepthTransfers transfers(coating_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
-    const RowMajor phase = n_.orders.matrix() * angles_.magnitudes.matrix().transpose();
+    const RowMajor phase = n_.orders.matrix() * across_.magnitudes.matrix().transpose();
     const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
     parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
                  [&](std::size_t i, const Worker& worker) {
@@ -203,6 +204,7 @@ class WindowSum {
     const auto media = coating_.media(static_cast<std::size_t>(i));
     const auto kinds = mirrors();
     ComponentRows state;
+    ComponentRows basis;
     ComponentRows fields;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const LoadRows loads = loads_.loads(kinds[k], i);
@@ -212,65 +214,78 @@ class WindowSum {
         if (m > limit) continue;
         const Index count = reach(limit);
         transfer.state(p, count, loads, state);
-        field_components(media[static_cast<std::size_t>(place.layer)], place.radius, m, n.head(count), state, fields);
-        const auto width = angles_.magnitudes.size() * kComponents;
-        add_waves(fields, kinds[k], waves, sums[p].block(2 * i, static_cast<Index>(k) * width, 2, width));
+        const auto& medium = media[static_cast<std::size_t>(place.layer)];
+        field_basis(medium, m, n.head(count), state, basis);
+        components_of(medium, place.radius, sum_over_n(basis, kinds[k], waves), fields);
+        const auto width = across_.magnitudes.size();
+        for (Index c = 0; c < kComponents; ++c) {
+          auto sum = sums[p].block(2 * i, (static_cast<Index>(k) * kComponents + c) * width, 2, width);
+          sum.row(0) = fields.row(c).real();
+          sum.row(1) = fields.row(c).imag();
+        }
         worker.checkpoint();
       }
     }
   }
 
-  /// Sum over n: rows for the real and the imaginary part, in these [component][magnitude of theta].
-  void add_waves(const ComponentRows& fields, Mirror mirror, const Waves& waves, Eigen::Ref<RowMajor> sums) const {
-    const Index count = fields.cols();
-    const Index width = angles_.magnitudes.size();
+  /// Columns for the magnitudes of theta in place of those for n.
+  [[nodiscard]] ComponentRows sum_over_n(const ComponentRows& basis, Mirror mirror, const Waves& waves) const {
+    const Index count = basis.cols();
     const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
+    ComponentRows sums(kBasisRows, across_.magnitudes.size());
     for (const bool odd : {false, true}) {
       // Of loads opposite to their mirror image the even components run with the sine.
       std::vector<Index> rows;
-      for (Index c = 0; c < kComponents; ++c) {
-        if ((is_odd_in_theta(static_cast<std::size_t>(c)) != (mirror == Mirror::opposite)) == odd) rows.push_back(c);
+      for (Index row = 0; row < kBasisRows; ++row) {
+        if ((is_odd_in_theta(static_cast<Basis>(row)) != (mirror == Mirror::opposite)) == odd) rows.push_back(row);
       }
       const auto size = static_cast<Index>(rows.size());
       RowMajor parts(2 * size, count);
-      for (Index row = 0; row < size; ++row) {
-        const auto c = rows[static_cast<std::size_t>(row)];
+      for (Index i = 0; i < size; ++i) {
+        const Index row = rows[static_cast<std::size_t>(i)];
         // A factor i of the component and another of the sine.
-        const int quarters = (is_imaginary(static_cast<std::size_t>(c)) ? 1 : 0) + (odd ? 1 : 0);
-        const Eigen::Array<double, 1, Eigen::Dynamic> real = weights * fields.row(c).real();
-        const Eigen::Array<double, 1, Eigen::Dynamic> imaginary = weights * fields.row(c).imag();
-        parts.row(2 * row) = quarters == 0 ? real : quarters == 1 ? -imaginary : -real;
-        parts.row(2 * row + 1) = quarters == 0 ? imaginary : quarters == 1 ? real : -imaginary;
+        const int quarters = (is_imaginary(static_cast<Basis>(row)) ? 1 : 0) + (odd ? 1 : 0);
+        const Eigen::Array<double, 1, Eigen::Dynamic> real = weights * basis.row(row).real();
+        const Eigen::Array<double, 1, Eigen::Dynamic> imaginary = weights * basis.row(row).imag();
+        parts.row(2 * i) = quarters == 0 ? real : quarters == 1 ? -imaginary : -real;
+        parts.row(2 * i + 1) = quarters == 0 ? imaginary : quarters == 1 ? real : -imaginary;
       }
       const RowMajor along_theta = parts * (odd ? waves.sines : waves.cosines).topRows(count);
-      for (Index row = 0; row < size; ++row) {
-        sums.middleCols(rows[static_cast<std::size_t>(row)] * width, width) = along_theta.middleRows(2 * row, 2);
+      for (Index i = 0; i < size; ++i) {
+        auto sum = sums.row(rows[static_cast<std::size_t>(i)]);
+        sum.real() = along_theta.row(2 * i);
+        sum.imag() = along_theta.row(2 * i + 1);
       }
     }
+    return sums;
   }
 
-  void sum_along_phi(const RowMajor& waves, double* values) const {
+  /// Re[(cos + i sin)(a + i b)], whose terms are even and odd in phi.
+  void sum_along_phi(const RowMajor& waves, double* values, const Worker& worker) const {
+    using Part = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
     const Index orders = waves.rows() / 2;
-    const auto rows = static_cast<Index>(phi_.size());
-    RowMajor phases(rows, 2 * orders);
-    for (Index row = 0; row < rows; ++row) {
-      for (Index i = 0; i < orders; ++i) {
-        const double phase = m_.orders[i] * phi_[static_cast<std::size_t>(row)];
-        phases(row, 2 * i) = m_.weights[i] * std::cos(phase);
-        phases(row, 2 * i + 1) = -m_.weights[i] * std::sin(phase);
-      }
-    }
-    const RowMajor sums = phases * waves;
+    const Index columns = waves.cols();
+    const RowMajor phase = along_.magnitudes.matrix() * m_.orders.head(orders).matrix().transpose();
+    const auto weights = m_.weights.head(orders).transpose();
+    const RowMajor even = (phase.array().cos().rowwise() * weights).matrix() *
+                          Part(waves.data(), orders, columns, Eigen::OuterStride<>(2 * columns));
+    worker.checkpoint();
+    const RowMajor odd = (phase.array().sin().rowwise() * -weights).matrix() *
+                         Part(waves.data() + columns, orders, columns, Eigen::OuterStride<>(2 * columns));
+    worker.checkpoint();
     const auto kinds = mirrors();
-    const Index width = angles_.magnitudes.size();
+    const Index width = across_.magnitudes.size();
     for (Index c = 0; c < kComponents; ++c) {
-      for (Index row = 0; row < rows; ++row) {
+      for (std::size_t i = 0; i < phi_.size(); ++i) {
+        const auto row = along_.number[i];
+        const double side = along_.is_negative[i] ? -1.0 : 1.0;
         for (std::size_t j = 0; j < theta_.size(); ++j) {
           double value = 0.0;
           for (std::size_t k = 0; k < kinds.size(); ++k) {
-            const bool odd = is_odd_in_theta(static_cast<std::size_t>(c)) != (kinds[k] == Mirror::opposite);
-            const double part = sums(row, (static_cast<Index>(k) * kComponents + c) * width + angles_.number[j]);
-            value += odd && angles_.is_negative[j] ? -part : part;
+            const bool mirrored = is_odd_in_theta(static_cast<std::size_t>(c)) != (kinds[k] == Mirror::opposite);
+            const Index column = (static_cast<Index>(k) * kComponents + c) * width + across_.number[j];
+            const double part = even(row, column) + side * odd(row, column);
+            value += mirrored && across_.is_negative[j] ? -part : part;
           }
           *values++ = value;
         }
@@ -305,7 +320,8 @@ class WindowSum {
   DepthLimit limit_;
   std::vector<double> phi_;
   std::vector<double> theta_;
-  Angles angles_;
+  Angles along_;
+  Angles across_;
   WeightedOrders m_;
   WeightedOrders n_;
   HarmonicCoating coating_;
