@@ -139,7 +139,7 @@ class MetricNodes {
  public:
   explicit MetricNodes(double lowest) : low_(lowest) {
     // Tables are analytic in the metric but for the pole of the distance: errors fall with the half width of the range.
-    constexpr double kTolerance = 1e-7;
+    constexpr double kTolerance = 1e-5;  // a tenth of what the local metric leaves out
     const double width = 0.25 * (1.0 - lowest);
     const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
     for (int i = 0; i < std::clamp(count, 1, 12); ++i) {
@@ -228,21 +228,31 @@ void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTabl
     }
   });
 
+  // Re[(cos + i sin)(a + i b)] of all orders, at offsets of either sign, for one loaded theta after another.
   const int reach = tables.front().phi_reach();
-  parallel_for(static_cast<std::size_t>(reach) + 1, threads, watch, "summing orders",
-               [&](std::size_t j, const Worker& worker) {
-                 const auto offset = static_cast<int>(j);
+  const Eigen::ArrayXd offsets = Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * phi_spacing(mesh_);
+  const Eigen::Map<const Eigen::VectorXd> m(orders.data(), static_cast<Index>(orders.size()));
+  const MatrixXd phase = offsets.matrix() * m.transpose();
+  const MatrixXd cosines = phase.array().cos();
+  const MatrixXd sines = phase.array().sin();
+  parallel_for(static_cast<std::size_t>(nodes), threads, watch, "summing orders",
+               [&](std::size_t from, const Worker& worker) {
+                 const auto column = static_cast<Index>(from);
+                 MatrixXd real(m.size(), nodes);
+                 MatrixXd imaginary(m.size(), nodes);
                  for (std::size_t t = 0; t < tables.size(); ++t) {
-                   MatrixXd even = MatrixXd::Zero(nodes, nodes);
-                   MatrixXd odd = MatrixXd::Zero(nodes, nodes);
-                   for (std::size_t m = 0; m < orders.size(); ++m) {
-                     const cplx wave = std::polar(1.0, orders[m] * phi_spacing(mesh_) * offset);
-                     even += wave.real() * sums[t][m].real();
-                     odd -= wave.imag() * sums[t][m].imag();
+                   for (Index i = 0; i < m.size(); ++i) {
+                     const auto sum = sums[t][static_cast<std::size_t>(i)].col(column);
+                     real.row(i) = sum.real();
+                     imaginary.row(i) = sum.imag();
                    }
+                   const MatrixXd even = cosines * real;
+                   const MatrixXd odd = sines * imaginary;
                    worker.checkpoint();
-                   tables[t].slice(offset) += even + odd;
-                   if (offset > 0) tables[t].slice(-offset) += even - odd;
+                   for (int j = 0; j <= reach; ++j) {
+                     tables[t].slice(j).col(column) += (even.row(j) - odd.row(j)).transpose();
+                     if (j > 0) tables[t].slice(-j).col(column) += (even.row(j) + odd.row(j)).transpose();
+                   }
                  }
                });
 }
@@ -260,6 +270,14 @@ void SphereSum::add_local(const std::vector<SphereRequest>& requests, std::vecto
     const CoatingSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},
                          threads, watch);
     const std::vector<Table> local = sum.tables(flat, reach, nodes - 1, threads, watch);
+    // Of the table of this metric, at every pair of thetas.
+    MatrixXd share(nodes, nodes);
+    for (int from = 0; from < nodes; ++from) {
+      for (int to = 0; to < nodes; ++to) {
+        const double metric = std::sqrt(sines[from] * sines[to]);
+        share(to, from) = metrics.share(i, metric) / metric;
+      }
+    }
     parallel_for(
         static_cast<std::size_t>(2 * reach + 1), threads, watch, "joining tables", [&](std::size_t row, const Worker&) {
           const int j = static_cast<int>(row) - reach;
@@ -268,12 +286,11 @@ void SphereSum::add_local(const std::vector<SphereRequest>& requests, std::vecto
             for (std::size_t t = 0; t < sets[s].size(); ++t) {
               const SignedEntry source = entry_of(t / 3, t % 3);
               const Table& table = local[first + (requests[s].tangential ? static_cast<std::size_t>(source.entry) : 0)];
+              const Eigen::VectorXd values = Eigen::VectorXd::NullaryExpr(
+                  2 * nodes - 1, [&](Index k) { return source.sign * table(j, static_cast<int>(k) - nodes + 1); });
               MatrixXd& slice = sets[s][t].slice(j);
               for (int from = 0; from < nodes; ++from) {
-                for (int to = 0; to < nodes; ++to) {
-                  const double metric = std::sqrt(sines[from] * sines[to]);
-                  slice(to, from) += source.sign * metrics.share(i, metric) / metric * table(j, to - from);
-                }
+                slice.col(from) += share.col(from).cwiseProduct(values.segment(nodes - 1 - from, nodes));
               }
             }
             first += flat_requests(requests[s]).size();
