@@ -22,6 +22,7 @@ using Eigen::Index;
 constexpr double kTolerance = 1e-10;     // residual of a converged state, per load, or per largest friction force ...
 constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
 constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
+constexpr double kHopeless = 1e3;        // residual that steps do not come back from in time
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
@@ -244,7 +245,7 @@ class FrictionalContactSolver {
       const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
       ContactSets sets = classify(friction);
-      if (!std::isfinite(state_.residual) || sets.contact.empty()) return false;
+      if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
       if (step == 0) first_residual = state_.residual;
       const bool stalled = state_.residual > 0.5 * before_step;
