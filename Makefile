@@ -13,13 +13,12 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint tidy format stubs bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format stubs bench deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
 	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
-	@echo "make lint      check formatting, types and stubs"
-	@echo "make tidy      check the C++ sources by clang-tidy"
+	@echo "make lint      check formatting, types and stubs, and the C++ sources by clang-tidy"
 	@echo "make format    format all sources"
 	@echo "make stubs     write python/viscoroll/_core.pyi from the compiled module"
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
@@ -80,9 +79,6 @@ lint: $(VENV)/lint.stamp
 	$(BIN)/python python/bindings/make_stub.py --check
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest viscoroll._core --allowlist tests/stubtest-allowlist.txt
-
-# Not yet seen clean in the sources of planes and rollers.
-tidy: $(VENV)/lint.stamp
 	cmake --preset tidy -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -Dpybind11_DIR=$$($(BIN)/python -m pybind11 --cmakedir)
 	$(BIN)/run-clang-tidy.py -clang-tidy-binary $(BIN)/clang-tidy -p build/tidy -j $(JOBS) -quiet -hide-progress
 

@@ -52,13 +52,13 @@ enum Basis : Eigen::Index {
 /// @return whether a row of the basis is i times its real form
 [[nodiscard]] constexpr bool is_imaginary(Basis row) {
   constexpr std::array<bool, kBasisRows> kImaginary{false, true, true, false, true, true, false, false, false};
-  return kImaginary[row];
+  return kImaginary[static_cast<std::size_t>(row)];
 }
 
 /// @return whether a row of the basis changes sign with theta, under loads that are mirror images of themselves
 [[nodiscard]] constexpr bool is_odd_in_theta(Basis row) {
   constexpr std::array<bool, kBasisRows> kOdd{false, false, true, false, false, true, false, false, true};
-  return kOdd[row];
+  return kOdd[static_cast<std::size_t>(row)];
 }
 
 /// @brief The basis of all components.

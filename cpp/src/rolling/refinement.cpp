@@ -15,6 +15,7 @@
 #include "rolling/contact_estimate.hpp"
 #include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -113,7 +114,7 @@ class Refiner {
   [[nodiscard]] Result solve() {
     while (advance()) {
     }
-    if (!best_) std::rethrow_exception(failure_);
+    if (!best_) report();
     if (best_->status == Status::converged && !(best_->error_estimate <= options_.accuracy)) {
       best_->status = Status::accuracy_not_reached;
     }
@@ -141,6 +142,16 @@ class Refiner {
     }
     if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
     return !is_finest(*best_, load_case_.friction, most_nodes_) && restart_from(2.0 * mesh_.nodes_per_revolution);
+  }
+
+  /// Throw what no mesh has led around, in terms of what the caller gave.
+  [[noreturn]] void report() const {
+    try {
+      std::rethrow_exception(failure_);
+    } catch (const MeshTooFine& error) {
+      reject("accuracy", "so large that a mesh for it can be held",
+             text(options_.accuracy) + " (" + error.what() + ")");
+    }
   }
 
   /// @return whether that is another mesh

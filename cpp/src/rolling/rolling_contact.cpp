@@ -195,8 +195,8 @@ class LoadCaseSolver {
     const auto& [phi, theta] = nearby->window();
     const double values = request.count() * (2.0 * phi.count() - 1.0) * std::pow(theta.count(), 2);
     if (values > kMostTableValues) {
-      reject("mesh.nodes_per_revolution", "coarse enough for tables of " + text(kMostTableValues) + " values",
-             std::to_string(model_.mesh().nodes_per_revolution) + " (curvature EXACT makes " + text(values) + ")");
+      throw MeshTooFine(model_.mesh().nodes_per_revolution, "tables of " + text(kMostTableValues) + " values",
+                        "with curvature EXACT " + text(values));
     }
     auto tables = model_.sphere_tables()->tables(request, phi.count() - 1, theta.last, execution_);
     request.power = true;
@@ -358,7 +358,10 @@ class LoadCaseSolver {
 
   void require_few_nodes(int half_phi, int half_theta) const {
     const double nodes = (2.0 * half_phi + 1.0) * (2.0 * half_theta + 1.0);
-    if (nodes > kMostNodes) throw MeshTooFine(model_.mesh().nodes_per_revolution, nodes, kMostNodes);
+    if (nodes > kMostNodes) {
+      throw MeshTooFine(model_.mesh().nodes_per_revolution, std::to_string(kMostNodes) + " nodes around the contact",
+                        text(nodes) + " nodes");
+    }
   }
 
   [[noreturn]] void reject_load(const std::string& reason) const {
@@ -416,10 +419,9 @@ class LoadCaseSolver {
 
 }  // namespace
 
-MeshTooFine::MeshTooFine(int nodes_per_revolution, double window_nodes, int most)
-    : std::invalid_argument("mesh.nodes_per_revolution must be coarse enough for " + std::to_string(most) +
-                            " nodes around the contact, got " + std::to_string(nodes_per_revolution) + " (it makes " +
-                            text(window_nodes) + " nodes)") {}
+MeshTooFine::MeshTooFine(int nodes_per_revolution, const std::string& most, const std::string& made)
+    : std::invalid_argument("mesh.nodes_per_revolution must be coarse enough for " + most + ", got " +
+                            std::to_string(nodes_per_revolution) + " (it makes " + made + ")") {}
 
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
   return LoadCaseSolver(model, load_case, options, watch).solve();

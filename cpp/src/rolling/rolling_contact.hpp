@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
@@ -12,10 +13,12 @@
 
 namespace viscoroll::detail {
 
-/// @brief A mesh that makes more nodes around the contact than can be held.
+/// @brief A mesh that makes more around the contact than can be held.
 class MeshTooFine : public std::invalid_argument {
  public:
-  MeshTooFine(int nodes_per_revolution, double window_nodes, int most);
+  /// @param[in] nodes_per_revolution of the mesh
+  /// @param[in] most,made what can be held, and what the mesh makes
+  MeshTooFine(int nodes_per_revolution, const std::string& most, const std::string& made);
 };
 
 /// @brief Solve one load case: tables, contact, powers. A window whose edge is touched grows.
