@@ -419,3 +419,42 @@ def test_states_that_full_stick_does_not_lead_to(ball, nodes, options):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", vr.ResultWarning)  # few nodes, by intention
         assert_conditions_hold(roll(ball, mesh=mesh, **options))
+
+
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # a load that presses the coating to a tenth
+def test_shear_that_is_a_small_part_of_the_load():
+    # 59 862 nodes in contact. Every other node's state, known to 1e-4 of the load, was no start: no end in 100 s.
+    layer = vr.Layer(thickness=5.91e-5, shear_modulus=vr.Elastic(modulus=1.966e6), bulk_modulus=2.089e8)
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.015417, layers=[layer]),
+        load=449.0,
+        angular_speed=0.01266,
+        friction=16.58,
+        drive=vr.Drive(creepage=1.211e-4),
+        curvature=vr.Curvature.PAPER,
+        mesh=vr.Mesh(nodes_per_revolution=9628),
+    )
+    assert r.contact.sum() > 50_000
+    assert r.status is vr.Status.CONVERGED
+    assert r.residual < 1e-10
+
+
+def test_towed_by_way_of_less_friction():
+    # From full stick and from no friction steps go astray; from mu = 0.3 they lead there.
+    material = vr.Prony(
+        instantaneous_modulus=15004.339,
+        weights=[0.28282342, 0.16715161, 0.44998299, 0.09714387],
+        relaxation_times=[0.2956124, 0.0158124, 0.03131925, 0.01266611],
+    )
+    layer = vr.Layer(thickness=0.01957976, shear_modulus=material, poisson_ratio=-0.9222953)
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.00871902, layers=[layer]),
+        load=4.01647e-05,
+        angular_speed=0.01755485,
+        friction=3.7270738,
+        drive=vr.Drive(torque=0.0),
+        compliance=vr.Compliance.VERTICAL,
+        curvature=vr.Curvature.PAPER,
+        mesh=vr.Mesh(nodes_per_revolution=1397),
+    )
+    assert_conditions_hold(r)
