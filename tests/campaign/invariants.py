@@ -110,10 +110,7 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
 def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     rolling = result.load * _arm(result) * result.angular_speed
     yield "power gained in the coating", -result.bulk_power / rolling
-    # Slip is known half way to a node's neighbors: where next to nothing slips, to the error of the mesh.
-    sliding = result.angular_speed * result.ball.outer_radius * abs(result.driving_force * (result.creepage or 0.0))
-    known = result.error_estimate * (abs(result.bulk_power) + sliding)
-    yield "power gained by slip", max(-result.slip_power - known, 0.0) / rolling
+    yield "power gained by slip", -result.slip_power / rolling
     if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.ball.layers):
         yield "power lost in an elastic coating", abs(result.bulk_power) / rolling
 

@@ -9,7 +9,7 @@ namespace viscoroll::detail {
 
 /// @brief Contact, with friction where the problem has some. Small windows are solved as a whole; larger ones in a box
 /// around the contact that every other node leads to, and so on: the number of Krylov iterations does not grow with the
-/// mesh. A level with friction that fails from the coarser one's state is started from its own frictionless contact.
+/// mesh. Where friction fails on the coarsest level, the next one is started from its own frictionless contact.
 /// @param[in] problem on the window of all candidates
 /// @param[in] likely_depth nodes whose initial gap is less are taken to touch at first [m]
 /// @param[in] options limits

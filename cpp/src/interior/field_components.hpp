@@ -44,8 +44,8 @@ using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::
 enum Basis : Eigen::Index {
   kState = 0,
   kSpread = 6,  ///< m v_phi + n v_theta - 2 u_r, the change of area
-  kShape = 7,   ///< (n v_theta - m v_phi) / 2
-  kTwist = 8,   ///< -(m v_theta + n v_phi), twice the strain phitheta
+  kShape = 7,   ///< c (n v_theta - m v_phi) / 2, c^2 the membrane stiffness per k^2
+  kTwist = 8,   ///< -c (m v_theta + n v_phi), twice the strain phitheta
   kBasisRows = 9,
 };
 

@@ -122,7 +122,8 @@ class LoadCaseSolver {
     return half_phi < 3 * kRoughNodes || rough_contact(half_phi, half_theta, estimate, model_.curvature()).has_value();
   }
 
-  /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the window is small
+  /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the contact reaches
+  /// the edge
   [[nodiscard]] std::optional<Result> rough_contact(int half_phi, int half_theta, double estimate,
                                                     Curvature curvature) const {
     const double coarsening = static_cast<double>(half_phi) / kRoughNodes;
