@@ -46,16 +46,39 @@ TEST(LegendreFunctions, AreOrthonormalAndHaveTheirSlopes) {
 
 class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
  protected:
-  [[nodiscard]] std::vector<SphereTable> tables(double exact_degree, const SphereRequest& request) {
+  static constexpr int kReach = 12;
+  static constexpr int kHalf = 6;
+
+  [[nodiscard]] SphereInfluence influence(double exact_degree, const SphereRequest& request) {
     return SphereSum(GetParam(), 2.5, {.nodes_per_revolution = 200}, exact_degree)
-        .tables({request}, 12, 6, 2, watch_)
+        .influences({request}, kReach, kHalf, 2, watch_)
         .front();
   }
-  static double difference(const SphereTable& a, const SphereTable& b) {
-    double largest = 0.0;
-    for (int j = -a.phi_reach(); j <= a.phi_reach(); ++j) {
-      largest = std::max(largest, (a.slice(j) - b.slice(j)).cwiseAbs().maxCoeff());
+
+  /// [j][to, from] of one entry, from the factors one by one.
+  static std::vector<Eigen::MatrixXd> table(const SphereInfluence& influence, std::size_t entry) {
+    const Index nodes = influence.root.size();
+    const std::size_t tables = influence.powers == 0 ? 0 : influence.local.size() / influence.powers;
+    const SignedEntry source = entry_of(entry / 3, entry % 3);
+    std::vector<Eigen::MatrixXd> slices;
+    for (int j = -influence.phi_reach(); j <= influence.phi_reach(); ++j) {
+      Eigen::MatrixXd slice = influence.displaced * influence.degrees[entry].slice(j) * influence.loaded.transpose();
+      for (std::size_t power = 0; power < influence.powers; ++power) {
+        const Table& local = influence.local[power * tables + static_cast<std::size_t>(source.entry)];
+        for (Index to = 0; to < nodes; ++to) {
+          for (Index from = 0; from < nodes; ++from) {
+            slice(to, from) += source.sign * local(j, static_cast<int>(to - from)) *
+                               std::pow(influence.root[to] * influence.root[from], static_cast<double>(power) - 1.0);
+          }
+        }
+      }
+      slices.push_back(slice);
     }
+    return slices;
+  }
+  static double difference(const std::vector<Eigen::MatrixXd>& a, const std::vector<Eigen::MatrixXd>& b) {
+    double largest = 0.0;
+    for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, (a[j] - b[j]).cwiseAbs().maxCoeff());
     return largest;
   }
 
@@ -70,38 +93,65 @@ TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
   const double turn = std::sin(6.0 * 2.0 * std::numbers::pi / 200.0);
   for (const bool power : {false, true}) {
     const SphereRequest request{.tangential = true, .power = power, .patch_load = PatchLoad::spherical};
-    const auto coarse = tables(kCoarse, request);
-    const auto fine = tables(96.0, request);
-    for (std::size_t t = 0; t < fine.size(); ++t) {
-      const double size = fine[t % 4 == 0 ? t : 0].slice(power ? 1 : 0).cwiseAbs().maxCoeff();
-      EXPECT_LT(difference(coarse[t], fine[t]), (t == 0 ? 0.3 / kCoarse : 1.2 * turn) / kCoarse * size)
+    const SphereInfluence coarse = influence(kCoarse, request);
+    const SphereInfluence fine = influence(96.0, request);
+    const auto diagonal = table(fine, 0);
+    for (std::size_t t = 0; t < fine.degrees.size(); ++t) {
+      const auto entry = table(fine, t);
+      const double size = (t % 4 == 0 ? entry : diagonal)[kReach + (power ? 1 : 0)].cwiseAbs().maxCoeff();
+      EXPECT_LT(difference(table(coarse, t), entry), (t == 0 ? 0.3 / kCoarse : 1.2 * turn) / kCoarse * size)
           << "entry " << t << ", power " << power;
+    }
+  }
+}
+
+/// Between few thetas as between all nodes: those of a mesh so fine that waves vary slowly from node to node.
+TEST_P(SphereSumTest, FewThetasDo) {
+  const Mesh mesh{.nodes_per_revolution = 1600};
+  for (const bool power : {false, true}) {
+    const SphereRequest request{
+        .tangential = true, .power = power, .patch_load = PatchLoad::spherical, .collocation = 0.1};
+    constexpr int kFew = 16;
+    const SphereSum sum(GetParam(), 2.5, mesh, kFew);
+    const SphereInfluence few = sum.influences({request}, 4, 60, 2, watch_).front();
+    ASSERT_LT(few.degrees.front().thetas(), 40);
+    // Of so few nodes that each is a theta of its own.
+    const SphereInfluence all = sum.influences({request}, 4, 3, 2, watch_).front();
+    ASSERT_EQ(all.degrees.front().thetas(), 7);
+    for (std::size_t t = 0; t < all.degrees.size(); ++t) {
+      for (const int j : {-4, 0, 3}) {
+        const Eigen::MatrixXd between_few = few.displaced * few.degrees[t].slice(j) * few.loaded.transpose();
+        const Eigen::MatrixXd between_all = all.displaced * all.degrees[t].slice(j) * all.loaded.transpose();
+        EXPECT_LT((between_few.block(57, 57, 7, 7) - between_all).cwiseAbs().maxCoeff(),
+                  1e-7 * all.degrees[0].slice(power ? 3 : 0).cwiseAbs().maxCoeff())
+            << "entry " << t << ", power " << power;
+      }
     }
   }
 }
 
 TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
   const SphereRequest request{.tangential = true, .power = false};
-  const auto all = tables(32.0, request);
+  const SphereInfluence all = influence(32.0, request);
   const WindowShape shape{.phi_nodes = 9, .theta_nodes = 5};
   constexpr int kFirst = 4;  // of 13 columns
   const SphereProduct product(shape, kFirst, all, 2, watch_);
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(shape.size(), 3);
   const Eigen::ArrayXXd moved = product.apply(loads, 2, watch_);
-  for (Index p = 0; p < 3; ++p) {
+  Eigen::ArrayXXd sums = Eigen::ArrayXXd::Zero(shape.size(), 3);
+  for (std::size_t t = 0; t < 9; ++t) {
+    const auto slices = table(all, t);
     for (Index node = 0; node < shape.size(); ++node) {
-      double sum = 0.0;
-      for (Index q = 0; q < 3; ++q) {
-        for (Index from = 0; from < shape.size(); ++from) {
-          const auto offset = static_cast<int>(node / shape.theta_nodes - from / shape.theta_nodes);
-          sum += all[static_cast<std::size_t>(3 * p + q)].slice(offset)(kFirst + node % shape.theta_nodes,
-                                                                        kFirst + from % shape.theta_nodes) *
-                 loads(from, q);
-        }
+      for (Index from = 0; from < shape.size(); ++from) {
+        const Index offset = node / shape.theta_nodes - from / shape.theta_nodes;
+        sums(node, static_cast<Index>(t / 3)) +=
+            slices[static_cast<std::size_t>(kReach + offset)](kFirst + node % shape.theta_nodes,
+                                                              kFirst + from % shape.theta_nodes) *
+            loads(from, static_cast<Index>(t % 3));
       }
-      EXPECT_NEAR(moved(node, p), sum, 1e-12 * all[0].slice(0).maxCoeff());
     }
   }
+  EXPECT_LT((moved - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -199,6 +199,15 @@ CoatedSphere measured_sphere() {
           .layers = {{.thickness = 1e-3, .shear_modulus = std::move(curve), .poisson_ratio = 0.5}}};
 }
 
+/// A function that is smooth, which nobody says of it: a spring beside a springpot.
+CoatedSphere springpot_sphere() {
+  const CustomModulus modulus{[](std::span<const double> omega, std::span<std::complex<double>> values) {
+    std::ranges::transform(omega, values.begin(),
+                           [](double w) { return 1e6 + 3e6 * std::pow(std::complex<double>(0.0, w), 0.3); });
+  }};
+  return {.core_radius = 20e-3, .layers = {{.thickness = 1e-3, .shear_modulus = modulus, .poisson_ratio = 0.5}}};
+}
+
 class OctavesTest : public testing::TestWithParam<OctaveCase> {};
 
 TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
@@ -233,6 +242,7 @@ TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
 
 INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
                          testing::Values(OctaveCase{"Measured", measured_sphere(), 2.5, 32, 32},
+                                         OctaveCase{"SmoothFunction", springpot_sphere(), 2.5, 32, 32},
                                          OctaveCase{"Paper", cases::paper_sphere(), 2.5, 32, 32},
                                          OctaveCase{"UnlikeSpacings", cases::paper_sphere(), 2.5, 40, 24},
                                          OctaveCase{"LongMemory", cases::paper_sphere(), 200.0, 32, 32},

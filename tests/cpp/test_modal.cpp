@@ -1,11 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <memory>
 #include <ostream>
+#include <span>
 
 #include "cases.hpp"
 #include "modal/compliance_recursion.hpp"
+#include "modal/kinks.hpp"
 #include "modal/layer_system.hpp"
 #include "modal/order_by_order.hpp"
 #include "modal/self_similar.hpp"
@@ -148,6 +153,31 @@ TEST(Spectrum, InertiaMayMissWhatIsLeftToIt) {
   const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kTolerance, 1, watch);
   ASSERT_TRUE(spectrum);
   EXPECT_LT(worst_spectrum_error(*spectrum, coating), kTolerance);
+}
+
+TEST(HighestKink, IsFoundWhereverItLies) {
+  const auto bent_at = [](double kink) {
+    return CustomModulus{[kink](std::span<const double> omega, std::span<std::complex<double>> modulus) {
+      std::ranges::transform(omega, modulus.begin(), [kink](double w) {
+        return std::complex<double>(1e6 * std::pow(1.0 + w, 0.4) * (1.0 + 1e-4 * std::max(w / kink - 1.0, 0.0)),
+                                    w > 0.0);
+      });
+    }};
+  };
+  EXPECT_EQ(highest_kink(bent_at(1e9), 0.5, 2000.0), 0.0);
+  for (const double kink : {0.8, 31.25, 62.5, 700.0}) {
+    const double end = highest_kink(bent_at(kink), 0.5, 2000.0);
+    EXPECT_GT(end, kink);
+    EXPECT_LE(end, 2.0 * kink);
+  }
+}
+
+/// Who asks a function for its orders says where it has no value.
+TEST(HighestKink, TakesForRoughWhatHasNoValue) {
+  const CustomModulus nowhere{[](std::span<const double>, std::span<std::complex<double>> modulus) {
+    std::ranges::fill(modulus, std::numeric_limits<double>::quiet_NaN());
+  }};
+  EXPECT_EQ(highest_kink(nowhere, 0.5, 2000.0), 2000.0);
 }
 
 TEST(CriticalSpeed, OfOneLayerIsItsRayleighWave) {

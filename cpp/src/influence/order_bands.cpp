@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "modal/harmonic_plane.hpp"
+#include "modal/kinks.hpp"
 #include "modal/medium.hpp"
 
 namespace viscoroll::detail {
@@ -166,12 +167,14 @@ double finest_order(const CoatedSphere& sphere, double angular_speed) {
 
 // Tables are interpolated with kinks, and users' functions may be.
 double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+  const double asked = std::min(kMostRoughOrders, measured_order(mesh));
   double highest = 0.0;
   for (const Layer& layer : sphere.layers) {
     if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
       if (!curve->frequency.empty()) highest = std::max(highest, curve->frequency.back() / angular_speed);
     } else if (std::holds_alternative<CustomModulus>(layer.shear_modulus)) {
-      highest = kMostRoughOrders;
+      highest =
+          std::max(highest, highest_kink(layer.shear_modulus, angular_speed, asked * angular_speed) / angular_speed);
     }
   }
   return std::min({highest, kMostRoughOrders, 2.0 * measured_order(mesh)});  // which is approached slowly
@@ -181,7 +184,7 @@ double exact_share(double wave_number, double middle) {
   return std::isinf(middle) ? 1.0 : Step{.middle = middle}(wave_number);
 }
 
-double exact_end(double middle) { return Step{.middle = middle}.end(); }
+double exact_end(double middle) { return middle * (1.0 + 3.6 / kSharpness); }
 
 std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
                                  double rough_orders) {

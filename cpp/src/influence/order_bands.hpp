@@ -60,7 +60,7 @@ struct OrderBand {
 /// @return the share of the former, from 1 to 0
 [[nodiscard]] double exact_share(double wave_number, double middle);
 
-/// @return the degree from which on nothing is left of the former
+/// @return the degree from which on nothing that matters is left of the former: 2e-7
 [[nodiscard]] double exact_end(double middle);
 
 /// @param[in] rough_orders at least these are summed one by one

@@ -6,77 +6,123 @@
 namespace viscoroll::detail {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+
 /// Below so many multiplications threads cost more than they save.
 constexpr double kWorthThreads = 4e6;
 
 std::size_t frequencies(int period) { return static_cast<std::size_t>(period / 2 + 1); }
 
+/// Each power of the metric is a convolution of its own.
+std::vector<ConvolutionTerm> local_terms(const SphereInfluence& influence) {
+  const std::size_t components = influence.components();
+  const std::size_t tables = influence.local.size() / influence.powers;
+  std::vector<ConvolutionTerm> terms;
+  for (std::size_t power = 0; power < influence.powers; ++power) {
+    for (std::size_t p = 0; p < components; ++p) {
+      for (std::size_t q = 0; q < components; ++q) {
+        const SignedEntry source = entry_of(p, q);
+        terms.push_back({.result = power * components + p,
+                         .table = power * tables + static_cast<std::size_t>(source.entry),
+                         .operand = power * components + q,
+                         .sign = source.sign});
+      }
+    }
+  }
+  return terms;
+}
+
 }  // namespace
 
-SphereProduct::SphereProduct(WindowShape shape, int first_theta, const std::vector<SphereTable>& tables, int threads,
+SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads,
                              Watch& watch)
     : shape_(shape),
-      components_(tables.size() == 1 ? 1 : 3),
+      components_(static_cast<Index>(influence.components())),
+      displaced_(influence.displaced.middleRows(first_theta, shape.theta_nodes)),
+      loaded_(influence.loaded.middleRows(first_theta, shape.theta_nodes)),
       period_(fast_length(2 * shape.phi_nodes - 1)),
       fft_(period_),
       spectrum_(frequencies(period_)) {
-  const int columns = shape.theta_nodes;
-  const int rows = components_ * columns;
-  for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(rows, rows);
-  parallel_for(static_cast<std::size_t>(rows), threads, watch, "transforming tables",
-               [&](std::size_t row, const Worker& worker) {
-                 RealBuffer line(static_cast<std::size_t>(period_));
-                 ComplexBuffer transformed(spectrum_.size());
-                 const int p = static_cast<int>(row) / columns;
-                 const int k = static_cast<int>(row) % columns;
-                 for (int column = 0; column < rows; ++column) {
-                   const SphereTable& table = tables[static_cast<std::size_t>(components_ * p + column / columns)];
-                   std::ranges::fill(line, 0.0);
-                   for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
-                     line[static_cast<std::size_t>((j + period_) % period_)] =
-                         table.slice(j)(first_theta + k, first_theta + column % columns) / period_;
-                   }
-                   fft_.forward(line.data(), transformed.data());
-                   for (std::size_t f = 0; f < spectrum_.size(); ++f) {
-                     spectrum_[f](static_cast<Eigen::Index>(row), column) = transformed[f];
-                   }
-                 }
-                 worker.checkpoint();
-               });
+  const Index thetas = loaded_.cols();
+  const Index lines = components_ * thetas;
+  for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(lines, lines);
+  parallel_for(
+      static_cast<std::size_t>(lines), threads, watch, "transforming tables", [&](std::size_t i, const Worker& worker) {
+        RealBuffer line(static_cast<std::size_t>(period_));
+        ComplexBuffer transformed(spectrum_.size());
+        const auto row = static_cast<Index>(i);
+        for (Index column = 0; column < lines; ++column) {
+          const Index table = components_ * (row / thetas) + column / thetas;
+          std::ranges::fill(line, 0.0);
+          for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
+            line[static_cast<std::size_t>((j + period_) % period_)] =
+                influence.degrees[static_cast<std::size_t>(table)].slice(j)(row % thetas, column % thetas) / period_;
+          }
+          fft_.forward(line.data(), transformed.data());
+          for (std::size_t f = 0; f < spectrum_.size(); ++f) spectrum_[f](row, column) = transformed[f];
+        }
+        worker.checkpoint();
+      });
+  if (influence.local.empty()) return;
+  const Eigen::ArrayXd root = influence.root.segment(first_theta, shape.theta_nodes);
+  for (std::size_t power = 0; power < influence.powers; ++power) {
+    metric_.emplace_back(root.pow(static_cast<double>(power) - 1.0).replicate(shape.phi_nodes, 1));
+  }
+  local_.emplace(shape, influence.local, local_terms(influence), threads, watch);
 }
 
 Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const {
-  const Eigen::Index columns = shape_.theta_nodes;
-  const Eigen::Index lines = components_ * columns;
-  const auto count = static_cast<Eigen::Index>(spectrum_.size());
+  const Index thetas = loaded_.cols();
+  const Index lines = components_ * thetas;
+  const auto count = static_cast<Index>(spectrum_.size());
   Eigen::MatrixXcd transformed(lines, count);
   RealBuffer line(static_cast<std::size_t>(period_));
   ComplexBuffer half(spectrum_.size());
-  for (Eigen::Index l = 0; l < lines; ++l) {
-    std::ranges::fill(line, 0.0);
-    for (Eigen::Index i = 0; i < shape_.phi_nodes; ++i) {
-      line[static_cast<std::size_t>(i)] = loads(i * columns + l % columns, l / columns);
+  const Eigen::Map<Eigen::VectorXd> nodes(line.data(), shape_.phi_nodes);
+  for (Index p = 0; p < components_; ++p) {
+    const Eigen::Map<const MatrixXd> of_nodes(loads.col(p).data(), shape_.theta_nodes, shape_.phi_nodes);
+    const MatrixXd of_thetas = of_nodes.transpose() * loaded_;
+    for (Index k = 0; k < thetas; ++k) {
+      std::ranges::fill(line, 0.0);
+      Eigen::Map<Eigen::VectorXd>(line.data(), shape_.phi_nodes) = of_thetas.col(k);
+      fft_.forward(line.data(), half.data());
+      transformed.row(p * thetas + k) = Eigen::Map<const Eigen::RowVectorXcd>(half.data(), count);
     }
-    fft_.forward(line.data(), half.data());
-    transformed.row(l) = Eigen::Map<const Eigen::RowVectorXcd>(half.data(), count);
   }
 
   const double work = static_cast<double>(count) * static_cast<double>(lines) * static_cast<double>(lines);
   parallel_for(spectrum_.size(), work < kWorthThreads ? 1 : threads, watch, "solving contact",
                [&](std::size_t f, const Worker&) {
-                 auto column = transformed.col(static_cast<Eigen::Index>(f));
+                 auto column = transformed.col(static_cast<Index>(f));
                  column = (spectrum_[f] * column).eval();
                });
 
   Eigen::ArrayXXd result(loads.rows(), components_);
-  for (Eigen::Index l = 0; l < lines; ++l) {
-    Eigen::Map<Eigen::RowVectorXcd>(half.data(), count) = transformed.row(l);
-    fft_.backward(half.data(), line.data());
-    for (Eigen::Index i = 0; i < shape_.phi_nodes; ++i) {
-      result(i * columns + l % columns, l / columns) = line[static_cast<std::size_t>(i)];
+  MatrixXd of_thetas(shape_.phi_nodes, thetas);
+  for (Index p = 0; p < components_; ++p) {
+    for (Index k = 0; k < thetas; ++k) {
+      Eigen::Map<Eigen::RowVectorXcd>(half.data(), count) = transformed.row(p * thetas + k);
+      fft_.backward(half.data(), line.data());
+      of_thetas.col(k) = nodes;
     }
+    Eigen::Map<MatrixXd>(result.col(p).data(), shape_.theta_nodes, shape_.phi_nodes) =
+        displaced_ * of_thetas.transpose();
   }
+  if (local_) add_local(loads, result, threads, watch);
   return result;
+}
+
+void SphereProduct::add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const {
+  const auto powers = static_cast<Index>(metric_.size());
+  Eigen::ArrayXXd weighted(loads.rows(), powers * components_);
+  for (Index field = 0; field < weighted.cols(); ++field) {
+    weighted.col(field) = metric_[static_cast<std::size_t>(field / components_)] * loads.col(field % components_);
+  }
+  const Eigen::ArrayXXd moved = local_->apply(weighted, threads, watch);
+  for (Index field = 0; field < moved.cols(); ++field) {
+    result.col(field % components_) += metric_[static_cast<std::size_t>(field / components_)] * moved.col(field);
+  }
 }
 
 }  // namespace viscoroll::detail

@@ -1,11 +1,13 @@
 /// @file
-/// @brief Products with influence tables that depend on both thetas: transforms along phi, matrices along theta.
+/// @brief Products with influence that depends on both thetas: of low degrees by transforms along phi and matrices
+/// along theta, of the others by transforms along both.
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <optional>
 #include <vector>
 
+#include "influence/convolution.hpp"
 #include "influence/fft.hpp"
 #include "influence/spectral_product.hpp"
 #include "influence/sphere_sum.hpp"
@@ -16,25 +18,29 @@ namespace viscoroll::detail {
 /// @brief Displacements, or powers, of the nodes of a window by forces on them.
 class SphereProduct {
  public:
-  /// @param[in] shape window, no wider than the tables reach
-  /// @param[in] first_theta number of its first column in the tables
-  /// @param[in] tables one for r by r, or nine [3 P + Q]
+  /// @param[in] shape window, no wider than the influence reaches
+  /// @param[in] first_theta number of its first column among the nodes of the influence
+  /// @param[in] influence of these and other nodes
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  SphereProduct(WindowShape shape, int first_theta, const std::vector<SphereTable>& tables, int threads, Watch& watch);
+  SphereProduct(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads, Watch& watch);
 
   /// @param[in] loads a column for each component, a row for each node
   /// @return the same of what they cause
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const;
 
-  [[nodiscard]] int components() const { return components_; }
-
  private:
+  void add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const;
+
   WindowShape shape_;
-  int components_;
+  Eigen::Index components_;
+  Eigen::MatrixXd displaced_;  // [theta of the window, theta of the spectrum]
+  Eigen::MatrixXd loaded_;
   int period_;  // along phi, so long that images do not meet
   RealFft fft_;
-  std::vector<Eigen::MatrixXcd> spectrum_;  // [frequency], rows and columns component * theta_nodes + k
+  std::vector<Eigen::MatrixXcd> spectrum_;  // [frequency], rows and columns component * thetas + theta
+  std::vector<Eigen::ArrayXd> metric_;      // [power] what each node of the window has of it
+  std::optional<Convolution> local_;        // fields power * components + component
 };
 
 }  // namespace viscoroll::detail

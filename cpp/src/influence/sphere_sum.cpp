@@ -134,32 +134,64 @@ Eigen::ArrayXd node_thetas(int nodes, double spacing) {
   return 0.5 * std::numbers::pi + spacing * Eigen::ArrayXd::LinSpaced(nodes, -half, half);
 }
 
-/// Chebyshev nodes of the metric's range, and the polynomial that is 1 at one of them and 0 at the others.
-class MetricNodes {
- public:
-  explicit MetricNodes(double lowest) : low_(lowest) {
-    // Tables are analytic in the metric but for the pole of the distance: errors fall with the half width of the range.
-    constexpr double kTolerance = 1e-5;  // a tenth of what the local metric leaves out
-    const double width = 0.25 * (1.0 - lowest);
-    const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
-    for (int i = 0; i < std::clamp(count, 1, 12); ++i) {
-      const double x = std::cos(std::numbers::pi * (i + 0.5) / std::clamp(count, 1, 12));
-      nodes_.push_back(0.5 * (1.0 + low_) + 0.5 * (1.0 - low_) * x);
-    }
-  }
-  [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
-  [[nodiscard]] double share(std::size_t i, double metric) const {
-    double product = 1.0;
-    for (std::size_t j = 0; j < nodes_.size(); ++j) {
-      if (j != i) product *= (metric - nodes_[j]) / (nodes_[i] - nodes_[j]);
-    }
-    return product;
-  }
+/// Places between -1 and 1, and what polynomials through values there are elsewhere.
+struct ChebyshevNodes {
+  Eigen::ArrayXd angle;
 
- private:
-  double low_;
-  std::vector<double> nodes_;
+  explicit ChebyshevNodes(int count)
+      : angle(std::numbers::pi * (Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0) + 0.5) / count) {}
+
+  [[nodiscard]] Eigen::ArrayXd places() const { return angle.cos(); }
+  /// @return matrix [place, node]
+  [[nodiscard]] MatrixXd interpolation(const Eigen::ArrayXd& places) const {
+    const auto count = static_cast<double>(angle.size());
+    const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
+    const MatrixXd there = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
+    MatrixXd here = (angle.matrix() * degrees).array().cos() * (2.0 / count);
+    here.col(0) *= 0.5;
+    return there * here.transpose();
+  }
 };
+
+/// Coefficients [power, node] of the polynomials that are 1 at one of some nodes and 0 at the others.
+MatrixXd lagrange_coefficients(const Eigen::ArrayXd& nodes) {
+  const Index count = nodes.size();
+  MatrixXd coefficients = MatrixXd::Zero(count, count);
+  for (Index i = 0; i < count; ++i) {
+    auto polynomial = coefficients.col(i);
+    polynomial[0] = 1.0;
+    for (Index j = 0; j < count; ++j) {
+      if (j == i) continue;
+      const Eigen::VectorXd before = polynomial;
+      polynomial *= -nodes[j];
+      polynomial.tail(count - 1) += before.head(count - 1);
+      polynomial /= nodes[i] - nodes[j];
+    }
+  }
+  return coefficients;
+}
+
+/// Metrics that hold all between the lowest one and 1: tables are analytic in the metric but for the pole of the
+/// distance, errors fall with the half width of the range.
+Eigen::ArrayXd sampled_metrics(double lowest) {
+  constexpr double kTolerance = 1e-5;  // a tenth of what the local metric leaves out
+  const double width = 0.25 * (1.0 - lowest);
+  const int count = width < kTolerance ? 1 : static_cast<int>(std::ceil(std::log(kTolerance) / std::log(width)));
+  return 0.5 * (1.0 + lowest) + 0.5 * (1.0 - lowest) * ChebyshevNodes(std::clamp(count, 1, 12)).places();
+}
+
+/// Averages over a quarter, a half and a quarter of three offsets, at every `stride`-th of them.
+SphereTable widened(const SphereTable& fine, int stride, double downstream) {
+  const std::array<double, 4> share = wide_patch_shares(downstream);
+  const int last = downstream > 0.0 ? 2 : 1;
+  SphereTable coarse((fine.phi_reach() - last) / stride, fine.thetas());
+  for (int j = -coarse.phi_reach(); j <= coarse.phi_reach(); ++j) {
+    for (int dj = -1; dj <= last; ++dj) {
+      coarse.slice(j) += share[static_cast<std::size_t>(dj + 1)] * fine.slice(stride * j + dj);
+    }
+  }
+  return coarse;
+}
 
 /// Of a surface that is flat to a wave, all that the tables of the sphere are joined from.
 std::vector<TableRequest> flat_requests(const SphereRequest& request) {
@@ -180,27 +212,54 @@ SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh
       angular_speed_(angular_speed),
       mesh_(mesh),
       exact_degree_(mesh.max_order ? std::numeric_limits<double>::infinity() : exact_degree),
-      highest_degree_(mesh.max_order ? *mesh.max_order : static_cast<int>(std::ceil(exact_end(exact_degree)))) {}
+      highest_degree_(mesh.max_order ? *mesh.max_order : highest_degree(exact_degree)) {}
 
-std::vector<std::vector<SphereTable>> SphereSum::tables(const std::vector<SphereRequest>& requests, int phi_reach,
-                                                        int half_theta, int threads, Watch& watch) const {
-  std::vector<std::vector<SphereTable>> sets;
-  for (const SphereRequest& request : requests) {
-    sets.emplace_back(static_cast<std::size_t>(request.count()), SphereTable(phi_reach, 2 * half_theta + 1));
-    add_degrees(request, sets.back(), threads, watch);
-  }
-  if (std::isfinite(exact_degree_)) add_local(requests, sets, threads, watch);
-  return sets;
+int highest_degree(double exact_degree) { return static_cast<int>(std::ceil(exact_end(exact_degree))); }
+
+// As polynomials in theta: coefficients of cos(x t) die out beyond the degree x, within some widths x^(1/3) of the edge
+// of a Bessel function.
+int sampled_thetas(double half_angle, int highest_degree) {
+  const double x = half_angle * highest_degree;
+  return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
 }
 
-void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTable>& tables, int threads,
-                            Watch& watch) const {
+int SphereSum::thetas(int half_theta) const {
+  return std::min(2 * half_theta + 1, sampled_thetas(half_theta * theta_spacing(mesh_), highest_degree_));
+}
+
+std::vector<SphereInfluence> SphereSum::influences(const std::vector<SphereRequest>& requests, int phi_reach,
+                                                   int half_theta, int threads, Watch& watch) const {
+  const int nodes = 2 * half_theta + 1;
+  const int count = thetas(half_theta);
+  const Eigen::ArrayXd all = node_thetas(nodes, theta_spacing(mesh_));
+  Eigen::ArrayXd few = all;
+  MatrixXd basis = MatrixXd::Identity(nodes, nodes);
+  if (count < nodes) {
+    const ChebyshevNodes places(count);
+    few = 0.5 * std::numbers::pi + half_theta * theta_spacing(mesh_) * places.places();
+    basis = places.interpolation(Eigen::ArrayXd::LinSpaced(nodes, -1.0, 1.0));
+  }
+  std::vector<SphereInfluence> influences;
+  for (const SphereRequest& request : requests) {
+    std::vector<SphereTable> degrees(static_cast<std::size_t>(request.count()), SphereTable(phi_reach, count));
+    add_degrees(request, few, degrees, threads, watch);
+    influences.push_back({.degrees = std::move(degrees),
+                          .displaced = basis,
+                          .loaded = basis,
+                          .local = {},
+                          .powers = 0,
+                          .root = all.sin().sqrt()});
+  }
+  if (std::isfinite(exact_degree_)) add_local(requests, influences, half_theta, threads, watch);
+  return influences;
+}
+
+void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& thetas,
+                            std::vector<SphereTable>& tables, int threads, Watch& watch) const {
   std::vector<double> orders(static_cast<std::size_t>(highest_degree_ + 1));
   for (std::size_t m = 0; m < orders.size(); ++m) orders[m] = static_cast<double>(m);
   const HarmonicCoating coating(sphere_, angular_speed_, orders, measured_order(mesh_), Curvature::sphere);
   const auto spectrum = make_spectrum(coating, highest_degree_ + 1.0, threads, watch);
-  const int nodes = tables.front().theta_nodes();
-  const Eigen::ArrayXd thetas = node_thetas(nodes, theta_spacing(mesh_));
   const Patches patches(thetas, theta_spacing(mesh_), request.patch_load, highest_degree_);
   const double scale = 1.0 / (2.0 * std::numbers::pi * coating.outer_radius() * coating.outer_radius());
 
@@ -235,11 +294,11 @@ void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTabl
   const MatrixXd phase = offsets.matrix() * m.transpose();
   const MatrixXd cosines = phase.array().cos();
   const MatrixXd sines = phase.array().sin();
-  parallel_for(static_cast<std::size_t>(nodes), threads, watch, "summing orders",
+  parallel_for(static_cast<std::size_t>(thetas.size()), threads, watch, "summing orders",
                [&](std::size_t from, const Worker& worker) {
                  const auto column = static_cast<Index>(from);
-                 MatrixXd real(m.size(), nodes);
-                 MatrixXd imaginary(m.size(), nodes);
+                 MatrixXd real(m.size(), thetas.size());
+                 MatrixXd imaginary(m.size(), thetas.size());
                  for (std::size_t t = 0; t < tables.size(); ++t) {
                    for (Index i = 0; i < m.size(); ++i) {
                      const auto sum = sums[t][static_cast<std::size_t>(i)].col(column);
@@ -257,46 +316,87 @@ void SphereSum::add_degrees(const SphereRequest& request, std::vector<SphereTabl
                });
 }
 
-void SphereSum::add_local(const std::vector<SphereRequest>& requests, std::vector<std::vector<SphereTable>>& sets,
-                          int threads, Watch& watch) const {
-  const int nodes = sets.front().front().theta_nodes();
-  const int reach = sets.front().front().phi_reach();
-  const Eigen::ArrayXd sines = node_thetas(nodes, theta_spacing(mesh_)).sin();
-  const MetricNodes metrics(sines.minCoeff());
+void SphereSum::add_local(const std::vector<SphereRequest>& requests, std::vector<SphereInfluence>& influences,
+                          int half_theta, int threads, Watch& watch) const {
+  const int phi_reach = influences.front().phi_reach();
+  const Eigen::ArrayXd metrics = sampled_metrics(influences.front().root.square().minCoeff());
+  const MatrixXd coefficients = lagrange_coefficients(metrics);
 
   std::vector<TableRequest> flat;
   for (const SphereRequest& request : requests) std::ranges::copy(flat_requests(request), std::back_inserter(flat));
-  for (std::size_t i = 0; i < metrics.nodes().size(); ++i) {
-    const CoatingSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics.nodes()[i], .exact_degree = exact_degree_},
-                         threads, watch);
-    const std::vector<Table> local = sum.tables(flat, reach, nodes - 1, threads, watch);
-    // Of the table of this metric, at every pair of thetas.
-    MatrixXd share(nodes, nodes);
-    for (int from = 0; from < nodes; ++from) {
-      for (int to = 0; to < nodes; ++to) {
-        const double metric = std::sqrt(sines[from] * sines[to]);
-        share(to, from) = metrics.share(i, metric) / metric;
+  for (Index i = 0; i < metrics.size(); ++i) {
+    const CoatingSum sum(sphere_, angular_speed_, mesh_, {.sine = metrics[i], .exact_degree = exact_degree_}, threads,
+                         watch);
+    const std::vector<Table> tables = sum.tables(flat, phi_reach, 2 * half_theta, threads, watch);
+    auto table = tables.begin();
+    for (std::size_t r = 0; r < requests.size(); ++r) {
+      const auto count = static_cast<std::ptrdiff_t>(flat_requests(requests[r]).size());
+      SphereInfluence& influence = influences[r];
+      influence.powers = static_cast<std::size_t>(metrics.size());
+      for (Index power = 0; power < metrics.size(); ++power) {
+        if (i == 0) {
+          std::transform(table, table + count, std::back_inserter(influence.local), [](const Table& like) {
+            return Table(like.phi_reach(), like.theta_reach(), like.mirror() < 0.0);
+          });
+        }
+        for (std::ptrdiff_t t = 0; t < count; ++t) {
+          add(coefficients(power, i), table[t], influence.local[static_cast<std::size_t>(power * count + t)]);
+        }
+      }
+      table += count;
+    }
+  }
+}
+
+SphereInfluence with_wide_patches(const SphereInfluence& fine, double downstream, bool power) {
+  constexpr int kStride = 2;
+  const Index middle = fine.half_theta();
+  const Index half = (middle - 1) / kStride;
+  const auto places = [&](const MatrixXd& basis, bool wide) {
+    MatrixXd result(2 * half + 1, basis.cols());
+    for (Index k = -half; k <= half; ++k) {
+      const Index node = middle + kStride * k;
+      result.row(k + half) = basis.row(node);
+      if (wide) result.row(k + half) = 0.25 * basis.row(node - 1) + 0.5 * basis.row(node) + 0.25 * basis.row(node + 1);
+    }
+    return result;
+  };
+  SphereInfluence coarse{.degrees = {},
+                         .displaced = places(fine.displaced, power),
+                         .loaded = places(fine.loaded, true),
+                         .local = {},
+                         .powers = fine.powers,
+                         .root = places(fine.root, false).array()};
+  for (const SphereTable& table : fine.degrees) {
+    const SphereTable once = power ? widened(table, 1, 0.0) : table;
+    coarse.degrees.push_back(widened(once, kStride, downstream));
+  }
+  for (const Table& table : fine.local) {
+    const Table once = power ? widened(table, 1) : table;
+    coarse.local.push_back(widened(once, kStride, downstream));
+  }
+  return coarse;
+}
+
+std::vector<Table> tables_around_equator(const SphereInfluence& influence) {
+  const int middle = influence.half_theta();
+  const std::size_t count = influence.degrees.size() == 1 ? 1 : kEntries;
+  std::vector<Table> tables;
+  for (std::size_t entry = 0; entry < count; ++entry) {
+    constexpr std::array<std::size_t, kEntries> kPairs{0, 1, 2, 4, 5, 8};  // 3 P + Q of each entry
+    const std::size_t pair = kPairs[entry];
+    Table table(influence.phi_reach(), 2 * middle, is_odd(static_cast<Entry>(entry)));
+    for (std::size_t power = 0; power < influence.powers; ++power)
+      add(1.0, influence.local[power * count + entry], table);
+    for (int j = -table.phi_reach(); j <= table.phi_reach(); ++j) {
+      const MatrixXd above = influence.displaced.bottomRows(middle + 1) * influence.degrees[pair].slice(j);
+      for (int l = 0; l <= table.theta_reach(); ++l) {
+        table.row(j)[static_cast<std::size_t>(l)] += above.row((l + 1) / 2).dot(influence.loaded.row(middle - l / 2));
       }
     }
-    parallel_for(
-        static_cast<std::size_t>(2 * reach + 1), threads, watch, "joining tables", [&](std::size_t row, const Worker&) {
-          const int j = static_cast<int>(row) - reach;
-          std::size_t first = 0;
-          for (std::size_t s = 0; s < requests.size(); ++s) {
-            for (std::size_t t = 0; t < sets[s].size(); ++t) {
-              const SignedEntry source = entry_of(t / 3, t % 3);
-              const Table& table = local[first + (requests[s].tangential ? static_cast<std::size_t>(source.entry) : 0)];
-              const Eigen::VectorXd values = Eigen::VectorXd::NullaryExpr(
-                  2 * nodes - 1, [&](Index k) { return source.sign * table(j, static_cast<int>(k) - nodes + 1); });
-              MatrixXd& slice = sets[s][t].slice(j);
-              for (int from = 0; from < nodes; ++from) {
-                slice.col(from) += share.col(from).cwiseProduct(values.segment(nodes - 1 - from, nodes));
-              }
-            }
-            first += flat_requests(requests[s]).size();
-          }
-        });
+    tables.push_back(std::move(table));
   }
+  return tables;
 }
 
 }  // namespace viscoroll::detail

@@ -2,6 +2,7 @@
 /// @brief One influence table.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -41,5 +42,19 @@ class Table {
   double mirror_;
   std::vector<double> values_;
 };
+
+/// @brief Add a multiple of a table to another one of the same reach.
+void add(double factor, const Table& table, Table& sum);
+
+/// @brief What a patch of two spacings takes along phi of the offsets -1, 0, 1 and 2.
+/// @param[in] downstream share of displacements that is taken an offset further on
+[[nodiscard]] inline std::array<double, 4> wide_patch_shares(double downstream) {
+  return {0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream, 0.25 * downstream};
+}
+
+/// @brief Averages of a table over patches of two spacings: a quarter, a half and a quarter each way; at every
+/// `stride`-th offset. A line has one way.
+/// @param[in] downstream share of displacements that is taken an offset further on
+[[nodiscard]] Table widened(const Table& fine, int stride, double downstream = 0.0);
 
 }  // namespace viscoroll::detail

@@ -98,15 +98,20 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
   const bool exact = curvature_ == Curvature::exact;
   const Curvature curvature = exact ? Curvature::sphere : curvature_;
   const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  auto orders =
-      std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads, watch, curvature, inertia_tolerance);
-  const HarmonicCoating& coating = orders->coating();
-  const auto highest = std::max_element(coating.orders().begin(), coating.orders().end()) - coating.orders().begin();
+  const std::vector<double> orders = all_orders(phi_bands(rolling, angular_speed_, mesh_));
+  const HarmonicCoating fastest(rolling, angular_speed_, {*std::ranges::max_element(orders)}, measured_order(mesh_),
+                                curvature);
   for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
-    stiffest_modulus_ =
-        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
+    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(fastest.modulus(layer, 0)));
   }
-  own_ = std::make_unique<const TableStore>(std::move(orders), mesh_);
+  if (exact) {
+    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
+  } else {
+    own_ =
+        std::make_unique<const TableStore>(std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads,
+                                                                              watch, curvature, inertia_tolerance),
+                                           mesh_);
+  }
   pair_.body = rolling;
   centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
   const std::array m{mesh_.nodes_per_revolution / 2};
@@ -114,7 +119,6 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
   const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
   alternating_.normal += alternating[0];
   alternating_.along += alternating[4];
-  if (exact) sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
 }
 
 void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {

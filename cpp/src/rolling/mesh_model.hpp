@@ -47,7 +47,8 @@ class MeshModel {
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
-  /// @return tables of what rolls, of a roller together with those of what it rolls on; none of a rigid ball
+  /// @return tables of what rolls, of a roller together with those of what it rolls on; none of a rigid ball, and of
+  /// the exact sphere
   [[nodiscard]] const TableStore* own() const { return own_.get(); }
   /// @return tables of what a ball rolls on, none where that is rigid
   [[nodiscard]] const TableStore* track() const { return track_.get(); }

@@ -44,17 +44,19 @@ double most_nodes_per_revolution(const RollingPair& pair, const LoadCase& load_c
   if (options.curvature != Curvature::exact) return kMostNodesPerRevolution;
   const bool tangential = options.compliance == Compliance::vertical || load_case.friction > 0.0;
   const int count = SphereRequest{.tangential = tangential, .power = false}.count();
-  const double nodes_across = std::cbrt(0.5 * kMostTableValues / count);
   constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
-  return std::numbers::pi * nodes_across / kMargin * outer_radius(pair.body) / contact_radius;
+  const double half_angle = kMargin * contact_radius / outer_radius(pair.body);
+  const int thetas = sampled_thetas(half_angle, highest_degree(SphereSum::kExactDegree));
+  const double nodes_across = 0.5 * kMostTableValues / (count * std::pow(thetas, 2));
+  return std::numbers::pi * nodes_across / half_angle;
 }
 
-/// Whether the next mesh would ask for more than is at hand.
-bool is_finest(const Result& result, double friction, double most_nodes) {
-  const double next = 4.0 * result.refinements.back().contact_nodes;
-  return result.mesh.nodes_per_revolution == kMostNodesPerRevolution ||
-         (most_nodes < kMostNodesPerRevolution && 2.0 * result.mesh.nodes_per_revolution > most_nodes) ||
-         next > (friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes);
+/// Most nodes in contact of a mesh. One that the accuracy asks for by itself may have many; further ones, where answers
+/// change by more than they should, no more than take some seconds.
+double most_contact_nodes(const LoadCase& load_case, const Options& options, double planned) {
+  const bool costly = load_case.friction > 0.0 || options.curvature == Curvature::exact;
+  const double most = load_case.friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes;
+  return std::min(most, std::max(planned, costly ? 5e4 : 1e6));
 }
 
 /// A number that the caller did not give, and the size by which its errors are judged.
@@ -141,7 +143,16 @@ class Refiner {
       return !best_ && first_failure && restart_from(2.0 * mesh_.nodes_per_revolution);
     }
     if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
-    return !is_finest(*best_, load_case_.friction, most_nodes_) && restart_from(2.0 * mesh_.nodes_per_revolution);
+    return !is_finest() && restart_from(2.0 * mesh_.nodes_per_revolution);
+  }
+
+  /// Whether the next mesh would ask for more than is at hand.
+  [[nodiscard]] bool is_finest() const {
+    constexpr double kPlanned = 16.0;  // the second mesh is to do, its contact somewhat larger than the first one says
+    const double next = 4.0 * refinements_.back().contact_nodes;
+    return mesh_.nodes_per_revolution == kMostNodesPerRevolution ||
+           (most_nodes_ < kMostNodesPerRevolution && 2.0 * mesh_.nodes_per_revolution > most_nodes_) ||
+           next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes);
   }
 
   /// Throw what no mesh has led around, in terms of what the caller gave.

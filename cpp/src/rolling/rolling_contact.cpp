@@ -75,14 +75,14 @@ class LoadCaseSolver {
     };
     int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
     int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
-    if (model_.sphere_tables() != nullptr) narrow(phi, theta, estimate);
     const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
     const bool cheap = is_roller(model_.body());  // a single row of nodes
     for (bool is_likely = cheap || shallow;; is_likely = cheap) {
-      if (is_likely || holds_rough_contact(phi, theta, estimate)) {
+      const bool widest = phi == phi_limit && theta == theta_limit;
+      if (is_likely || holds_rough_contact(phi, theta, estimate, widest)) {
         if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
       }
-      if (phi == phi_limit && theta == theta_limit) reject_load("is in contact over 60 degrees to a side");
+      if (widest) reject_load("is in contact over 60 degrees to a side");
       phi = std::min(phi + phi / 2 + 1, phi_limit);
       theta = std::min(theta + theta / 2 + 1, theta_limit);
     }
@@ -118,8 +118,12 @@ class LoadCaseSolver {
 
   /// Whether a window holds the contact, as far as a mesh shows that is much coarser: of a load that is far beyond the
   /// estimate, or absurd, fine meshes on window after window would take long.
-  [[nodiscard]] bool holds_rough_contact(int half_phi, int half_theta, double estimate) const {
-    return half_phi < 3 * kRoughNodes || rough_contact(half_phi, half_theta, estimate, model_.curvature()).has_value();
+  [[nodiscard]] bool holds_rough_contact(int half_phi, int half_theta, double estimate, bool widest) const {
+    if (half_phi < 3 * kRoughNodes) return true;
+    // A larger window costs little where the torus says that it is needed and the sphere does not; a refused load does.
+    const bool torus_will_do = model_.curvature() == Curvature::exact && !widest;
+    const Curvature curvature = torus_will_do ? Curvature::sphere : model_.curvature();
+    return rough_contact(half_phi, half_theta, estimate, curvature).has_value();
   }
 
   /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the contact reaches
@@ -137,20 +141,6 @@ class LoadCaseSolver {
         .solve_in_window(scaled(half_phi), scaled(half_theta), estimate);
   }
 
-  /// Narrow a window to what a rough mesh, and a surface that is flat but for its curvature terms, say of the contact:
-  /// tables of the exact sphere cost the cube of its width.
-  void narrow(int& half_phi, int& half_theta, double estimate) const {
-    if (half_phi < kRoughNodes) return;
-    const std::optional<Result> rough = rough_contact(half_phi, half_theta, estimate, Curvature::sphere);
-    if (!rough) return;
-    const double margin = grid_.radius * half_phi * grid_.phi_spacing / kRoughNodes;  // a rough node
-    const auto half = [&](double semi_axis, double spacing) {
-      return static_cast<int>(std::ceil(1.2 * (semi_axis + margin) / (grid_.radius * spacing))) + 2;
-    };
-    half_phi = std::min(half_phi, half(rough->semi_axis_x, grid_.phi_spacing));
-    if (rough->semi_axis_z) half_theta = std::min(half_theta, half(*rough->semi_axis_z, grid_.theta_spacing));
-  }
-
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
     const SurfaceWindow points = displaced_points(nodes);
     ContactProblem problem{.surface = make_surface(nodes),
@@ -164,8 +154,11 @@ class LoadCaseSolver {
   /// Of what rolls, of what it rolls on, or the sum of both.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> make_surface(const SurfaceWindow& nodes) const {
     std::shared_ptr<const SurfaceOperator> own;
-    if (model_.own() != nullptr) own = operator_of(*model_.own(), formulation_, nodes);
-    if (model_.sphere_tables() != nullptr) own = on_exact_sphere(std::move(own));
+    if (model_.sphere_tables() != nullptr) {
+      own = on_exact_sphere(nodes);
+    } else if (model_.own() != nullptr) {
+      own = operator_of(*model_.own(), formulation_, nodes);
+    }
     if (model_.track() == nullptr) return own;
     Formulation formulation = formulation_;
     formulation.is_counterpart = true;
@@ -187,24 +180,29 @@ class LoadCaseSolver {
                                            tables(TableKind::dissipation), execution_);
   }
 
-  [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(
-      std::shared_ptr<const SurfaceOperator> nearby) const {
-    SphereRequest request{.tangential = nearby->local().directions.size() == 3,
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> on_exact_sphere(const SurfaceWindow& nodes) const {
+    SphereRequest request{.tangential = formulation_.tangential || formulation_.compliance == Compliance::vertical,
                           .power = false,
-                          .patch_load = options_.patch_load,
-                          .collocation = nearby->collocation()};
-    const auto& [phi, theta] = nearby->window();
-    const double values = request.count() * (2.0 * phi.count() - 1.0) * std::pow(theta.count(), 2);
+                          .patch_load = formulation_.patch_load,
+                          .collocation = formulation_.collocation};
+    const auto& [phi, theta] = nodes.window();
+    const SphereTables& tables = *model_.sphere_tables();
+    const double values = tables.values(request, phi.count() - 1, theta.last);
     if (values > kMostTableValues) {
       throw MeshTooFine(model_.mesh().nodes_per_revolution, "tables of " + text(kMostTableValues) + " values",
                         "with curvature EXACT " + text(values));
     }
-    auto tables = model_.sphere_tables()->tables(request, phi.count() - 1, theta.last, execution_);
+    auto influence = tables.influence(request, phi.count() - 1, theta.last, execution_);
+    Formulation flat = formulation_;
+    flat.patch_load = PatchLoad::flat;
+    auto nearby = std::make_shared<const TableOperator>(
+        flat, nodes, std::make_shared<const std::vector<Table>>(tables_around_equator(*influence)),
+        TableOperator::DissipationSource{}, execution_);
     request.power = true;
-    return std::make_shared<SphereOperator>(
-        std::move(nearby), std::move(tables), [this, request](int phi_reach, int half_theta) {
-          return model_.sphere_tables()->tables(request, phi_reach, half_theta, execution_);
-        });
+    return std::make_shared<SphereOperator>(std::move(nearby), std::move(influence),
+                                            [this, &tables, request](int phi_reach, int half_theta) {
+                                              return tables.influence(request, phi_reach, half_theta, execution_);
+                                            });
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence tables of the exact sphere, kept for the load cases of a model.
+/// @brief Influence on the exact sphere, kept for the load cases of a model.
 #pragma once
 
 #include <memory>
@@ -16,23 +16,25 @@ class SphereTables {
  public:
   explicit SphereTables(SphereSum sum) : sum_(std::move(sum)) {}
 
-  /// @brief Tables as made for an earlier load case where they reach far enough.
-  /// @param[in] request which tables
-  /// @param[in] phi_reach,half_theta offsets and thetas that they reach at least
+  /// @return how many values it has between thetas
+  [[nodiscard]] double values(const SphereRequest& request, int phi_reach, int half_theta) const;
+
+  /// @brief Influence as summed for an earlier load case where it reaches far enough.
+  /// @param[in] request which one
+  /// @param[in] phi_reach,half_theta offsets and thetas that it reaches at least
   /// @param[in] execution of the sum
-  [[nodiscard]] std::shared_ptr<const std::vector<SphereTable>> tables(const SphereRequest& request, int phi_reach,
-                                                                       int half_theta,
-                                                                       const Execution& execution) const;
+  [[nodiscard]] std::shared_ptr<const SphereInfluence> influence(const SphereRequest& request, int phi_reach,
+                                                                 int half_theta, const Execution& execution) const;
 
  private:
-  struct Set {
+  struct Entry {
     SphereRequest request;
-    std::shared_ptr<const std::vector<SphereTable>> tables;
+    std::shared_ptr<const SphereInfluence> influence;
   };
 
   SphereSum sum_;
   mutable std::timed_mutex mutex_;
-  mutable std::vector<Set> sets_;  // the widest of each request
+  mutable std::vector<Entry> entries_;  // the widest of each request
 };
 
 }  // namespace viscoroll::detail

@@ -16,14 +16,15 @@ namespace viscoroll::detail {
 /// the same coating with the membrane stiffness of a sphere stand for it in scales and preconditioners.
 class SphereOperator : public SurfaceOperator {
  public:
-  using Tables = std::shared_ptr<const std::vector<SphereTable>>;
-  /// Gives tables of the power lost, for thetas from -half_theta to half_theta.
-  using DissipationSource = std::function<Tables(int phi_reach, int half_theta)>;
+  using Influence = std::shared_ptr<const SphereInfluence>;
+  /// Gives the influence on the power lost, for thetas from -half_theta to half_theta.
+  using DissipationSource = std::function<Influence(int phi_reach, int half_theta)>;
 
   /// @param[in] nearby operator on the same window, with `Curvature::sphere`
-  /// @param[in] tables of displacements, reaching across the window
-  /// @param[in] dissipation_source tables of the dissipation
-  SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Tables tables, DissipationSource dissipation_source);
+  /// @param[in] influence on displacements, reaching across the window
+  /// @param[in] dissipation_source influence on the dissipation
+  SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
+                 DissipationSource dissipation_source);
 
   [[nodiscard]] const Window& window() const override { return nearby_->window(); }
   [[nodiscard]] const Execution& execution() const override { return nearby_->execution(); }
@@ -44,7 +45,7 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
 
   std::shared_ptr<const SurfaceOperator> nearby_;
-  Tables tables_;
+  Influence influence_;
   DissipationSource dissipation_source_;
   SphereProduct product_;
 };

@@ -127,32 +127,6 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
 
 namespace {
 
-/// Sums of a table over patches of two spacings: a quarter, a half and a quarter each way; at every `stride`-th offset.
-/// A line has one way.
-/// A share of displacements is taken an offset further downstream.
-Table widened(const Table& fine, int stride, double downstream = 0.0) {
-  const int aside = fine.theta_reach() == 0 ? 0 : 1;
-  const std::array<double, 3> share = aside == 0 ? std::array{0.0, 1.0, 0.0} : std::array{0.25, 0.5, 0.25};
-  const std::array<double, 4> phi_share{0.25 * (1.0 - downstream), 0.5 - 0.25 * downstream, 0.25 + 0.25 * downstream,
-                                        0.25 * downstream};
-  const int last = downstream > 0.0 ? 2 : 1;
-  Table coarse((fine.phi_reach() - last) / stride, (fine.theta_reach() - aside) / stride, fine.mirror() < 0.0);
-  for (int j = -coarse.phi_reach(); j <= coarse.phi_reach(); ++j) {
-    const auto row = coarse.row(j);
-    for (int l = 0; l <= coarse.theta_reach(); ++l) {
-      double sum = 0.0;
-      for (int dj = -1; dj <= last; ++dj) {
-        for (int dl = -aside; dl <= aside; ++dl) {
-          sum += phi_share[static_cast<std::size_t>(dj + 1)] * share[static_cast<std::size_t>(dl + 1)] *
-                 fine(stride * j + dj, stride * l + dl);
-        }
-      }
-      row[static_cast<std::size_t>(l)] = sum;
-    }
-  }
-  return coarse;
-}
-
 template <class Function>
 void for_entries(const Formulation& formulation, const Function& function) {
   for (std::size_t p = 0; p < components(formulation); ++p) {
