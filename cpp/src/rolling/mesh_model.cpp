@@ -98,11 +98,12 @@ void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watc
   const bool exact = curvature_ == Curvature::exact;
   const Curvature curvature = exact ? Curvature::sphere : curvature_;
   const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  const std::vector<double> orders = all_orders(phi_bands(rolling, angular_speed_, mesh_));
-  const HarmonicCoating fastest(rolling, angular_speed_, {*std::ranges::max_element(orders)}, measured_order(mesh_),
-                                curvature);
+  const HarmonicCoating coating(rolling, angular_speed_, all_orders(phi_bands(rolling, angular_speed_, mesh_)),
+                                measured_order(mesh_), curvature);
+  const auto highest = std::ranges::max_element(coating.orders()) - coating.orders().begin();
   for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
-    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(fastest.modulus(layer, 0)));
+    stiffest_modulus_ =
+        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
   }
   if (exact) {
     sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
