@@ -20,6 +20,7 @@ from .drive import Drive
 from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
+from .progress import ProgressLike
 from .result import Result
 from .rheology import LossFactor, load_material
 from .rolling import solve
@@ -169,9 +170,9 @@ class Thermal:
     shift: WilliamsLandelFerry | Arrhenius | None
     limit: float | None
 
-    def temperature(self, result: Result) -> Temperature:
+    def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
         """Temperature with the moduli as they are."""
-        return temperature(result, **self._cooling())
+        return temperature(result, **self._cooling(), progress=progress)
 
     def _cooling(self) -> dict[str, Any]:
         names = ("convection", "ambient", "conductivity", "core", "core_temperature")

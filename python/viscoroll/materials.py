@@ -17,6 +17,7 @@ import numpy as np
 from . import _core
 from ._arrays import as_float, as_float_array, as_floats, as_member, store_floats
 from ._text import shown
+from .tables import ParameterTable
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -42,7 +43,7 @@ __all__ = [
 ]
 
 
-class ShearModulus(ABC):
+class ShearModulus(ParameterTable, ABC):
     """Base of all moduli that this module defines."""
 
     __slots__ = ()
