@@ -460,4 +460,5 @@ def first_line(error: ValidationError) -> str:
     first = error.errors()[0]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
-    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {shown(first['input'])}{more}"
+    got = "" if first["type"] == "missing" else f", got {shown(first['input'])}"  # the whole table, without it
+    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}{got}{more}"

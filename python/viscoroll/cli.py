@@ -209,6 +209,8 @@ def plot(
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     _check_target("--output", output, _PICTURES)
+    if study.suffix != ".nc":
+        raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
     with extra("files"):
         import netCDF4  # noqa: F401  (what xarray reads with)
         import xarray

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._arrays import as_float, as_int, require_type
+from .._arrays import as_float, as_int, as_kelvin, require_type
 from .._core import ConvergenceError
 from ..caution import kept_in_results, warn
 from ..geometry import CoatedSphere
@@ -216,7 +216,7 @@ def self_heating(
         raise ValueError(f"sublayers must be in [1, 20], got {parts}")
     if not 4 <= count <= 1000:
         raise ValueError(f"points must be in [4, 1000], got {count}")
-    surroundings = as_float("ambient", ambient)
+    surroundings = as_kelvin("ambient", ambient)
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:
         raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float, require_type
+from .._arrays import as_float, as_kelvin, require_type
 from .._core import InnerBoundary
 from .._extras import extra
 from .._text import shown
@@ -129,7 +129,7 @@ def temperature(
         Coefficient at the surface [W/(m² K)], ≥ 0, or a function of an array of angles θ [rad] that returns it:
         `plane_cooling` makes one that adds the heat that the plane takes.
     ambient : float
-        Temperature of the surroundings [K], > 0.
+        Temperature of the surroundings [K], ≥ 100.
     core : Core or float, default Core.INSULATED
         Insulated, isothermal, or the conductivity of a solid core [W/(m K)]. Without a core, INSULATED.
     core_temperature : float, optional
@@ -176,7 +176,7 @@ def temperature(
     require_type("result", result, Result)
     ball = coated_ball(result)
     conductivities = _conductivities(ball, conductivity)
-    surroundings = _positive("ambient", ambient, "K")
+    surroundings = as_kelvin("ambient", ambient)
     capacity = _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     film = convection if callable(convection) else _not_negative("convection", convection, "W/(m^2 K)")
     core_conductivity, core_rise = _core(ball, core, core_temperature, surroundings)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float_array, require_type
+from .._arrays import as_float_array, as_member, require_type
 from .._core import Compliance, Curvature, Start
 from ..drive import Drive
 from ..geometry import CoatedSphere
@@ -31,10 +31,10 @@ def roll(
     time: ArrayLike,
     angle: ArrayLike,
     load: ArrayLike,
-    start: Start | RollingState = Start.RELAXED,
+    start: Start | str | RollingState = Start.RELAXED,
     mesh: Mesh | None = None,
-    compliance: Compliance = Compliance.RADIAL,
-    curvature: Curvature = Curvature.SPHERE,
+    compliance: Compliance | str = Compliance.RADIAL,
+    curvature: Curvature | str = Curvature.SPHERE,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
     lattices: int = 4,
@@ -61,7 +61,7 @@ def roll(
         ψ, angle turned at the knots [rad]; growing, the ball rolls forward.
     load : array_like or float
         P at the knots [N], > 0; a number for all of them.
-    start : Start or RollingState, default Start.RELAXED
+    start : Start or str or RollingState, default Start.RELAXED
         What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
     mesh, compliance, curvature, friction, drive, lattices, steps_per_spacing, spectrum_tolerance, threads
@@ -101,6 +101,9 @@ def roll(
     '53 mN m to break away'
     """
     require_type("ball", ball, CoatedSphere)
+    compliance = as_member("compliance", compliance, Compliance)
+    curvature = as_member("curvature", curvature, Curvature)
+    start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     knots, angles, loads = _motion(time, angle, load)
     spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
     shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))

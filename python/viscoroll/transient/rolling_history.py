@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_int, require_type
+from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, Start
 from ..drive import Drive
 from ..geometry import CoatedSphere
@@ -141,14 +141,14 @@ class RollingHistory:
         Core and layers. All layers share one relaxation function and have a Poisson's ratio.
     load : float
         P at the first instant [N], > 0.
-    start : Start or RollingState, default Start.RELAXED
+    start : Start or str or RollingState, default Start.RELAXED
         What was before: the ball has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
         another history.
     mesh : Mesh, optional
         Surface mesh; by default 16 nodes across the contact at rest.
-    compliance : Compliance, default Compliance.RADIAL
+    compliance : Compliance or str, default Compliance.RADIAL
         As of `viscoroll.solve`.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         SPHERE or PAPER.
     friction : float, default 0
         Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
@@ -190,10 +190,10 @@ class RollingHistory:
         ball: CoatedSphere,
         *,
         load: float,
-        start: Start | RollingState = Start.RELAXED,
+        start: Start | str | RollingState = Start.RELAXED,
         mesh: Mesh | None = None,
-        compliance: Compliance = Compliance.RADIAL,
-        curvature: Curvature = Curvature.SPHERE,
+        compliance: Compliance | str = Compliance.RADIAL,
+        curvature: Curvature | str = Curvature.SPHERE,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
         lattices: int = 4,
@@ -208,14 +208,13 @@ class RollingHistory:
     ) -> None:
         require_type("ball", ball, CoatedSphere)
         require_type("mesh", mesh, Mesh, optional=True)
-        require_type("compliance", compliance, Compliance)
-        require_type("curvature", curvature, Curvature)
+        compliance = as_member("compliance", compliance, Compliance)
+        curvature = as_member("curvature", curvature, Curvature)
         require_type("drive", drive, Drive)
         if drive.force is None:
             raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
         state = start if isinstance(start, RollingState) else None
-        before = Start.RELAXED if isinstance(start, RollingState) else start
-        require_type("start", before, Start)
+        before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
         with reporting(progress) as report:
             self._history = _core.RollingHistory(
