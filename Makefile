@@ -40,7 +40,7 @@ test-cpp: $(DEPS)
 	ctest --preset release --parallel $(JOBS)
 
 test-python: $(VENV)/test.stamp
-	$(BIN)/python -m pytest --numprocesses $(JOBS) --dist loadfile
+	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile
 
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources.
 # The library configured as the README says must be the optimized one.
@@ -67,20 +67,20 @@ sanitize: $(DEPS)
 # Lines that the tests reach: of the package by the Python tests, of the library by those in C++ and by the module that
 # the Python tests load, built with counters into an environment of its own.
 COVERED := build/coverage
+coverage: export COVERAGE_FILE = $(CURDIR)/$(COVERED)/python.coverage
 coverage: $(DEPS)
 	cmake --preset coverage
 	cmake --build --preset coverage --parallel $(JOBS)
 	$(PYTHON) -m venv $(COVERED)/venv
-	$(COVERED)/venv/bin/pip install --quiet '.[test,coverage]' \
-	  -Cbuild-dir=$(COVERED)/module -Ccmake.build-type=Debug -Cinstall.strip=false \
-	  -Ccmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
+	$(COVERED)/venv/bin/pip install --quiet '.[test,coverage]' -Cbuild-dir=$(COVERED)/module -Cinstall.strip=false \
+	  -Ccmake.build-type=Debug -Ccmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
 	find $(COVERED) -name '*.gcda' -delete
 	ctest --preset coverage --parallel $(JOBS)
-	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --dist loadfile --cov=viscoroll --cov-report= $(TESTS)
+	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile --cov --cov-report= $(TESTS)
 	$(COVERED)/venv/bin/coverage xml --quiet -o $(COVERED)/python.xml
 	$(COVERED)/venv/bin/coverage report --skip-covered --skip-empty --sort=cover
-	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --gcov-ignore-errors=no_working_dir_found --exclude-throw-branches \
-	  --merge-mode-functions=merge-use-line-min --xml $(COVERED)/cpp.xml --txt-summary $(COVERED)
+	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --exclude-throw-branches --gcov-ignore-errors=no_working_dir_found \
+	  --merge-mode-functions=merge-use-line-min --xml $(COVERED)/cpp.xml --print-summary $(COVERED)
 
 # CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
 CASES ?= 2000
