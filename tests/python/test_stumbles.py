@@ -76,5 +76,8 @@ def test_files_of_another_kind(tmp_path):
     case.write_text(example_text(), encoding="utf-8")
     unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
     assert run("roll", case) == f"{case}: motion: field required (and 4 more)"
+    case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
+    told = "extra inputs are not permitted, got 2.5; did you mean angular_speed?"
+    assert run("solve", case) == f"{case}: rolling.angularspeed: {told} (and 1 more)"
     assert run("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
     assert "in the shell --columns frequency=name:unit,storage=name:unit" in run("material", unknown)

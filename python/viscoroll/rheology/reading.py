@@ -213,7 +213,7 @@ def _is_tensile(path: Path, tables: list[Table]) -> bool:
     name = tables[0].columns["storage"].name
     raise ValueError(
         f"{path}: column {name!r} does not say whether it is a modulus of tension or of shear: "
-        "pass tensile=True or tensile=False"
+        "pass tensile=True or tensile=False, in the shell --tensile or --shear"
     )
 
 
