@@ -60,6 +60,13 @@ def test_names_serve_in_transient_rolling_as_in_steady():
         vr.RollingHistory(paper.ball(), load=50.0, compliance=1)
 
 
+def test_misspelled_parameters_of_a_study():
+    with pytest.raises(TypeError, match=r"a ball has no parameter acuracy; pass .*; or did you mean accuracy\?"):
+        vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, acuracy=0.1, progress=False)
+    with pytest.raises(TypeError, match=r"a ball has no parameter thickness; .* that returns the ball$"):
+        vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, thickness=1e-3, progress=False)
+
+
 def test_discrete_elements_need_a_result():
     with pytest.raises(TypeError, match=r"source must be a viscoroll.Result or a study of viscoroll.sweep, got 'r'"):
         vr.dem("r", code="lammps")
