@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from typing import Any, TypeAlias
 
 from ._extras import extra
@@ -87,8 +88,12 @@ def counted(progress: ProgressLike, *, total: int, unit: str, done: int = 0) -> 
         yield one_more
 
 
+@cache
 def _bars() -> Any:
-    """Return the kind of bar for where this runs: of a notebook or of a terminal."""
+    """Return the kind of bar for where this runs, of a notebook or of a terminal.
+
+    Found once: filters of warnings belong to all threads.
+    """
     with extra("studies"), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # without ipywidgets a notebook shows the bar of a terminal, which will do
         from tqdm.auto import tqdm
