@@ -13,7 +13,7 @@ DEPS ?= deps
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format stubs bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize coverage campaign lint format stubs hooks bench bench-compare deps deps-bench clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -21,10 +21,13 @@ help:
 	@echo "make lint      check formatting, types and stubs, and the C++ sources by clang-tidy"
 	@echo "make format    format all sources"
 	@echo "make stubs     write python/viscoroll/_core.pyi from the compiled module"
+	@echo "make hooks     have git check the formatting before every commit"
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
 	@echo "               under the thread sanitizer"
+	@echo "make coverage  say which share of the lines the tests reach, of Python and of C++"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
+	@echo "make bench-compare  hold the last ones against those before on the same processor"
 
 demo: $(VENV)/demo.stamp
 	$(BIN)/viscoroll demo
@@ -37,7 +40,7 @@ test-cpp: $(DEPS)
 	ctest --preset release --parallel $(JOBS)
 
 test-python: $(VENV)/test.stamp
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile
 
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources.
 # The library configured as the README says must be the optimized one.
@@ -60,6 +63,24 @@ sanitize: $(DEPS)
 	cmake --preset tsan
 	cmake --build --preset tsan --parallel $(JOBS)
 	ctest --preset tsan --parallel $(JOBS)
+
+# Lines that the tests reach: of the package by the Python tests, of the library by those in C++ and by the module that
+# the Python tests load, built with counters into an environment of its own.
+COVERED := build/coverage
+coverage: export COVERAGE_FILE = $(CURDIR)/$(COVERED)/python.coverage
+coverage: $(DEPS)
+	cmake --preset coverage
+	cmake --build --preset coverage --parallel $(JOBS)
+	$(PYTHON) -m venv $(COVERED)/venv
+	$(COVERED)/venv/bin/pip install --quiet '.[test,coverage]' -Cbuild-dir=$(COVERED)/module -Cinstall.strip=false \
+	  -Ccmake.build-type=Debug -Ccmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
+	find $(COVERED) -name '*.gcda' -delete
+	ctest --preset coverage --parallel $(JOBS)
+	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile --cov --cov-report= $(TESTS)
+	$(COVERED)/venv/bin/coverage xml --quiet -o $(COVERED)/python.xml
+	$(COVERED)/venv/bin/coverage report --skip-covered --skip-empty --sort=cover
+	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --exclude-throw-branches --gcov-ignore-errors=no_working_dir_found \
+	  --merge-mode-functions=merge-use-line-min --xml $(COVERED)/cpp.xml --print-summary $(COVERED)
 
 # CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
 CASES ?= 2000
@@ -88,6 +109,9 @@ format: $(VENV)/lint.stamp
 	$(BIN)/clang-format -i $(CXX_FILES)
 	$(BIN)/gersemi --in-place $(CMAKE_FILES)
 
+hooks: $(VENV)/lint.stamp
+	$(BIN)/pre-commit install
+
 # The module is built from the sources; its stub is a source again, so that a wheel needs nothing to make it.
 stubs: $(VENV)/lint.stamp
 	$(BIN)/python python/bindings/make_stub.py
@@ -96,6 +120,9 @@ bench: deps-bench $(VENV)/bench.stamp
 	cmake --preset bench
 	cmake --build --preset bench --parallel $(JOBS)
 	$(BIN)/python bench/run.py
+
+bench-compare:
+	$(PYTHON) bench/compare.py
 
 deps:
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT) >/dev/null 2>&1; then \

@@ -23,6 +23,7 @@ __all__ = [
     "as_float_array",
     "as_floats",
     "as_int",
+    "as_kelvin",
     "as_member",
     "as_orders",
     "require_callable",
@@ -95,6 +96,22 @@ def as_float(name: str, value: object) -> float:
         return float(value)
     except OverflowError:
         raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in size, got {shown(value)}") from None
+
+
+def as_kelvin(name: str, value: object) -> float:
+    """Return a temperature [K].
+
+    Raises
+    ------
+    TypeError
+        Where `value` is not a real number.
+    ValueError
+        Where it is not finite or is below 100 K, where no rubber is rubber: degrees Celsius, most likely.
+    """
+    temperature = as_float(name, value)
+    if not 100.0 <= temperature < float("inf"):
+        raise ValueError(f"{name} must be finite and >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
+    return temperature
 
 
 def as_int(name: str, value: object) -> int:

@@ -7,6 +7,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, fields
+from difflib import get_close_matches
 from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, TypeVar
@@ -20,6 +21,7 @@ from .drive import Drive
 from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from .interior import Core, SelfHeating, Temperature, self_heating, temperature
 from .mesh import Mesh
+from .progress import ProgressLike
 from .result import Result
 from .rheology import LossFactor, load_material
 from .rolling import solve
@@ -169,9 +171,9 @@ class Thermal:
     shift: WilliamsLandelFerry | Arrhenius | None
     limit: float | None
 
-    def temperature(self, result: Result) -> Temperature:
+    def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
         """Temperature with the moduli as they are."""
-        return temperature(result, **self._cooling())
+        return temperature(result, **self._cooling(), progress=progress)
 
     def _cooling(self) -> dict[str, Any]:
         names = ("convection", "ambient", "conductivity", "core", "core_temperature")
@@ -456,7 +458,18 @@ def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice
 
 def first_line(error: ValidationError) -> str:
     """Return what is wrong first, with its place in the file."""
-    first = error.errors()[0]
+    errors = error.errors()
+    missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
+    meant = {  # a name that is misspelled is missing as well
+        number: match
+        for number, one in enumerate(errors)
+        for match in get_close_matches(str(one["loc"][-1]), missing, 1)
+        if one["type"] == "extra_forbidden"
+    }
+    chosen = next(iter(meant), 0)
+    first = errors[chosen]
     place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
     more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
-    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}, got {shown(first['input'])}{more}"
+    got = "" if first["type"] == "missing" else f", got {shown(first['input'])}"  # without it, the whole table
+    got += f"; did you mean {meant[chosen]}?" if chosen in meant else ""
+    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}{got}{more}"

@@ -7,6 +7,7 @@ import json
 import math
 import sys
 import warnings
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -17,9 +18,10 @@ from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
 from .commands import add_commands
+from .interior.temperature import QUANTITIES
 from .result_files import SUFFIXES
+from .result_text import result_rows, result_title
 from .rolling import solve as solve_rolling
-from .scalars import SCALARS
 
 with extra("cli"):
     import typer
@@ -29,9 +31,10 @@ with extra("cli"):
     from rich.table import Table
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from .interior import SelfHeating, Temperature
+    from .progress import Report
     from .reproduce import Verdict
 
 __all__ = ["run"]
@@ -109,10 +112,8 @@ def solve(
     _check_target("--save", save, SUFFIXES)
     loaded = load_case(case)
     heated = None
-    with _progress_bar() as bar, warnings.catch_warnings(record=True) as doubts:
+    with _progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", ResultWarning)
-        task = bar.add_task("starting", total=1.0)
-        report = lambda stage, fraction: bar.update(task, description=stage, completed=fraction)  # noqa: E731
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
             result = heated.states[0].result  # of a cold start
@@ -120,7 +121,7 @@ def solve(
             result = loaded.solve(progress=report)
         temperatures = [] if heated is None else [state.temperature for state in heated.states]
         if loaded.thermal is not None and heated is None:
-            temperatures = [loaded.thermal.temperature(result)]
+            temperatures = [loaded.thermal.temperature(result, progress=report)]
     if as_json:
         scalars = result.scalars()
         if temperatures:
@@ -163,13 +164,8 @@ def roll(
     _check_target("--checkpoint", checkpoint, (".npy",))
     loaded = load_motion(case)
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
-    with _progress_bar() as bar:
-        task = bar.add_task("starting", total=1.0)
-        history = loaded.roll(
-            progress=lambda stage, fraction: bar.update(task, description=stage, completed=fraction),
-            checkpoint=checkpoint,
-            **resumed,
-        )
+    with _progress_bar() as report:
+        history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
     if as_json:
         typer.echo(_json(history.scalars()))
     else:
@@ -213,6 +209,8 @@ def plot(
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
     _check_target("--output", output, _PICTURES)
+    if study.suffix != ".nc":
+        raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
     with extra("files"):
         import netCDF4  # noqa: F401  (what xarray reads with)
         import xarray
@@ -257,12 +255,12 @@ def reproduce(
         raise ValueError(f"item must be one of {', '.join(ITEMS)}, got {unknown[0]!r}")
     output.mkdir(parents=True, exist_ok=True)
     verdicts: dict[str, list[Verdict]] = {}
-    with _progress_bar() as bar:
-        task = bar.add_task("starting")
-        runner = Runner(coarse=coarse, report=lambda done, total: bar.update(task, completed=done, total=max(total, 1)))
+    with _progress_bar() as report:
+        runner = Runner(
+            coarse=coarse, progress=lambda stage, fraction: report(f"{name}: {item.title}, {stage}", fraction)
+        )
         for name in [name for name in ITEMS if not items or name in items]:
             item = ITEMS[name]
-            bar.update(task, description=f"{name}: {item.title}")
             outcome = item.compute(runner)
             write_files(item, outcome, output)
             verdicts[name] = runner.judge(outcome)
@@ -289,14 +287,9 @@ def compare(
 
     _check_target("--output", output, _PICTURES)
     loaded = load_case(case)
-    with _progress_bar() as bar:
-        task = bar.add_task("speeds", total=points)
-        comparison = compare_torques(
-            loaded,
-            speeds=None if speeds is None else parse_speeds(speeds),
-            points=points,
-            report=lambda done, total: bar.update(task, completed=done, total=total),
-        )
+    with _progress_bar() as report:
+        wanted = None if speeds is None else parse_speeds(speeds)
+        comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
     comparison.draw().savefig(output, dpi=150)
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
@@ -319,8 +312,7 @@ def demo(
     _check_target("--plot", plot, _PICTURES)
     ball = paper.ball()
     torques: dict[tuple[int, int], float] = {}
-    with _progress_bar() as bar:
-        task = bar.add_task("table 2 of the paper", total=len(paper.TABLE_2))
+    with _progress_bar() as report:
         for key, mesh in paper.table_2_meshes().items():
             result = solve_rolling(
                 ball,
@@ -333,7 +325,7 @@ def demo(
             torques[key] = result.resisting_torque
             if key == (500, 500):
                 chosen = result
-            bar.advance(task)
+            report("table 2 of the paper", len(torques) / len(paper.TABLE_2))
     _output.print(_table_2(torques))
     worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
     _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
@@ -372,38 +364,30 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
     return json.dumps(finite, indent=2, allow_nan=False)
 
 
-def _progress_bar() -> Progress:
+@contextmanager
+def _progress_bar() -> Iterator[Report]:
+    """Hand out what a computation reports to; the bar is there until the block ends, on a terminal."""
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    return Progress(*columns, console=_messages, transient=True, disable=not _messages.is_terminal)
+    with Progress(*columns, console=_messages, transient=True, disable=not _messages.is_terminal) as bar:
+        task = bar.add_task("starting", total=1.0)
+        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
 
 
 def _result_table(result: Result) -> Table:
-    table = Table(
-        title=f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, "
-        f"friction {result.friction:g}, "
-        f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature",
-        title_justify="left",
-        show_header=False,
-    )
+    table = Table(title=result_title(result), title_justify="left", show_header=False)
     table.add_column("quantity")
     table.add_column("value", justify="right")
     table.add_column("unit")
-    for name, (_, description) in SCALARS.items():
-        value, unit = getattr(result, name), result.unit(name)
-        table.add_row(description, "undetermined" if value is None else f"{value:.6g}", "" if unit == "1" else unit)
-    if (share := result.extrapolated_loss()) is not None:
-        table.add_row("share of that loss at harmonics outside the measured table", f"{share:.4g}", "")
-    table.add_row("mesh", str(result.mesh))
-    table.add_row("status", result.status.name, "")
+    for row in result_rows(result):
+        table.add_row(*map(escape, row))
     return table
 
 
 def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
     """Return what is reported of every steady state, in SI units."""
-    names = ("maximum", "surface_maximum", "mean", "heat", "heat_to_core", "heat_to_surroundings", "ripple")
     scalars: list[dict[str, float | str]] = []
     for number, found in enumerate(temperatures):
-        row: dict[str, float | str] = {name: getattr(found, name) for name in names}
+        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
         if heated is not None:
             state = heated.states[number]
             row |= {
@@ -416,14 +400,7 @@ def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | 
 
 
 def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
-    text = {
-        "maximum": "largest temperature rise [K]",
-        "surface_maximum": "largest rise on the surface [K]",
-        "mean": "rise weighted by the loss [K]",
-        "heat": "heat [W]",
-        "heat_to_core": "of it, to the core [W]",
-        "heat_to_surroundings": "of it, to the surroundings [W]",
-        "ripple": "swing over a revolution, at most [K]",
+    text = {name: f"{what} [{unit}]" for name, (unit, what) in QUANTITIES.items()} | {
         "mean_temperature": "temperature of the moduli [K]",
         "resisting_torque": "resisting torque T_r [N m]",
         "stability": "steady state",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -13,11 +14,11 @@ from ._text import shown
 
 with extra("cli"):
     import typer
-    from rich.progress import Progress
 
 if TYPE_CHECKING:
     import xarray
 
+    from .progress import Report
     from .rheology import Isotherm, RheologyData, Superposition
 
 __all__ = ["add_commands"]
@@ -40,7 +41,7 @@ def add_commands(
     app: typer.Typer,
     write: Callable[[str], object],
     check_target: Callable[[str, Path | None, tuple[str, ...]], None],
-    progress_bar: Callable[[], Progress],
+    progress_bar: Callable[[], AbstractContextManager[Report]],
 ) -> None:
     """Add the commands to an application that writes lines by `write`, and checks files by `check_target`."""
 
@@ -126,9 +127,8 @@ def add_commands(
         from .design import design_case
 
         check_target("--plot", plot, _PICTURES)
-        with progress_bar() as bar:
-            task = bar.add_task("starting", total=None)
-            found = design_case(case, report=lambda done: bar.update(task, description=f"{done} cases solved"))
+        with progress_bar() as report:
+            found = design_case(case, progress=report)
         write(f"{found.variable} = {found.best:.6g}: power lost {found.result.dissipated_power:.6g} W")
         for name, limit in found.limits.items():
             reached = ", reached" if name in found.active else ""

@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
 from ._core import Compliance, Status
-from ._extras import extra
 from .analytic import applicable
 from .drive import Drive
 from .geometry import CoatedCylinder
 from .orders import critical_speed
+from .pictures import drawn
+from .progress import ProgressLike
 from .reproduce.item import Runner, write_csv
 from .scalars import scalar_units
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from .case import Case
@@ -76,10 +75,17 @@ class Comparison:
         """Return the unit of the torques."""
         return scalar_units(line_contact=isinstance(self.case.ball, CoatedCylinder))["resisting_torque"]
 
-    def draw(self) -> Figure:
-        """Draw all torques; closed forms are dashed where they do not hold."""
-        figure = Figure(figsize=(8.4, 5.2), layout="constrained")
-        axes = figure.subplots()
+    @overload
+    def draw(self) -> Figure: ...
+
+    @overload
+    def draw(self, *, ax: Axes) -> Axes: ...
+
+    def draw(self, *, ax: Axes | None = None) -> Figure | Axes:
+        """Draw all torques, into `ax` or a new figure; closed forms are dashed where they do not hold."""
+        return drawn(self._draw, ax, figsize=(8.4, 5.2))
+
+    def _draw(self, axes: Axes) -> None:
         axes.errorbar(
             self.speeds,
             self.torques,
@@ -103,7 +109,6 @@ class Comparison:
         axes.set_ylim(0.3 * self.torques.min(), 5.0 * self.torques.max())
         axes.set_title(f"$P$ = {self.case.load:g} {'N/m' if self._unit() == 'N' else 'N'}")
         axes.legend(fontsize="small")
-        return figure
 
     def write_csv(self, path: Path) -> None:
         """Write one row for each speed."""
@@ -142,7 +147,7 @@ def compare_torques(
     *,
     speeds: tuple[float, float] | None = None,
     points: int = 25,
-    report: Callable[[int, int], object] | None = None,
+    progress: ProgressLike = None,
 ) -> Comparison:
     """Solve a case at speeds of equal ratios, without friction and with the radial compliance; evaluate closed forms.
 
@@ -156,8 +161,8 @@ def compare_torques(
         First and last Ω [rad/s]; by default from a thirtieth to ten times that of the case, below the critical one.
     points : int, default 25
         Number of speeds, ≥ 2.
-    report : callable, optional
-        Called as report(done, total).
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) after every speed.
 
     Raises
     ------
@@ -174,7 +179,7 @@ def compare_torques(
     def point(speed: float) -> Result:
         return replace(radial, angular_speed=speed).solve(threads=1)
 
-    results = Runner(report=report).map(point, omega.tolist())
+    results = Runner(progress=progress).map(point, omega.tolist())
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
         for name, form in (applicable(case.ball) if case.on is None else {}).items()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -14,11 +14,13 @@ from ._extras import extra
 from ._text import shown
 from .case import build_case, errors_in, read_toml
 from .caution import kept_in_results
+from .progress import ProgressLike, Report, reporting
 from .result import Result
 from .scalars import SCALARS
 from .studies.file import place_of, substituted
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 __all__ = ["Design", "design_case"]
@@ -89,30 +91,56 @@ class Design:
         """The solved case of the best value."""
         return self.outcome.result
 
-    def plot(self) -> Figure:
-        """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`)."""
-        with extra("plot"):
-            from matplotlib.figure import Figure
+    @overload
+    def plot(self) -> Figure: ...
 
-        figure = Figure(figsize=(7.0, 5.0), layout="constrained")
+    @overload
+    def plot(self, *, ax: Axes) -> Axes: ...
+
+    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+        """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`).
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the power alone.
+
+        Returns
+        -------
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
+        """
+        from .pictures import Picture, drawn
+
+        if ax is not None:
+            drawn(self._draw_power, ax, figsize=(7.0, 4.0))
+            ax.set_xlabel(self.variable)
+            return ax
+        figure = Picture(figsize=(7.0, 5.0), layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
-        solved = [(v, r) for v, r in zip(self.values, self.outcomes, strict=True) if r is not None]
-        above.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
-        kept = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
-        above.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
-        left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
-        above.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
-        above.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        above.set_ylabel("power lost [W]")
-        above.legend()
+        self._draw_power(above)
         for name, limit in self.limits.items():
-            x, values = _column(solved, name)
+            x, values = _column(self._solved(), name)
             below.plot(x, np.array(values) / limit, label=name.replace("_", " "))
         below.axhline(1.0, color="gray", linewidth=0.8)
         below.set_ylabel("result / limit")
         below.set_xlabel(self.variable)
         below.legend()
         return figure
+
+    def _solved(self) -> list[tuple[float, Outcome]]:
+        return [(v, r) for v, r in zip(self.values, self.outcomes, strict=True) if r is not None]
+
+    def _draw_power(self, axes: Axes) -> None:
+        solved = self._solved()
+        axes.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
+        kept = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
+        axes.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
+        left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
+        axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
+        axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
+        axes.set_ylabel("power lost [W]")
+        axes.legend()
 
 
 def _column(solved: list[tuple[float, Outcome]], name: str) -> tuple[list[float], list[float]]:
@@ -124,24 +152,26 @@ def _column(solved: list[tuple[float, Outcome]], name: str) -> tuple[list[float]
 class _Search:
     """Results by value, each solved once."""
 
-    solve: Callable[[float], Outcome]
-    report: Callable[[int], object] | None
+    solve: Callable[[float, Report | None], Outcome]
+    report: Report | None
     found: dict[float, Outcome | None] = field(default_factory=dict)
     reasons: list[str] = field(default_factory=list)
 
     def __call__(self, value: float) -> Outcome | None:
         if value not in self.found:
             try:
-                self.found[value] = self.solve(value)
+                self.found[value] = self.solve(value, self._report_of_case)
             except (ValueError, ConvergenceError) as error:
                 self.found[value] = None
                 self.reasons.append(str(error))
-            if self.report is not None:
-                self.report(len(self.found))
         return self.found[value]
 
+    def _report_of_case(self, stage: str, fraction: float) -> None:
+        if self.report is not None:
+            self.report(f"case {len(self.found) + 1}: {stage}", fraction)
 
-def design_case(path: str | Path, *, report: Callable[[int], object] | None = None) -> Design:
+
+def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
     """Find the value of one number of a case file that minimizes the power lost.
 
     The file is a case file with one more table::
@@ -160,8 +190,8 @@ def design_case(path: str | Path, *, report: Callable[[int], object] | None = No
     ----------
     path : path-like
         The file.
-    report : callable, optional
-        Called with the number of cases solved.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms, with the share of the case at hand.
 
     Returns
     -------
@@ -179,9 +209,9 @@ def design_case(path: str | Path, *, report: Callable[[int], object] | None = No
         variable, low, high, limits = _checked(document.pop("design", None))
         place = place_of(variable)
 
-        def solve(value: float) -> Outcome:
+        def solve(value: float, report: Report | None = None) -> Outcome:
             case = build_case(substituted(document, {place: value}), path.parent)
-            result = case.solve()
+            result = case.solve(progress=report)
             if _TEMPERATURE not in limits:
                 return Outcome(result=result, temperature=None)
             if case.thermal is None:
@@ -191,8 +221,8 @@ def design_case(path: str | Path, *, report: Callable[[int], object] | None = No
             heated = case.thermal.temperature(result)
             return Outcome(result=result, temperature=heated.ambient + heated.maximum)
 
-        search = _Search(solve, report)
-        with kept_in_results():
+        with kept_in_results(), reporting(progress) as report:
+            search = _Search(solve, report)
             solve(float(np.sqrt(low * high)))  # says what is wrong with the file, if anything is
             return _best(variable, low, high, limits, search)
 

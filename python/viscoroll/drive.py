@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 from . import _core
 from ._arrays import store_floats
+from .tables import ParameterTable
 
 __all__ = ["Drive"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Drive:
+class Drive(ParameterTable):
     """What is given besides load and angular speed of rolling with friction: exactly one of force, torque and creepage.
 
     Parameters

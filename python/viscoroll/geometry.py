@@ -12,6 +12,7 @@ from ._arrays import as_member, require_type, store_floats
 from ._core import InnerBoundary
 from ._text import shown
 from .materials import ShearModulusLike, as_modulus, to_core
+from .tables import ParameterTable
 
 __all__ = [
     "CoatedCylinder",
@@ -26,7 +27,7 @@ __all__ = [
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Layer:
+class Layer(ParameterTable):
     """One homogeneous, isotropic, linear viscoelastic layer.
 
     Exactly one of `poisson_ratio` and `bulk_modulus` is given.
@@ -82,7 +83,7 @@ density=0.0, conductivity=None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedSphere:
+class CoatedSphere(ParameterTable):
     """Layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
@@ -133,7 +134,7 @@ class CoatedSphere:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedCylinder:
+class CoatedCylinder(ParameterTable):
     """A roller: layers bonded to one another and to a rigid core, in line contact.
 
     It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
@@ -179,7 +180,7 @@ class CoatedCylinder:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class HalfSpace:
+class HalfSpace(ParameterTable):
     """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
 
     Parameters
@@ -214,7 +215,7 @@ class HalfSpace:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedPlane:
+class CoatedPlane(ParameterTable):
     """An unbounded plane of bonded layers on a rigid base or a half-space.
 
     Parameters
@@ -254,7 +255,7 @@ class CoatedPlane:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Groove:
+class Groove(ParameterTable):
     """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
 
     Layers and base are taken to be flat, which is as good as they are thin beside the radii.

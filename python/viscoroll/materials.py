@@ -17,6 +17,7 @@ import numpy as np
 from . import _core
 from ._arrays import as_float, as_float_array, as_floats, as_member, store_floats
 from ._text import shown
+from .tables import ParameterTable
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -42,7 +43,7 @@ __all__ = [
 ]
 
 
-class ShearModulus(ABC):
+class ShearModulus(ParameterTable, ABC):
     """Base of all moduli that this module defines."""
 
     __slots__ = ()
@@ -330,8 +331,20 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
     except TypeError:
         raise TypeError(
             f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
+            f"{_way_to_a_modulus(modulus)}"
         ) from None
     return Elastic(modulus=number)
+
+
+def _way_to_a_modulus(measured: object) -> str:
+    """Say what of measured moduli, or of a fit to them, is a modulus."""
+    ways = {
+        "at": "its at(temperature=...)",
+        "series": "its series",
+        "isotherms": "superpose(...).at(temperature=...) of it",
+        "storage": "fit_prony(...).series of it",
+    }
+    return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")
 
 
 def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 
 from . import _core
 from ._arrays import as_int
+from .tables import ParameterTable
 
 __all__ = ["Mesh"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Mesh:
+class Mesh(ParameterTable):
     """Surface mesh: nodes at equal spacings in φ and θ, one of them at the lowest point.
 
     Parameters

@@ -11,15 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _core
-from ._arrays import as_float, as_int, as_member, as_orders, require_callable, require_type
+from ._arrays import as_float, as_int, as_member, as_orders, require_type
 from ._core import Curvature
 from ._text import shown
 from .geometry import CoatedCylinder, CoatedSphere, Layer, RollingBody
 from .mesh import Mesh
+from .progress import ProgressLike, reporting
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
@@ -257,7 +256,7 @@ def influence_tables(
     reach: int | tuple[int, int],
     curvature: Curvature | str = Curvature.SPHERE,
     threads: int = 0,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
 ) -> NDArray[np.float64]:
     """Influence tables: displacement of one surface node by a unit force on the flat patch (53) of another.
 
@@ -276,8 +275,8 @@ def influence_tables(
         offset alone.
     threads : int, default 0
         Number of threads; 0 for all cores.
-    progress : callable, optional
-        Called as progress(stage, fraction) about every 20 ms.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
@@ -295,18 +294,18 @@ def influence_tables(
     require_type("ball", ball, CoatedSphere)
     require_type("mesh", mesh, Mesh)
     curvature = as_member("curvature", curvature, Curvature)
-    require_callable("progress", progress)
     phi_reach, theta_reach = _pair("reach", reach)
-    return _core.influence_tables(
-        ball._to_core(),
-        mesh._to_core(),
-        angular_speed=as_float("angular_speed", angular_speed),
-        phi_reach=phi_reach,
-        theta_reach=theta_reach,
-        threads=as_int("threads", threads),
-        curvature=curvature,
-        progress=progress,
-    )
+    with reporting(progress) as report:
+        return _core.influence_tables(
+            ball._to_core(),
+            mesh._to_core(),
+            angular_speed=as_float("angular_speed", angular_speed),
+            phi_reach=phi_reach,
+            theta_reach=theta_reach,
+            threads=as_int("threads", threads),
+            curvature=curvature,
+            progress=report,
+        )
 
 
 def _broadcast(names: str, m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:

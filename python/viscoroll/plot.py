@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._extras import extra
+from .pictures import Picture, drawn
 
 with extra("plot"):
     from matplotlib.colors import ListedColormap
-    from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
 if TYPE_CHECKING:
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 
     from .result import Result
 
-__all__ = ["plot_contact"]
+__all__ = ["draw_contact", "plot_contact"]
 
 _MM = 1e3
 _MPA = 1e-6
 
 
-def plot_contact(result: Result) -> Figure:
+def plot_contact(result: Result) -> Picture:
     """Draw the contact pressure: its map, and its profile along the rolling direction.
 
     With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's. Of
@@ -42,12 +42,12 @@ def plot_contact(result: Result) -> Figure:
         Two axes side by side, or three with friction, or one; the figure belongs to no window.
     """
     if result.semi_axis_z is None:
-        figure = Figure(figsize=(7.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(7.0, 4.6), layout="constrained")
         _draw_profile(figure.subplots(), result)
         figure.suptitle(_headline(result), fontsize="medium")
         return figure
     frictional = result.friction > 0.0
-    figure = Figure(figsize=(16.0 if frictional else 11.0, 4.6), layout="constrained")
+    figure = Picture(figsize=(16.0 if frictional else 11.0, 4.6), layout="constrained")
     pressure_map, *stick_slip_map, profile = figure.subplots(
         1, 3 if frictional else 2, width_ratios=[1.0, 0.85, 1.15] if frictional else [1.0, 1.15]
     )
@@ -57,6 +57,13 @@ def plot_contact(result: Result) -> Figure:
     _draw_profile(profile, result)
     figure.suptitle(_headline(result), fontsize="medium")
     return figure
+
+
+def draw_contact(result: Result, ax: Axes) -> Axes:
+    """Draw the map of the pressure alone into axes of the caller's, of a roller the profile."""
+    draw = _draw_profile if result.semi_axis_z is None else _draw_map
+    drawn(lambda axes: draw(axes, result), ax, figsize=(7.0, 4.6))
+    return ax
 
 
 def _headline(result: Result) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -15,10 +15,13 @@ from .drive import Drive
 from .geometry import CoatedCylinder, Counterpart, RollingBody
 from .loss_spectrum import extrapolated_share
 from .mesh import Mesh
+from .progress import ProgressLike
+from .result_text import result_html, result_summary
 from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
@@ -166,31 +169,11 @@ class Result(ScalarFields):
 
     def __repr__(self) -> str:
         """Return a summary of one screen."""
-        rows = [
-            ("rolling resistance coefficient", f"{self.rolling_resistance_coefficient:.6g}"),
-            ("driving torque T", self._quantity("driving_torque")),
-            (
-                "driving force Q, lateral force",
-                f"{self._quantity('driving_force')}, {self._quantity('lateral_force')}",
-            ),
-            ("resisting torque T_r", self._quantity("resisting_torque")),
-            *self._shape_rows(),
-            ("largest pressure", f"{self.max_pressure:.5g} Pa"),
-            *self._friction_rows(),
-            ("power lost in the coating", self._quantity("bulk_power")),
-            *self._pair_rows(),
-            *self._extrapolation_rows(),
-            *self._error_rows(),
-            ("mesh", str(self.mesh)),
-            ("nodes in contact", f"{int(self.contact.sum())} of {self.contact.size}"),
-            ("effort", f"{self.iterations} iterations with {self.operator_applications} operator applications"),
-            ("status", f"{self.status.name}, residual {self.residual:.1e}"),
-            *(("warning", message) for message in self.warnings.values()),
-        ]
-        width = max(len(label) for label, _ in rows)
-        model = f"{self.compliance.name} compliance, {self.curvature.name} curvature"
-        head = f"Result of P = {self.load:g} {self.unit('load')} at Ω = {self.angular_speed:g} rad/s ({model})"
-        return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+        return result_summary(self)
+
+    def _repr_html_(self) -> str:
+        """Return all scalar results with units, as a table for notebooks."""
+        return result_html(self)
 
     def unit(self, name: str) -> str:
         """Return the unit of a scalar result, or of ``"load"``: of a roller per length.
@@ -209,24 +192,6 @@ class Result(ScalarFields):
         line_contact = isinstance(self.ball, CoatedCylinder)
         return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
 
-    def _quantity(self, name: str) -> str:
-        return f"{getattr(self, name):.6g} {self.unit(name)}"
-
-    def _shape_rows(self) -> list[tuple[str, str]]:
-        penetration = "undetermined"
-        if self.penetration is not None:
-            penetration = f"{self.penetration:.6g} m, {self.strain:.1%} of the coating"
-        shape = ("contact's half width", f"{self.semi_axis_x:.4g} m")
-        if self.semi_axis_z is not None:
-            shape = ("contact semi-axes x, z", f"{self.semi_axis_x:.4g}, {self.semi_axis_z:.4g} m")
-        return [("penetration", penetration), shape]
-
-    def _error_rows(self) -> list[tuple[str, str]]:
-        if self.model_error is None:
-            return [("error of the mesh", f"{self.error_estimate:.2g} (estimate)")]
-        errors = f"{self.error_estimate:.2g}, {self.model_error:.2g} (estimates)"
-        return [("error of the mesh, of linear theory", errors)]
-
     def extrapolated_loss(self) -> float | None:
         """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
 
@@ -236,26 +201,6 @@ class Result(ScalarFields):
             [-], where the outermost entries of a `MasterCurve` were held; None without such a material.
         """
         return extrapolated_share(self)
-
-    def _extrapolation_rows(self) -> list[tuple[str, str]]:
-        share = self.extrapolated_loss()
-        return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
-
-    def _pair_rows(self) -> list[tuple[str, str]]:
-        if self.on is None:
-            return []
-        shares = f"{self._quantity('rolling_bulk_power')}, {self._quantity('counterpart_bulk_power')}"
-        return [("of that in what rolls, in what it rolls on", shares)]
-
-    def _friction_rows(self) -> list[tuple[str, str]]:
-        if self.friction == 0.0:
-            return []
-        sticking = int(self.stick.sum()) / int(self.contact.sum())
-        return [
-            ("friction", f"{self.friction:g}, {sticking:.0%} of the nodes in contact stick"),
-            ("creepage", f"{self.creepage:.6g}"),
-            ("power lost by slip", self._quantity("slip_power")),
-        ]
 
     def scalars(self) -> dict[str, float | int | str | None]:
         """Return all scalar results by name, in SI units, with status and warnings by their names."""
@@ -319,7 +264,7 @@ class Result(ScalarFields):
         phi: ArrayLike | None = None,
         theta: ArrayLike | None = None,
         threads: int = 0,
-        progress: Callable[[str, float], object] | None = None,
+        progress: ProgressLike = None,
     ) -> xarray.Dataset:
         """Displacement, strain and stress inside the coating.
 
@@ -335,8 +280,8 @@ class Result(ScalarFields):
             ``theta=[π/2]`` with many depths is the section through the contact.
         threads : int, default 0
             Number of threads; 0 for all cores.
-        progress : callable, optional
-            Called as progress(stage, fraction) about every 20 ms.
+        progress : bool or callable, optional
+            True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
         Returns
         -------
@@ -377,8 +322,13 @@ class Result(ScalarFields):
             self, depth=depth, radius=radius, phi=phi, theta=theta, threads=threads, progress=progress
         )
 
-    def bonds(self) -> xarray.Dataset:
+    def bonds(self, *, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
         """Fields where layers are bonded, to the core and to one another: what debonds.
+
+        Parameters
+        ----------
+        threads, progress
+            As of `interior`.
 
         Returns
         -------
@@ -393,7 +343,7 @@ class Result(ScalarFields):
         """
         from .interior.fields import bond_fields
 
-        return bond_fields(self)
+        return bond_fields(self, threads=threads, progress=progress)
 
     def loss(
         self,
@@ -401,7 +351,7 @@ class Result(ScalarFields):
         depth: ArrayLike | None = None,
         max_order: int | None = None,
         threads: int = 0,
-        progress: Callable[[str, float], object] | None = None,
+        progress: ProgressLike = None,
     ) -> xarray.Dataset:
         """Energy lost inside the coating, per volume and revolution.
 
@@ -414,8 +364,8 @@ class Result(ScalarFields):
             the contact's semi-axis: 0.9999 of the loss, on coarse meshes 0.998.
         threads : int, default 0
             Number of threads; 0 for all cores.
-        progress : callable, optional
-            Called as progress(stage, fraction) about every 20 ms.
+        progress : bool or callable, optional
+            True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
         Returns
         -------
@@ -468,24 +418,35 @@ class Result(ScalarFields):
 
         save_result(self, Path(path))
 
-    def plot(self) -> Figure:
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, *, ax: Axes) -> Axes: ...
+
+    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
         """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
 
         With friction also where the contact sticks and slips, with arrows for the traction on the coating.
 
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the map of the pressure alone, of a roller its profile.
+
         Returns
         -------
-        matplotlib.figure.Figure
-            Not shown; save it with ``savefig`` or show it with ``matplotlib.pyplot.show``.
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
 
         Raises
         ------
         ImportError
             Without the extra `viscoroll[plot]`.
         """
-        from .plot import plot_contact
+        from .plot import draw_contact, plot_contact
 
-        return plot_contact(self)
+        return plot_contact(self) if ax is None else draw_contact(self, ax)
 
 
 def _rebuilt(kind: type[Result], values: dict[str, Any]) -> Result:

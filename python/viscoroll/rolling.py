@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._arrays import as_float, as_int, as_member, require_callable, require_type
+from ._arrays import as_float, as_int, as_member, require_type
 from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._text import shown
 from .caution import warn
 from .drive import Drive
 from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
 from .mesh import Mesh
+from .progress import ProgressLike, reporting
 from .result import Result
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def solve(
     slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
     max_iterations: int = 500,
     threads: int = 0,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
 ) -> Result:
     """Solve steady rolling on a plane, with Coulomb friction or without.
 
@@ -81,8 +82,8 @@ def solve(
         Linear systems solved on a mesh, ≥ 1.
     threads : int, default 0
         Number of threads; 0 for all cores. The result does not depend on it.
-    progress : callable, optional
-        Called as progress(stage, fraction) about every 20 ms.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
@@ -128,16 +129,18 @@ def solve(
     if mesh is not None and accuracy is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
-    case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress)
-    solution = _core.solve(
-        ball._to_core(),
-        _counterpart(on),
-        angular_speed=speed,
-        mesh=None if mesh is None else mesh._to_core(),
-        curvature=curvature,
-        accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
-        **case,
-    )
+    case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
+    with reporting(progress) as report:
+        solution = _core.solve(
+            ball._to_core(),
+            _counterpart(on),
+            angular_speed=speed,
+            mesh=None if mesh is None else mesh._to_core(),
+            curvature=curvature,
+            accuracy=0.01 if accuracy is None else as_float("accuracy", accuracy),
+            progress=report,
+            **case,
+        )
     return _result(solution, ball, on, speed, drive, curvature, case)
 
 
@@ -161,8 +164,8 @@ class RollingModel:
         As of `solve`.
     threads : int, default 0
         Number of threads; 0 for all cores.
-    progress : callable, optional
-        Called as progress(stage, fraction) about every 20 ms.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
     Raises
     ------
@@ -186,26 +189,26 @@ class RollingModel:
         mesh: Mesh,
         curvature: Curvature | str = Curvature.SPHERE,
         threads: int = 0,
-        progress: Callable[[str, float], object] | None = None,
+        progress: ProgressLike = None,
     ) -> None:
         require_type("ball", ball, CoatedSphere, CoatedCylinder)
         require_type("mesh", mesh, Mesh)
         curvature = as_member("curvature", curvature, Curvature)
-        require_callable("progress", progress)
         self.ball = ball
         self.on = on
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
         self.curvature = curvature
-        self._core = _core.RollingModel(
-            ball._to_core(),
-            _counterpart(on),
-            angular_speed=self.angular_speed,
-            mesh=mesh._to_core(),
-            curvature=curvature,
-            threads=as_int("threads", threads),
-            progress=progress,
-        )
+        with reporting(progress) as report:
+            self._core = _core.RollingModel(
+                ball._to_core(),
+                _counterpart(on),
+                angular_speed=self.angular_speed,
+                mesh=mesh._to_core(),
+                curvature=curvature,
+                threads=as_int("threads", threads),
+                progress=report,
+            )
 
     def __repr__(self) -> str:
         """Return what it was made of."""
@@ -231,13 +234,12 @@ class RollingModel:
         slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
         max_iterations: int = 500,
         threads: int = 0,
-        progress: Callable[[str, float], object] | None = None,
+        progress: ProgressLike = None,
     ) -> Result:
         """Solve one load case; parameters, result and errors as of `viscoroll.solve`."""
-        case = _core_case(
-            load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads, progress
-        )
-        solution = self._core.solve(angular_speed=self.angular_speed, **case)
+        case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
+        with reporting(progress) as report:
+            solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 
 
@@ -262,14 +264,12 @@ def _core_case(
     slip_kinematics: SlipKinematics | str,
     max_iterations: int,
     threads: int,
-    progress: Callable[[str, float], object] | None,
 ) -> dict[str, Any]:
     """Settle the types of a load case and its options, as the core wants them."""
     compliance = as_member("compliance", compliance, Compliance)
     patch_load = as_member("patch_load", patch_load, PatchLoad)
     slip_kinematics = as_member("slip_kinematics", slip_kinematics, SlipKinematics)
     require_type("drive", drive, Drive)
-    require_callable("progress", progress)
     return {
         "load": as_float("load", load),
         "friction": as_float("friction", friction),
@@ -279,7 +279,6 @@ def _core_case(
         "slip_kinematics": slip_kinematics,
         "max_iterations": as_int("max_iterations", max_iterations),
         "threads": as_int("threads", threads),
-        "progress": progress,
     }
 
 

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ._arrays import as_float, store_floats
+from ._arrays import as_float, as_kelvin, store_floats
 from ._text import shown
 from .materials import (
     Elastic,
@@ -61,6 +61,7 @@ class WilliamsLandelFerry:
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
         _store_positive(self, {"c1": "", "c2": " K", "reference_temperature": " K"})
+        as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
         """Return a_T at a temperature [K] above T_r - C₂."""
@@ -94,6 +95,7 @@ class Arrhenius:
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
         _store_positive(self, {"activation_energy": " J/mol", "reference_temperature": " K"})
+        as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
         """Return a_T at a temperature [K], > 0."""

@@ -150,7 +150,7 @@ def test_values_out_of_range(make, valid, changes, message):
         (solve, CASE, {"mesh": 500}, "mesh must be a viscoroll.Mesh or None, got 500"),
         (solve, CASE, {"compliance": "full"}, "compliance must be one of radial, vertical, got 'full'"),
         (solve, CASE, {"patch_load": None}, "patch_load must be a viscoroll.PatchLoad, or one of flat, spherical, got None"),
-        (solve, CASE, {"progress": 3, "mesh": vr.Mesh(**MESH)}, "progress must be callable or None, got 3"),
+        (solve, CASE, {"progress": 3, "mesh": vr.Mesh(**MESH)}, "progress must be True, False, callable or None, got 3"),
     ],
 )  # fmt: skip
 def test_values_of_another_type(make, valid, changes, message):
@@ -193,7 +193,7 @@ def tables(ball=None, mesh=None, **options):
         (lambda: vr.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),
         (lambda: tables(ball=3), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: tables(mesh=3), "mesh must be a viscoroll.Mesh, got 3"),
-        (lambda: tables(progress=3), "progress must be callable or None, got 3"),
+        (lambda: tables(progress=3), "progress must be True, False, callable or None, got 3"),
         (lambda: tables(reach=[1, 2]), r"reach must be a whole number, got list \[1, 2\]"),
         (lambda: tables(reach=(1, 2.0)), r"reach\[1\] must be a whole number, got float 2.0"),
         (lambda: solve(drive=0.1), "drive must be a viscoroll.Drive, got 0.1"),

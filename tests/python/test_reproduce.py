@@ -133,9 +133,9 @@ def test_every_item_has_pictures_and_numbers_with_units(compute, tmp_path, name)
 
 def test_runner_computes_in_order_and_shared_numbers_once():
     reports, calls = [], []
-    runner = Runner(workers=2, report=lambda *counts: reports.append(counts))
+    runner = Runner(workers=2, progress=lambda *report: reports.append(report))
     assert runner.map(lambda x: x * x, range(5)) == [0, 1, 4, 9, 16]
-    assert reports[-1] == (5, 5)
+    assert reports[-1] == ("solves", 1.0)
 
     def sweep(given):
         calls.append(given)

@@ -191,7 +191,7 @@ def test_conductivity_may_stand_in_the_layers(base_case):
         ({"conductivity": [0.2, 0.2]}, "conductivity must be one for each of 1 layers, got 2"),
         ({"convection": -1.0}, "convection must be finite and >= 0 W"),
         ({"convection": 0.0}, "convection must be > 0 W"),
-        ({"ambient": 0.0}, "ambient must be finite and > 0 K"),
+        ({"ambient": 20.0}, r"ambient must be finite and >= 100 K \(20 °C are 293.15 K\), got 20 K"),
         ({"core": -1.0}, "core must be finite and > 0 W"),
         ({"core_temperature": 300.0}, "core_temperature must be left out unless core is ISOTHERMAL"),
     ],

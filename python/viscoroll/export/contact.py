@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
+from .._text import shown
 from ..result import Result
 from ..rolling_resistance import radius_of
 
@@ -123,9 +124,13 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
 
     Raises
     ------
+    TypeError
+        For neither of them.
     ValueError
         For a study without points.
     """
+    if not isinstance(source, Result) and not hasattr(source, "data_vars"):
+        raise TypeError(f"source must be a viscoroll.Result or a study of viscoroll.sweep, got {shown(source)}")
     if isinstance(source, Result):
         if source.penetration is None:
             raise ValueError("result must have a penetration: a roller on a half-plane has none")

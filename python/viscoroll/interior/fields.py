@@ -7,16 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_float_array, as_int, as_orders, require_callable, require_type
+from .._arrays import as_float, as_float_array, as_int, as_orders, require_type
 from .._core import Curvature
 from .._extras import extra
 from .._text import shown
 from ..caution import warn
 from ..geometry import CoatedSphere
+from ..progress import ProgressLike, reporting
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
@@ -170,13 +169,12 @@ def interior_fields(
     phi: ArrayLike | None = None,
     theta: ArrayLike | None = None,
     threads: int = 0,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
 ) -> xarray.Dataset:
     """Fields inside the coating; see `Result.interior`."""
     with extra("files"):
         import xarray
 
-    require_callable("progress", progress)
     ball = coated_ball(result)
     radii, layers = places_of(ball, depth, radius)
     on_nodes = phi is None and theta is None
@@ -184,17 +182,18 @@ def interior_fields(
         result._angles()[axis] if given is None else _line(name, given)
         for axis, (name, given) in enumerate((("phi", phi), ("theta", theta)))
     ]
-    values = _core.interior_fields(
-        ball._to_core(),
-        tractions_of(result),
-        radius=radii,
-        layer=layers,
-        phi=angles[0],
-        theta=angles[1],
-        angular_speed=result.angular_speed,
-        threads=as_int("threads", threads),
-        progress=progress,
-    )
+    with reporting(progress) as report:
+        values = _core.interior_fields(
+            ball._to_core(),
+            tractions_of(result),
+            radius=radii,
+            layer=layers,
+            phi=angles[0],
+            theta=angles[1],
+            angular_speed=result.angular_speed,
+            threads=as_int("threads", threads),
+            progress=report,
+        )
     _warn_of_shallow_places(result, radii, on_nodes)
     fields = np.moveaxis(values, 1, 0)
     displacement, stress, strain = fields[:3], fields[3:9], fields[9:]

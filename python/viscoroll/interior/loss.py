@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_int, require_callable
+from .._arrays import as_int
 from .._extras import extra
 from ..materials import Prony, StandardLinearSolid
+from ..progress import ProgressLike, reporting
 from .fields import coated_ball, places_of, tractions_of
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
@@ -48,26 +47,26 @@ def loss_of(
     depth: ArrayLike | None = None,
     max_order: int | None = None,
     threads: int = 0,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
 ) -> xarray.Dataset:
     """Energy lost inside the coating; see `Result.loss`."""
     with extra("files"):
         import xarray
 
-    require_callable("progress", progress)
     ball = coated_ball(result)
     radii, layers = (np.empty(0), np.empty(0, np.int32)) if depth is None else places_of(ball, depth, None)
     order = default_max_order(result) if max_order is None else as_int("max_order", max_order)
-    loss = _core.loss_density(
-        ball._to_core(),
-        tractions_of(result),
-        radius=radii,
-        layer=layers,
-        angular_speed=result.angular_speed,
-        max_order=order,
-        threads=as_int("threads", threads),
-        progress=progress,
-    )
+    with reporting(progress) as report:
+        loss = _core.loss_density(
+            ball._to_core(),
+            tractions_of(result),
+            radius=radii,
+            layer=layers,
+            angular_speed=result.angular_speed,
+            max_order=order,
+            threads=as_int("threads", threads),
+            progress=report,
+        )
     balance = abs(loss.volume_power - loss.surface_power)
     if balance > _BALANCE * max(loss.surface_power, 1e-6 * abs(result.rolling_bulk_power)):
         raise _core.ConvergenceError(

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from .._extras import extra
 from ..caution import kept_in_results
+from ..pictures import Picture, drawn
 from .fields import coated_ball, interior_fields
 from .loss import loss_of
 
-with extra("plot"):
-    from matplotlib.figure import Figure
-
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
     from ..geometry import CoatedSphere
     from ..result import Result
@@ -28,7 +27,7 @@ _MPA = 1e-6
 _DEPTHS = 41
 
 
-def plot_section(result: Result) -> Figure:
+def plot_section(result: Result) -> Picture:
     """Draw the section θ = π/2 through the contact: von Mises stress, and the pressure above it.
 
     The coating is unrolled, forward to the right, and stretched in depth to be seen.
@@ -54,7 +53,7 @@ def plot_section(result: Result) -> Figure:
         inside = interior_fields(result, depth=depths, phi=phi, theta=[0.5 * np.pi])
     inside = inside.isel(theta=0).drop_duplicates("depth")
 
-    figure = Figure(figsize=(10.0, 6.0), layout="constrained")
+    figure = Picture(figsize=(10.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[1.0, 2.0])
     along = ball.outer_radius * (0.5 * np.pi - phi) * _MM
     middle = result.pressure.shape[1] // 2
@@ -73,18 +72,35 @@ def plot_section(result: Result) -> Figure:
     return figure
 
 
-def plot_loss(result: Result) -> Figure:
+@overload
+def plot_loss(result: Result) -> Figure: ...
+
+
+@overload
+def plot_loss(result: Result, *, ax: Axes) -> Axes: ...
+
+
+def plot_loss(result: Result, *, ax: Axes | None = None) -> Figure | Axes:
     """Draw the mean power density over the cross-section of the track.
 
     Parameters
     ----------
     result : Result
         A solution, not with curvature EXACT.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; in a figure of its own without.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        A new figure, or `ax`.
     """
     ball = coated_ball(result)
     loss = loss_of(result, depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
-    figure = Figure(figsize=(10.0, 4.0), layout="constrained")
-    axes = figure.subplots()
+    return drawn(lambda axes: _draw_loss(axes, result, ball, loss), ax, figsize=(10.0, 4.0))
+
+
+def _draw_loss(axes: Axes, result: Result, ball: CoatedSphere, loss: xarray.Dataset) -> None:
     across = ball.outer_radius * (loss.theta - 0.5 * np.pi) * _MM
     image = axes.contourf(across, loss.depth * _MM, loss.power_density * 1e-3, levels=24, cmap="inferno")
     _draw_layers(axes, ball)
@@ -92,29 +108,44 @@ def plot_loss(result: Result) -> Figure:
     axes.set(xlim=(-reach, reach), xlabel="across the track [mm]", ylabel="depth [mm]")
     axes.set_ylim(ball.thickness * _MM, 0.0)
     axes.set_title(f"{result.rolling_bulk_power:.3g} W are lost in the coating", fontsize="medium")
-    figure.colorbar(image, ax=axes, label="mean power density [kW/m³]")
-    return figure
+    axes.figure.colorbar(image, ax=axes, label="mean power density [kW/m³]")
 
 
-def plot_temperature(temperature: Temperature) -> Figure:
+@overload
+def plot_temperature(temperature: Temperature) -> Figure: ...
+
+
+@overload
+def plot_temperature(temperature: Temperature, *, ax: Axes) -> Axes: ...
+
+
+def plot_temperature(temperature: Temperature, *, ax: Axes | None = None) -> Figure | Axes:
     """Draw the temperature rise over the cross-section of the coating.
 
     Parameters
     ----------
     temperature : Temperature
         What `temperature` found.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; in a figure of its own without.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        A new figure, or `ax`.
     """
+    return drawn(lambda axes: _draw_temperature(axes, temperature), ax, figsize=(7.0, 6.0))
+
+
+def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
     rise = temperature.rise.drop_duplicates("radius")
-    figure = Figure(figsize=(7.0, 6.0), layout="constrained")
-    axes = figure.subplots()
     radius, theta = np.meshgrid(rise.radius, rise.theta, indexing="ij")
     image = axes.contourf(
         radius * np.cos(theta) * _MM, radius * np.sin(theta) * _MM, rise.to_numpy(), levels=24, cmap="inferno"
     )
     axes.set(aspect="equal", xlabel="along the axis [mm]", ylabel="from the axis [mm]")
     axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
-    figure.colorbar(image, ax=axes, label="temperature rise [K]")
-    return figure
+    axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")
 
 
 def _draw_layers(axes: Axes, ball: CoatedSphere) -> None:

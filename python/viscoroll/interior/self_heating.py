@@ -13,14 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._arrays import as_float, as_int, require_callable, require_type
+from .._arrays import as_float, as_int, as_kelvin, require_type
 from .._core import ConvergenceError
 from ..caution import kept_in_results, warn
 from ..geometry import CoatedSphere
+from ..progress import ProgressLike, Report, counted, reporting
 from ..rolling import solve
 from ..shift import Shift, shift_factor, shifted
+from ..tables import html_table, number_text
 from .loss import default_max_order
-from .temperature import Core, Temperature, temperature
+from .temperature import QUANTITIES, Core, Temperature, temperature
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -94,20 +96,40 @@ class SelfHeating:
         """Return the states, a line for each."""
         return "\n".join([f"SelfHeating at Ω = {self.angular_speed:g} rad/s:", *(f"  {s}" for s in self.states)])
 
-    def speeds(self, temperatures: Sequence[float]) -> NDArray[np.float64]:
+    def _repr_html_(self) -> str:
+        """Return the states with units, one to a column, as a table for notebooks."""
+        rows = [
+            ("steady state", *("stable" if state.stable else "unstable" for state in self.states), ""),
+            ("temperature of the moduli", *(number_text(state.mean_temperature) for state in self.states), "K"),
+            ("resisting torque T_r", *(number_text(state.result.resisting_torque) for state in self.states), "N m"),
+            *(
+                (text, *(number_text(getattr(state.temperature, name)) for state in self.states), unit)
+                for name, (unit, text) in QUANTITIES.items()
+            ),
+        ]
+        return html_table(f"Self-heating at Ω = {self.angular_speed:g} rad/s", rows)
+
+    def speeds(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
         """Return the speeds at which given mean temperatures are steady states.
 
         Parameters
         ----------
         temperatures : sequence of float
             Mean temperatures [K], above that of the surroundings.
+        progress : bool or callable, optional
+            True shows a bar; or called as progress(stage, fraction) after every temperature.
 
         Returns
         -------
         ndarray
             Ω [rad/s]; the largest of them is the last that has a state below the hottest of the temperatures.
         """
-        return np.array([self._search.speed_at(as_float("temperatures", value)) for value in temperatures])
+        speeds = []
+        with counted(progress, total=len(temperatures), unit="temperature") as one_more:
+            for value in temperatures:
+                speeds.append(self._search.speed_at(as_float("temperatures", value)))
+                one_more()
+        return np.array(speeds)
 
 
 def self_heating(
@@ -124,7 +146,7 @@ def self_heating(
     limit: float | None = None,
     sublayers: int = 1,
     points: int = 24,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
     **options: Any,
 ) -> SelfHeating:
     """Find every steady state of temperature and torque.
@@ -147,8 +169,8 @@ def self_heating(
     points : int, default 24
         Mean temperatures that are tried between the surroundings' and the limit, in [4, 1000]; between them states are
         found to 1e-3 of the rise. Two states closer together than two neighbors may be missed.
-    progress : callable, optional
-        Called as progress(stage, fraction) after every temperature.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) after every temperature.
     **options
         Of `solve`: friction, drive, accuracy, mesh, compliance, and so on.
 
@@ -187,7 +209,6 @@ def self_heating(
     [True]
     """
     require_type("ball", ball, CoatedSphere)
-    require_callable("progress", progress)
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)
@@ -195,7 +216,7 @@ def self_heating(
         raise ValueError(f"sublayers must be in [1, 20], got {parts}")
     if not 4 <= count <= 1000:
         raise ValueError(f"points must be in [4, 1000], got {count}")
-    surroundings = as_float("ambient", ambient)
+    surroundings = as_kelvin("ambient", ambient)
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:
         raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
@@ -216,8 +237,8 @@ def self_heating(
         limit=highest,
         known={},
     )
-    with kept_in_results():
-        brackets, exact = search.sweep(count, progress)
+    with kept_in_results(), reporting(progress) as report:
+        brackets, exact = search.sweep(count, report)
         states = tuple(search.state(*bracket) for bracket in brackets) + tuple(search.state(t, t) for t in exact)
         if not states:
             raise ValueError(search.refusal())
@@ -278,9 +299,7 @@ class _Search:
         ]
         return replace(self.ball, layers=layers)
 
-    def sweep(
-        self, count: int, progress: Callable[[str, float], object] | None
-    ) -> tuple[list[tuple[float, float]], list[float]]:
+    def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
         """Mean temperatures between which the excess changes its sign, and those at which it is nothing at all."""
         # Small rises are resolved relatively: they begin at a thousandth of the range.
         rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
@@ -288,8 +307,8 @@ class _Search:
         excess = []
         for number, mean in enumerate(grid):
             excess.append(self.at(mean).excess)
-            if progress is not None:
-                progress("temperatures", (number + 1) / len(grid))
+            if report is not None:
+                report("temperatures", (number + 1) / len(grid))
         grid, excess = self._with_turning_points(grid, excess)
         pairs = zip(grid[:-1], grid[1:], excess[:-1], excess[1:], strict=True)
         return (

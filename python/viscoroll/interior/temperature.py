@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float, require_type
+from .._arrays import as_float, as_kelvin, require_type
 from .._core import InnerBoundary
 from .._extras import extra
 from .._text import shown
 from ..caution import warn
+from ..progress import ProgressLike
 from ..result import Result
+from ..tables import html_table, number_text
 from .conduction import Conduction, legendre_values
 from .fields import coated_ball
 from .loss import contact_size, loss_of
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
 
     from ..geometry import CoatedSphere
 
-__all__ = ["Core", "Temperature", "plane_cooling", "temperature"]
+__all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
 
 #: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
@@ -33,6 +35,18 @@ _MOST_DEGREES = 400
 
 #: Ripple over a revolution, per largest rise, above which a mean over the revolution does not hold.
 _RIPPLE = 0.2
+
+
+#: Numbers that are reported of a temperature: name, unit, what it is.
+QUANTITIES = {
+    "maximum": ("K", "largest temperature rise"),
+    "surface_maximum": ("K", "largest rise on the surface"),
+    "mean": ("K", "rise weighted by the loss"),
+    "heat": ("W", "heat"),
+    "heat_to_core": ("W", "of it, to the core"),
+    "heat_to_surroundings": ("W", "of it, to the surroundings"),
+    "ripple": ("K", "swing over a revolution, at most"),
+}
 
 
 class Core(Enum):
@@ -77,6 +91,11 @@ class Temperature:
     heat_to_surroundings: float
     ripple: float
 
+    def _repr_html_(self) -> str:
+        """Return the numbers with units, as a table for notebooks."""
+        rows = [(text, number_text(getattr(self, name)), unit) for name, (unit, text) in QUANTITIES.items()]
+        return html_table(f"Temperature over {self.ambient:g} K", rows)
+
     def __repr__(self) -> str:
         """Return a summary."""
         return (
@@ -96,6 +115,7 @@ def temperature(
     core_temperature: float | None = None,
     heat_capacity: float = 2e6,
     max_order: int | None = None,
+    progress: ProgressLike = None,
 ) -> Temperature:
     """Temperature of a coating that has rolled for long.
 
@@ -109,7 +129,7 @@ def temperature(
         Coefficient at the surface [W/(m² K)], ≥ 0, or a function of an array of angles θ [rad] that returns it:
         `plane_cooling` makes one that adds the heat that the plane takes.
     ambient : float
-        Temperature of the surroundings [K], > 0.
+        Temperature of the surroundings [K], ≥ 100.
     core : Core or float, default Core.INSULATED
         Insulated, isothermal, or the conductivity of a solid core [W/(m K)]. Without a core, INSULATED.
     core_temperature : float, optional
@@ -117,7 +137,7 @@ def temperature(
     heat_capacity : float, default 2e6
         Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts only in the warning that a mean over a
         revolution does not hold.
-    max_order : int, optional
+    max_order, progress
         As of `Result.loss`.
 
     Returns
@@ -156,14 +176,14 @@ def temperature(
     require_type("result", result, Result)
     ball = coated_ball(result)
     conductivities = _conductivities(ball, conductivity)
-    surroundings = _positive("ambient", ambient, "K")
+    surroundings = as_kelvin("ambient", ambient)
     capacity = _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     film = convection if callable(convection) else _not_negative("convection", convection, "W/(m^2 K)")
     core_conductivity, core_rise = _core(ball, core, core_temperature, surroundings)
     if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
-    loss = loss_of(result, max_order=max_order)
+    loss = loss_of(result, max_order=max_order, progress=progress)
     degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
     layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)

@@ -9,12 +9,9 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
+from ..pictures import Picture
 from ..rolling import solve
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from ..result import Result
@@ -56,9 +53,9 @@ class Table2:
             }
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torques beside the printed ones, and their deviations with both lever arms."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         torque, deviation = figure.subplots(1, 2)
         orders = sorted({order for _, order in self.by_x})
         rows = sorted({nodes for nodes, _ in self.by_x})

@@ -9,13 +9,10 @@ import numpy as np
 
 from .. import paper
 from .._core import Curvature
-from .._extras import extra
+from ..pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_friction_law
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,9 +65,9 @@ class Figure9:
             },
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torque with its fit, beside the paper's bounds; both torques and the boundary layer in logarithms."""
-        figure = Figure(figsize=(12.0, 4.8), layout="constrained")
+        figure = Picture(figsize=(12.0, 4.8), layout="constrained")
         torque, ratio = figure.subplots(1, 2, width_ratios=[1.2, 1.0])
         fine = np.linspace(0.0, self.frictions[-1], 1000)
         low, high = self.fit.confidence_band(fine)

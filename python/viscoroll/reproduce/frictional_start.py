@@ -9,13 +9,10 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Start
-from .._extras import extra
 from ..mesh import Mesh
+from ..pictures import Picture
 from ..transient import roll
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from ..transient import History
@@ -65,9 +62,9 @@ class Figure8:
             },
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torque over time, for both starting states."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         titles = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
         for axes, (start, title) in zip(figure.subplots(1, 2, sharey=True), titles.items(), strict=True):
             for (known, friction), history in self.histories.items():

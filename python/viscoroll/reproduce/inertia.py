@@ -9,14 +9,11 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
 from ..mesh import Mesh
 from ..orders import critical_speed
+from ..pictures import Picture
 from ..rolling import solve
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -55,9 +52,9 @@ class Figure13:
             }
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Ratios to no inertia, up to the critical speed."""
-        figure = Figure(figsize=(7.6, 4.8), layout="constrained")
+        figure = Picture(figsize=(7.6, 4.8), layout="constrained")
         axes = figure.subplots()
         axes.plot(self.groups, self.torques / self.torques[0], "o-", label="torque $T_r / T_{r0}$")
         axes.plot(self.groups, self.penetrations / self.penetrations[0], "s-", label="penetration $d / d_0$")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from .._core import core_count
 from ..mesh import Mesh
+from ..progress import ProgressLike, counted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -80,8 +81,8 @@ class Runner:
         A coarse mesh and few points, to try everything out in seconds; else the paper's Δ = π/250 and N_t = 500.
     workers : int, optional
         Number of threads; by default one for each core.
-    report : callable, optional
-        Called as report(done, total) with the number of solves.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) after every solve, with the share of those of a kind.
     """
 
     def __init__(
@@ -89,27 +90,24 @@ class Runner:
         *,
         coarse: bool = False,
         workers: int | None = None,
-        report: Callable[[int, int], object] | None = None,
+        progress: ProgressLike = None,
     ) -> None:
         self.coarse = coarse
         nodes, order = (300, 300) if coarse else (500, 500)
         self.mesh = Mesh(nodes_per_revolution=nodes, max_order=order)
         self._workers = workers or core_count()
-        self._report = report
-        self._done = self._total = 0
+        self._progress = progress
         self._memory: dict[Callable[[Runner], Any], Any] = {}
 
     def map(self, function: Callable[[S], T], points: Iterable[S]) -> list[T]:
         """Call the function with every point, on threads; return the values in order."""
         points = list(points)
-        self._total += len(points)
         executor = ThreadPoolExecutor(self._workers)
         try:
             futures = [executor.submit(function, point) for point in points]
-            for _ in as_completed(futures):
-                self._done += 1
-                if self._report is not None:
-                    self._report(self._done, self._total)
+            with counted(self._progress, total=len(points), unit="solve") as one_more:
+                for _ in as_completed(futures):
+                    one_more()
             return [future.result() for future in futures]
         finally:
             executor.shutdown(cancel_futures=True)

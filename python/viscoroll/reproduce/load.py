@@ -9,13 +9,10 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
+from ..pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,9 +58,9 @@ class Figure10:
             }
         return {"": columns}
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torques, power laws with their confidence bands, and the paper's fits."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         fine = np.linspace(self.data.loads[0], self.data.loads[-1], 200)
         for axes, (h, torque) in zip(figure.subplots(1, 2), self.data.torques.items(), strict=True):
             fit, printed = self.data.fits[h], paper.TABLE_3[h]
@@ -131,9 +128,9 @@ class Table3:
             }
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Draw intervals, computed and printed."""
-        figure = Figure(figsize=(8.8, 3.6), layout="constrained")
+        figure = Picture(figsize=(8.8, 3.6), layout="constrained")
         for axes, name, scale, label in zip(
             figure.subplots(1, 2),
             ("a", "b"),

@@ -11,12 +11,10 @@ from .. import paper
 from .._core import Compliance, Curvature
 from .._extras import extra
 from ..orders import surface_compliance
+from ..pictures import Picture
 from ..rolling import solve
 from . import plain
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,9 +52,9 @@ class Figure4:
             columns[f"error_alpha_{alpha:g} [1]"] = self.errors(alpha).tolist()
         return {"": columns | {"exact_torque [N m]": [self.exact] * len(self.counts)}}
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Errors against the number of sub-intervals."""
-        figure = Figure(figsize=(6.6, 4.6), layout="constrained")
+        figure = Picture(figsize=(6.6, 4.6), layout="constrained")
         axes = figure.subplots()
         for alpha in self.by_product:
             axes.loglog(self.counts, self.errors(alpha) * 100.0, ".-", label=f"product (32), $\\alpha$ = {alpha:g}")

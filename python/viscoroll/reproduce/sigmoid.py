@@ -8,12 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import paper
-from .._extras import extra
+from ..pictures import Picture
 from .item import Runner, Table, Verdict
 from .thickness import LOADS, ThicknessSweep, printed_curve, thickness_sweep
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -65,9 +62,9 @@ class Table4:
             "-curves": curves,
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Deviations of the fitted curves, and of the torques themselves, from the paper's curves."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         fine = np.geomspace(0.1e-3, 10e-3, 300)
         data = self.data
         for axes, refined in zip(figure.subplots(1, 2, sharey=True), (False, True), strict=True):

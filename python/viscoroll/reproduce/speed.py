@@ -9,12 +9,9 @@ import numpy as np
 
 from .. import analytic, paper
 from .._core import Compliance, Curvature
-from .._extras import extra
+from ..pictures import Picture
 from ..rolling import RollingModel
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,9 +51,9 @@ class Figure7:
             }
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torque, its low-speed limit, and penetration."""
-        figure = Figure(figsize=(8.0, 4.8), layout="constrained")
+        figure = Picture(figsize=(8.0, 4.8), layout="constrained")
         axes = figure.subplots()
         axes.semilogx(self.speeds, self.torques * 1e3, "o-", markersize=3.5, label="$T_r$")
         shown = self.low_speed < 1.15 * self.torques.max()
@@ -113,11 +110,11 @@ class Figure12:
             for h, torques in self.torques.items()
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Curves for each load."""
         from matplotlib import colormaps
 
-        figure = Figure(figsize=(12.0, 4.8), layout="constrained")
+        figure = Picture(figsize=(12.0, 4.8), layout="constrained")
         colors = colormaps["viridis"](np.linspace(0.0, 0.9, self.loads.size))
         for axes, (h, torques) in zip(figure.subplots(1, 2), self.torques.items(), strict=True):
             for load, torque, color in zip(self.loads, torques, colors, strict=True):

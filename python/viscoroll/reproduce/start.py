@@ -9,14 +9,11 @@ import numpy as np
 
 from .. import paper
 from .._core import Start
-from .._extras import extra
 from ..mesh import Mesh
+from ..pictures import Picture
 from ..rolling import solve
 from ..transient import roll
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from ..transient import History
@@ -68,9 +65,9 @@ class Figure6:
             },
         }
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torque over time, for both starting states."""
-        figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
         titles = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
         for axes, (start, title) in zip(figure.subplots(1, 2), titles.items(), strict=True):
             for place, speed in enumerate(self.steady):

@@ -9,14 +9,11 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
 from ..mesh import Mesh
+from ..pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_thickness_law
 from .item import Runner, Table, Verdict
-
-with extra("plot"):
-    from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -80,9 +77,9 @@ class Figure11:
             }
         return {"": columns}
 
-    def draw(self) -> Figure:
+    def draw(self) -> Picture:
         """Torques, fits with confidence bands and the paper's curves; beside it the thin coatings, in logarithms."""
-        figure = Figure(figsize=(12.0, 5.0), layout="constrained")
+        figure = Picture(figsize=(12.0, 5.0), layout="constrained")
         axes = figure.subplots(1, 2)
         data, fine = self.data, np.geomspace(0.1e-3, 10e-3, 300)
         for place, load in enumerate(LOADS):

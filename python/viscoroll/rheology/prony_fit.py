@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, overload
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from ..materials import Prony
 from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, nonnegative, time_grid
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
@@ -164,17 +165,28 @@ class PronyFit:
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
         return _result(fit, self.frequency, self.storage, self.loss, self._floor)
 
-    def plot(self) -> Figure:
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, *, ax: Axes) -> Axes: ...
+
+    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
         """Draw data, fit and residual (the extra `viscoroll[plot]`).
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the moduli alone.
 
         Returns
         -------
-        matplotlib.figure.Figure
-            Moduli above, relative error below.
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, moduli above, relative error below; or `ax`.
         """
-        from .picture import plot_fit
+        from .picture import draw_moduli, plot_fit
 
-        return plot_fit(self)
+        return plot_fit(self) if ax is None else draw_moduli(self, ax)
 
     def __repr__(self) -> str:
         """Return what was fitted, and how well."""

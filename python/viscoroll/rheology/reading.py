@@ -201,7 +201,8 @@ def _nothing_found(path: Path, text: str) -> str:
     line = first or (lines[0] if lines else "")
     return (
         f"{path}: needs a row of names with a frequency and a storage modulus, and numbers below, "
-        f'got {shown(line[:80])}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}'
+        f'got {shown(line[:80])}; pass columns={{"frequency": (name, unit), "storage": (name, unit), ...}}, '
+        "in the shell --columns frequency=name:unit,storage=name:unit,..."
     )
 
 
@@ -212,7 +213,7 @@ def _is_tensile(path: Path, tables: list[Table]) -> bool:
     name = tables[0].columns["storage"].name
     raise ValueError(
         f"{path}: column {name!r} does not say whether it is a modulus of tension or of shear: "
-        "pass tensile=True or tensile=False"
+        "pass tensile=True or tensile=False, in the shell --tensile or --shear"
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from .series import fit_series, time_grid
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -163,11 +164,17 @@ class Superposition:
         """The modulus at the reference temperature, as a table."""
         return self.at(temperature=self.reference)
 
-    def plot(self) -> Figure:
-        """Draw the master curve and its shift factors (the extra `viscoroll[plot]`)."""
-        from .picture import plot_superposition
+    @overload
+    def plot(self) -> Figure: ...
 
-        return plot_superposition(self)
+    @overload
+    def plot(self, *, ax: Axes) -> Axes: ...
+
+    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+        """Draw the master curve and its shift factors, or the curve alone into `ax` (the extra `viscoroll[plot]`)."""
+        from .picture import draw_sweeps, plot_superposition
+
+        return plot_superposition(self) if ax is None else draw_sweeps(self, ax)
 
     def __repr__(self) -> str:
         """Return what was shifted, how well, and what is open."""

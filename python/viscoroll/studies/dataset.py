@@ -15,7 +15,8 @@ from .._core import __commit__, __version__
 from .._extras import extra
 from ..result import FIELDS, VECTOR_FIELDS
 from ..scalars import PER_LENGTH, SCALARS, scalar_units
-from .dimensions import LOAD_CASE, UNITS, label
+from ..units import UNITS
+from .dimensions import LOAD_CASE, label
 from .plan import LoadCase, Plan
 from .run import Outcome
 

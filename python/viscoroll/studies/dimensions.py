@@ -15,8 +15,9 @@ from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ..drive import Drive
 from ..geometry import CoatedCylinder, CoatedPlane, Groove
 from ..mesh import Mesh
+from ..units import UNITS
 
-__all__ = ["LOAD_CASE", "UNITS", "Dimension", "checked", "label", "split"]
+__all__ = ["LOAD_CASE", "Dimension", "checked", "label", "split"]
 
 #: Arguments of `viscoroll.solve` that are objects.
 _TYPES: dict[str, type] = {
@@ -30,40 +31,6 @@ _TYPES: dict[str, type] = {
 
 #: Arguments of `viscoroll.solve` that a study may fix or vary; all other parameters are those of the ball.
 LOAD_CASE = frozenset({"on", "load", "angular_speed", "friction", "accuracy", "max_iterations", *_TYPES})
-
-#: Units of the parameters that this package names.
-UNITS = {
-    "load": "N",
-    "angular_speed": "rad/s",
-    "friction": "1",
-    "accuracy": "1",
-    "max_iterations": "1",
-    "force": "N",
-    "torque": "N m",
-    "creepage": "1",
-    "lateral_creepage": "1",
-    "spin": "1/m",
-    "nodes_per_revolution": "1",
-    "max_order": "1",
-    "theta_nodes_per_revolution": "1",
-    "core_radius": "m",
-    "thickness": "m",
-    "density": "kg/m^3",
-    "poisson_ratio": "1",
-    "bulk_modulus": "Pa",
-    "modulus": "Pa",
-    "viscosity": "Pa s",
-    "instantaneous_modulus": "Pa",
-    "relaxed_modulus": "Pa",
-    "relaxation_time": "s",
-    "order": "1",
-    "storage": "Pa",
-    "loss": "Pa",
-    "loss_factor": "1",
-    "reference_frequency": "rad/s",
-    "decades": "1",
-    "temperature": "°C",
-}
 
 #: Longest text that serves as a label.
 _LONGEST_LABEL = 80

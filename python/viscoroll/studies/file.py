@@ -15,7 +15,8 @@ from .._extras import extra
 from .._text import shown
 from ..case import Case, build_case, errors_in, read_toml
 from ..geometry import RollingBody
-from .dimensions import UNITS, Dimension
+from ..units import UNITS
+from .dimensions import Dimension
 from .plan import LoadCase, Plan
 
 with extra("cli"):

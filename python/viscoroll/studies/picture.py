@@ -6,18 +6,18 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
 from .._extras import extra
-from .dimensions import UNITS
+from ..pictures import drawn
+from ..units import UNITS
 
 with extra("plot"):
     from matplotlib import colormaps
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import ListedColormap, LogNorm, Normalize
-    from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
     from matplotlib.ticker import LogLocator, StrMethodFormatter
 
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     Floats = NDArray[np.float64]
@@ -62,7 +63,15 @@ _WIDE = 20.0
 _FEW_DECADES = 200.0
 
 
-def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> Figure:
+@overload
+def plot_study(study: xarray.Dataset, *, variable: str = ...) -> Figure: ...
+
+
+@overload
+def plot_study(study: xarray.Dataset, *, variable: str = ..., ax: Axes) -> Axes: ...
+
+
+def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque", ax: Axes | None = None) -> Figure | Axes:
     """Draw a scalar result of a study against its first dimension, one curve for each value of the others.
 
     Of the other dimensions, the one with most values gives the curves their color, the rest the kind of line. Axes are
@@ -74,12 +83,14 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> 
         What `viscoroll.sweep` returns, or a selection of it.
     variable : str, default "resisting_torque"
         Name of a result over the dimensions of the study.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw; in a figure of its own without.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        The figure belongs to no window. Failed points are left out and counted; those that have not converged are
-        hollow.
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        A new figure, which shows itself in a notebook, or `ax`. Failed points are left out and counted; those that have
+        not converged are hollow.
 
     Raises
     ------
@@ -87,6 +98,10 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> 
         For an unknown variable, one without dimensions or numbers, and more curves than can be told apart.
     """
     values = _checked(study, variable)
+    return drawn(lambda axes: _draw_study(axes, study, values), ax, figsize=(7.6, 5.0))
+
+
+def _draw_study(axes: Axes, study: xarray.Dataset, values: xarray.DataArray) -> None:
     varied = [str(name) for name in values.dims if values.sizes[name] > 1] or [str(values.dims[0])]
     title = _title(study, values, varied)
     values = values.squeeze([name for name in values.dims if name not in varied])
@@ -98,8 +113,6 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> 
     if (kinds := math.prod(values.sizes[name] for name in lines)) > len(_LINES):
         message = f"study must have at most {len(_LINES)} combinations of {', '.join(lines)}, got {kinds}"
         raise ValueError(f"{message}; select a part of it")
-    figure = Figure(figsize=(7.6, 5.0), layout="constrained")
-    axes = figure.subplots()
     across, scale = _Abscissa(values[first]), _Scale.of(values)
     handles, colored = [], set()
     for style, (label, part) in zip(_LINES, _parts(values, lines), strict=False):
@@ -123,7 +136,6 @@ def plot_study(study: xarray.Dataset, *, variable: str = "resisting_torque") -> 
     axes.grid(alpha=0.3)
     if handles:
         axes.legend(handles=handles, fontsize="small")
-    return figure
 
 
 def _checked(study: xarray.Dataset, variable: str) -> xarray.DataArray:

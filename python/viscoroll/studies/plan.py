@@ -7,6 +7,7 @@ import itertools
 from collections.abc import Callable, Sequence
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from typing import Any
 
 from ..geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
@@ -177,9 +178,10 @@ class _Balls:
     def check(self, names: Sequence[str]) -> None:
         if isinstance(self.source, CoatedSphere | CoatedCylinder):
             if names:
+                meant = [match for name in names for match in get_close_matches(name, sorted(LOAD_CASE), 1)]
                 raise TypeError(
                     f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
-                    "the ball"
+                    f"the ball{f'; or did you mean {meant[0]}?' if meant else ''}"
                 )
             return
         if not callable(self.source):

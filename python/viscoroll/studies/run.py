@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from .._core import ConvergenceError, core_count
 from ..caution import kept_in_results
 from ..geometry import RollingBody
+from ..progress import Report
 from ..result import Result
 from ..rolling import RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
@@ -59,7 +60,7 @@ def solve_group(
     *,
     fields: Sequence[str] = (),
     threads: int = 1,
-    progress: Callable[[str, float], object] | None = None,
+    progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
 ) -> list[Outcome]:
     """Solve points that share a ball, a speed and a mesh, one after the other, on one `RollingModel`.

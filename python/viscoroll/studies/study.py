@@ -11,9 +11,9 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .._extras import extra
 from ..caution import warn
 from ..geometry import RollingBody
+from ..progress import ProgressLike, counted
 from ..result import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
@@ -33,7 +33,7 @@ def sweep(
     executor: Executor | None = None,
     cache: str | Path | None = None,
     retry_failed: bool = False,
-    progress: bool = True,
+    progress: ProgressLike = True,
     fields: Iterable[str] = (),
     **parameters: Any,
 ) -> xarray.Dataset:
@@ -57,8 +57,8 @@ def sweep(
         With an executor, the points of a task (at most eight) are kept together.
     retry_failed : bool, default False
         Solve points again that failed before.
-    progress : bool, default True
-        Show a bar with an estimate of the time left.
+    progress : bool or callable, default True
+        Show a bar with an estimate of the time left; or called as progress(stage, fraction) after every point.
     fields : iterable of str, default ()
         Fields of `Result` to keep for each point, on the largest window, centered at the lowest point, with NaN outside
         a point's own window.
@@ -137,7 +137,7 @@ def run_plan(
     executor: Executor | None = None,
     cache: str | Path | None = None,
     retry_failed: bool = False,
-    progress: bool = True,
+    progress: ProgressLike = True,
 ) -> xarray.Dataset:
     """Solve all points of a plan that the cache does not hold. Parameters as of `sweep`."""
     path = None if cache is None else as_cache_path(cache)
@@ -148,7 +148,8 @@ def run_plan(
         missing = [i for i in range(len(plan.cases)) if i not in recorder.outcomes]
         if before is not None and not missing and json.loads(before.attrs["inputs"]) == plan.identity():
             return before
-        stack.callback(recorder.show(len(plan.cases), shown=progress))
+        done = len(recorder.outcomes)
+        recorder.one_more = stack.enter_context(counted(progress, total=len(plan.cases), unit="point", done=done))
         run(plan, missing, record=recorder, executor=executor)
         dataset = build_dataset(plan, recorder.outcomes)
         if path is not None:
@@ -161,6 +162,7 @@ class _Recorder:
 
     def __init__(self, plan: Plan, store: PointStore | None, *, retry_failed: bool) -> None:
         self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}
+        self.one_more: Callable[[], None] = lambda: None
         self._keys, self._store = plan.keys, store
         self._lock = threading.Lock()
         known = {} if store is None else store.outcomes(key for key in plan.keys if key is not None)
@@ -168,21 +170,12 @@ class _Recorder:
             if key in known and not (retry_failed and known[key].error):
                 self.outcomes[i] = known[key]
 
-    def show(self, total: int, *, shown: bool) -> Callable[[], None]:
-        """Start the progress bar, and return what ends it."""
-        with extra("studies"):
-            from tqdm.auto import tqdm
-
-        self._bar = tqdm(total=total, initial=len(self.outcomes), unit="point", disable=not shown)
-        close: Callable[[], None] = self._bar.close
-        return close
-
     def __call__(self, index: int, outcome: Outcome) -> None:
         with self._lock:
             if self._store is not None and outcome.lasting and (key := self._keys[index]) is not None:
                 self._store.keep(key, outcome)
             self.outcomes[index] = outcome
-            self._bar.update()
+            self.one_more()
 
 
 def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:

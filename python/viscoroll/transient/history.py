@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -14,11 +14,13 @@ from .._extras import extra
 from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
+from ..tables import html_table, number_text, unit_text
 from .rolling_history import RollingState
 from .series import SERIES
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -181,6 +183,20 @@ class History:
         start = "a state" if self.start is None else f"{self.start.name} start"
         return "\n".join([f"History from {start}", *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
+    def _repr_html_(self) -> str:
+        """Return the range of every time series with units, as a table for notebooks."""
+        series = [
+            ("time", self.time, "s"),
+            *((text, getattr(self, name), unit) for name, (unit, text) in SERIES.items()),
+        ]
+        rows = [
+            (label, *(number_text(float(value)) for value in (values.min(), values.max(), values[-1])), unit_text(unit))
+            for label, values, unit in series
+            if not np.isnan(values).any()
+        ]
+        head = ("", "smallest", "largest", "at the end", "unit")
+        return html_table(repr(self).partition("\n")[0], rows, head=head)
+
     def scalars(self) -> dict[str, float | int | str | None]:
         """Return what sums the history up, by name, in SI units."""
         highest = int(np.argmax(self.resisting_torque))
@@ -250,19 +266,30 @@ class History:
             case _:
                 raise ValueError(f"path must end in .csv or .nc, got {path.name!r}")
 
-    def plot(self) -> Figure:
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, *, ax: Axes) -> Axes: ...
+
+    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
         """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the torque over time alone.
 
         Returns
         -------
-        matplotlib.figure.Figure
-            Not shown; save it with ``savefig`` or show it with ``matplotlib.pyplot.show``.
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
 
         Raises
         ------
         ImportError
             Without the extra `viscoroll[plot]`.
         """
-        from .picture import plot_history
+        from .picture import draw_torque, plot_history
 
-        return plot_history(self)
+        return plot_history(self) if ax is None else draw_torque(self, ax)

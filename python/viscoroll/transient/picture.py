@@ -6,22 +6,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._extras import extra
-
-with extra("plot"):
-    from matplotlib.figure import Figure
+from ..pictures import Picture, drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .history import History
 
-__all__ = ["plot_history"]
+__all__ = ["draw_torque", "plot_history"]
 
 _MILLI = 1e3
 
 
-def plot_history(history: History) -> Figure:
+def plot_history(history: History) -> Picture:
     """Draw torque, penetration and energies over time, and the torque over the angle.
 
     Parameters
@@ -34,21 +31,32 @@ def plot_history(history: History) -> Figure:
     matplotlib.figure.Figure
         Three axes over time beside the loop; the figure belongs to no window.
     """
-    figure = Figure(figsize=(12.0, 6.4), layout="constrained")
+    figure = Picture(figsize=(12.0, 6.4), layout="constrained")
     axes = figure.subplot_mosaic([["torque", "loop"], ["penetration", "loop"], ["energy", "loop"]])
     _draw_series(axes, history)
     _draw_loop(axes["loop"], history)
     return figure
 
 
-def _draw_series(axes: dict[str, Axes], history: History) -> None:
-    time = history.time
+def draw_torque(history: History, ax: Axes) -> Axes:
+    """Draw the torque over time alone into axes of the caller's."""
+    drawn(lambda axes: _draw_torque(axes, history), ax, figsize=(7.0, 4.0))
+    ax.set_xlabel("time [s]")
+    return ax
+
+
+def _draw_torque(axes: Axes, history: History) -> None:
     torque = history.resisting_torque * _MILLI
-    axes["torque"].plot(time, torque)
+    axes.plot(history.time, torque)
     if np.isfinite(history.error_estimate).all():
         error = history.error_estimate * _MILLI
-        axes["torque"].fill_between(time, torque - error, torque + error, alpha=0.3)
-    axes["torque"].set_ylabel("$T_r$ [mN m]")
+        axes.fill_between(history.time, torque - error, torque + error, alpha=0.3)
+    axes.set_ylabel("$T_r$ [mN m]")
+
+
+def _draw_series(axes: dict[str, Axes], history: History) -> None:
+    time = history.time
+    _draw_torque(axes["torque"], history)
     axes["penetration"].plot(time, history.penetration * _MILLI)
     axes["penetration"].set_ylabel("penetration [mm]")
     for name, label in (("stored_energy", "stored"), ("dissipated_energy", "lost"), ("work", "work")):

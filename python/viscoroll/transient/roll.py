@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float_array, require_callable, require_type
+from .._arrays import as_float_array, as_member, require_type
 from .._core import Compliance, Curvature, Start
 from ..drive import Drive
 from ..geometry import CoatedSphere
+from ..progress import ProgressLike, Report, reporting
 from .history import ContactInstant, History
 from .rolling_history import RollingHistory, RollingState
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
     from numpy.typing import ArrayLike, NDArray
@@ -31,10 +31,10 @@ def roll(
     time: ArrayLike,
     angle: ArrayLike,
     load: ArrayLike,
-    start: Start | RollingState = Start.RELAXED,
+    start: Start | str | RollingState = Start.RELAXED,
     mesh: Mesh | None = None,
-    compliance: Compliance = Compliance.RADIAL,
-    curvature: Curvature = Curvature.SPHERE,
+    compliance: Compliance | str = Compliance.RADIAL,
+    curvature: Curvature | str = Curvature.SPHERE,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
     lattices: int = 4,
@@ -45,7 +45,7 @@ def roll(
     contact_times: ArrayLike = (),
     checkpoint: str | Path | None = None,
     threads: int = 0,
-    progress: Callable[[str, float], object] | None = None,
+    progress: ProgressLike = None,
 ) -> History:
     """Roll, stop, stand and turn back: follow a motion that is linear in time between knots.
 
@@ -61,7 +61,7 @@ def roll(
         ψ, angle turned at the knots [rad]; growing, the ball rolls forward.
     load : array_like or float
         P at the knots [N], > 0; a number for all of them.
-    start : Start or RollingState, default Start.RELAXED
+    start : Start or str or RollingState, default Start.RELAXED
         What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
     mesh, compliance, curvature, friction, drive, lattices, steps_per_spacing, spectrum_tolerance, threads
@@ -74,8 +74,8 @@ def roll(
     checkpoint : path-like, optional
         Where the state goes when the run is interrupted or fails (``.npy``), to go on from by
         ``start=RollingState.load(checkpoint)``.
-    progress : callable, optional
-        Called as progress(stage, fraction) about every 20 ms.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
 
     Returns
     -------
@@ -101,45 +101,33 @@ def roll(
     '53 mN m to break away'
     """
     require_type("ball", ball, CoatedSphere)
-    require_callable("progress", progress)
+    compliance = as_member("compliance", compliance, Compliance)
+    curvature = as_member("curvature", curvature, Curvature)
+    start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     knots, angles, loads = _motion(time, angle, load)
     spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
     shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))
-    stepper = RollingHistory(
-        ball,
-        load=float(loads[0]),
-        start=start,
-        mesh=mesh,
-        compliance=compliance,
-        curvature=curvature,
-        friction=friction,
-        drive=drive,
-        lattices=lattices,
-        steps_per_spacing=steps_per_spacing,
-        shortest_time=shortest if shortest_time is None else shortest_time,
-        longest_time=longest if longest_time is None else longest_time,
-        spectrum_tolerance=spectrum_tolerance,
-        threads=threads,
-        time=float(knots[0]),
-        angle=float(angles[0]),
-        progress=progress,
-    )
-    core = stepper._history
-    pieces: list[NDArray[np.float64]] = []
-    contacts: list[ContactInstant] = []
-    try:
-        for stop in _stops(knots, contact_times):
-            piece_time, piece_angle, piece_load = _until(stop, knots, angles, loads)
-            if stop < core.now()[0, 0]:
-                continue
-            piece = core.roll(time=piece_time, angle=piece_angle, load=piece_load, progress=progress)
-            pieces.append(piece if not pieces else piece[:, 1:])
-            if stop in np.asarray(contact_times):
-                contacts.append(ContactInstant._from_core(stepper.contact))
-    except BaseException:
-        if checkpoint is not None:
-            stepper.state.save(checkpoint)
-        raise
+    with reporting(progress) as report:
+        stepper = RollingHistory(
+            ball,
+            load=float(loads[0]),
+            start=start,
+            mesh=mesh,
+            compliance=compliance,
+            curvature=curvature,
+            friction=friction,
+            drive=drive,
+            lattices=lattices,
+            steps_per_spacing=steps_per_spacing,
+            shortest_time=shortest if shortest_time is None else shortest_time,
+            longest_time=longest if longest_time is None else longest_time,
+            spectrum_tolerance=spectrum_tolerance,
+            threads=threads,
+            time=float(knots[0]),
+            angle=float(angles[0]),
+            progress=report,
+        )
+        pieces, contacts = _follow(stepper, (knots, angles, loads), contact_times, checkpoint, report)
     rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
     return History(
         ball=ball,
@@ -155,6 +143,33 @@ def roll(
         state=stepper.state,
         **rows,
     )
+
+
+def _follow(
+    stepper: RollingHistory,
+    motion: tuple[NDArray[np.float64], ...],
+    contact_times: ArrayLike,
+    checkpoint: str | Path | None,
+    report: Report | None,
+) -> tuple[list[NDArray[np.float64]], list[ContactInstant]]:
+    """Return the time series from stop to stop, and the contacts there; where that fails, the state goes to a file."""
+    core = stepper._history
+    pieces: list[NDArray[np.float64]] = []
+    contacts: list[ContactInstant] = []
+    try:
+        for stop in _stops(motion[0], contact_times):
+            piece_time, piece_angle, piece_load = _until(stop, *motion)
+            if stop < core.now()[0, 0]:
+                continue
+            piece = core.roll(time=piece_time, angle=piece_angle, load=piece_load, progress=report)
+            pieces.append(piece if not pieces else piece[:, 1:])
+            if stop in np.asarray(contact_times):
+                contacts.append(ContactInstant._from_core(stepper.contact))
+    except BaseException:
+        if checkpoint is not None:
+            stepper.state.save(checkpoint)
+        raise
+    return pieces, contacts
 
 
 def _motion(time: ArrayLike, angle: ArrayLike, load: ArrayLike) -> tuple[NDArray[np.float64], ...]:

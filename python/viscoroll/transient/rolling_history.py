@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,15 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_int, require_callable, require_type
+from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, Start
 from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
+from ..progress import ProgressLike, reporting
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from numpy.typing import NDArray
 
 __all__ = ["Instant", "RollingHistory", "RollingState"]
@@ -141,14 +141,14 @@ class RollingHistory:
         Core and layers. All layers share one relaxation function and have a Poisson's ratio.
     load : float
         P at the first instant [N], > 0.
-    start : Start or RollingState, default Start.RELAXED
+    start : Start or str or RollingState, default Start.RELAXED
         What was before: the ball has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
         another history.
     mesh : Mesh, optional
         Surface mesh; by default 16 nodes across the contact at rest.
-    compliance : Compliance, default Compliance.RADIAL
+    compliance : Compliance or str, default Compliance.RADIAL
         As of `viscoroll.solve`.
-    curvature : Curvature, default Curvature.SPHERE
+    curvature : Curvature or str, default Curvature.SPHERE
         SPHERE or PAPER.
     friction : float, default 0
         Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
@@ -190,10 +190,10 @@ class RollingHistory:
         ball: CoatedSphere,
         *,
         load: float,
-        start: Start | RollingState = Start.RELAXED,
+        start: Start | str | RollingState = Start.RELAXED,
         mesh: Mesh | None = None,
-        compliance: Compliance = Compliance.RADIAL,
-        curvature: Curvature = Curvature.SPHERE,
+        compliance: Compliance | str = Compliance.RADIAL,
+        curvature: Curvature | str = Curvature.SPHERE,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
         lattices: int = 4,
@@ -204,39 +204,39 @@ class RollingHistory:
         threads: int = 0,
         time: float = 0.0,
         angle: float = 0.0,
-        progress: Callable[[str, float], object] | None = None,
+        progress: ProgressLike = None,
     ) -> None:
         require_type("ball", ball, CoatedSphere)
         require_type("mesh", mesh, Mesh, optional=True)
-        require_type("compliance", compliance, Compliance)
-        require_type("curvature", curvature, Curvature)
-        require_callable("progress", progress)
+        compliance = as_member("compliance", compliance, Compliance)
+        curvature = as_member("curvature", curvature, Curvature)
         require_type("drive", drive, Drive)
         if drive.force is None:
             raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
         state = start if isinstance(start, RollingState) else None
-        before = Start.RELAXED if isinstance(start, RollingState) else start
-        require_type("start", before, Start)
+        before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
-        self._history = _core.RollingHistory(
-            ball._to_core(),
-            load=as_float("load", load),
-            start=before,
-            mesh=None if mesh is None else mesh._to_core(),
-            compliance=compliance,
-            curvature=curvature,
-            friction=as_float("friction", friction),
-            driving_force=drive.force,
-            lattices=as_int("lattices", lattices),
-            steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
-            shortest_time=as_float("shortest_time", shortest_time),
-            longest_time=as_float("longest_time", longest_time),
-            spectrum_tolerance=as_float("spectrum_tolerance", spectrum_tolerance),
-            threads=as_int("threads", threads),
-            time=as_float("time", time),
-            angle=as_float("angle", angle),
-            progress=progress,
-        )
+        with reporting(progress) as report:
+            self._history = _core.RollingHistory(
+                ball._to_core(),
+                load=as_float("load", load),
+                start=before,
+                mesh=None if mesh is None else mesh._to_core(),
+                compliance=compliance,
+                curvature=curvature,
+                friction=as_float("friction", friction),
+                driving_force=drive.force,
+                lattices=as_int("lattices", lattices),
+                steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
+                shortest_time=as_float("shortest_time", shortest_time),
+                longest_time=as_float("longest_time", longest_time),
+                spectrum_tolerance=as_float("spectrum_tolerance", spectrum_tolerance),
+                threads=as_int("threads", threads),
+                time=as_float("time", time),
+                angle=as_float("angle", angle),
+                progress=report,
+            )
+        self._lock = threading.Lock()
         if state is not None:
             self._history.restore(state.numbers)
 
@@ -264,23 +264,28 @@ class RollingHistory:
         ConvergenceError
             Where no contact was found; likewise.
         """
-        self._history.advance(time=as_float("time", time), angle=as_float("angle", angle), load=as_float("load", load))
-        return self.now
+        motion = {"time": as_float("time", time), "angle": as_float("angle", angle), "load": as_float("load", load)}
+        with self._lock:
+            self._history.advance(**motion)
+            return _instant(self._history.now())
 
     @property
     def now(self) -> Instant:
         """The instant reached."""
-        return _instant(self._history.now())
+        with self._lock:
+            return _instant(self._history.now())
 
     @property
     def state(self) -> RollingState:
         """What is needed to go on from here."""
-        return RollingState(self._history.state())
+        with self._lock:
+            return RollingState(self._history.state())
 
     @property
     def contact(self) -> _core.ContactField:
         """Pressure on the nodes of the first lattice around the contact, by `time`, `x`, `z` and `pressure`."""
-        return self._history.contact()
+        with self._lock:
+            return self._history.contact()
 
     @property
     def mesh(self) -> Mesh:
@@ -295,13 +300,16 @@ class RollingHistory:
     @property
     def steps(self) -> int:
         """Steps of time taken."""
-        return self._history.steps
+        with self._lock:
+            return self._history.steps
 
     def __copy__(self) -> RollingHistory:
         """Return a history that goes on from here by itself."""
         twin = object.__new__(type(self))
         twin.ball = self.ball
-        twin._history = self._history.copy()
+        twin._lock = threading.Lock()
+        with self._lock:
+            twin._history = self._history.copy()
         return twin
 
     def __deepcopy__(self, memo: dict[int, Any]) -> RollingHistory:

@@ -1,0 +1,57 @@
+"""What all pictures share, with matplotlib (the extra `viscoroll[plot]`)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from io import BytesIO
+
+from ._extras import extra
+from ._text import shown
+
+with extra("plot"):
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["Picture", "drawn"]
+
+
+class Picture(Figure):
+    """A figure that a notebook shows as the value of a cell, once: pyplot, which shows its own, knows nothing of it."""
+
+    def _repr_png_(self) -> bytes:
+        """Return the picture, for notebooks in which matplotlib has not been set up to do so."""
+        file = BytesIO()
+        self.savefig(file, format="png", bbox_inches="tight")
+        return file.getvalue()
+
+
+def drawn(draw: Callable[[Axes], object], ax: Axes | None, *, figsize: tuple[float, float]) -> Picture | Axes:
+    """Draw into axes of the caller's, or into those of a new picture.
+
+    Parameters
+    ----------
+    draw : callable
+        Called with the axes.
+    ax : matplotlib.axes.Axes or None
+        The caller's.
+    figsize : (float, float)
+        Of a new picture [inch].
+
+    Returns
+    -------
+    Picture or matplotlib.axes.Axes
+        What a notebook shows once: the new picture, or the axes, whose figure shows itself.
+
+    Raises
+    ------
+    TypeError
+        Where `ax` is something else.
+    """
+    if ax is None:
+        picture = Picture(figsize=figsize, layout="constrained")
+        draw(picture.subplots())
+        return picture
+    if not isinstance(ax, Axes):
+        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}")
+    draw(ax)
+    return ax

@@ -1,0 +1,46 @@
+"""Units of what this package takes and gives, by name."""
+
+from __future__ import annotations
+
+__all__ = ["UNITS"]
+
+#: Units of the parameters that this package names.
+UNITS = {
+    "load": "N",
+    "angular_speed": "rad/s",
+    "friction": "1",
+    "accuracy": "1",
+    "max_iterations": "1",
+    "force": "N",
+    "torque": "N m",
+    "creepage": "1",
+    "lateral_creepage": "1",
+    "spin": "1/m",
+    "nodes_per_revolution": "1",
+    "max_order": "1",
+    "theta_nodes_per_revolution": "1",
+    "core_radius": "m",
+    "outer_radius": "m",
+    "radius": "m",
+    "path_radius": "m",
+    "thickness": "m",
+    "density": "kg/m^3",
+    "conductivity": "W/(m K)",
+    "poisson_ratio": "1",
+    "bulk_modulus": "Pa",
+    "modulus": "Pa",
+    "viscosity": "Pa s",
+    "instantaneous_modulus": "Pa",
+    "relaxed_modulus": "Pa",
+    "relaxation_time": "s",
+    "relaxation_times": "s",
+    "weights": "1",
+    "frequency": "rad/s",
+    "order": "1",
+    "storage": "Pa",
+    "loss": "Pa",
+    "loss_factor": "1",
+    "reference_frequency": "rad/s",
+    "decades": "1",
+    "temperature": "°C",
+}

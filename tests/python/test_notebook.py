@@ -1,0 +1,78 @@
+"""What a notebook shows: tables with units, pictures once, bars; seen in a real kernel."""
+
+from __future__ import annotations
+
+import textwrap
+
+import nbclient
+import nbformat
+import pytest
+
+CELLS = {
+    "set up": """
+        import viscoroll as vr
+        from viscoroll import paper
+        ball = paper.ball()
+        case = dict(angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
+        """,
+    "ball": "ball",
+    "bar": "result = vr.solve(ball, load=50.0, **case, progress=True)",
+    "result": "result",
+    "picture": "result.plot()",
+    "axes": """
+        import matplotlib.pyplot as plt
+        figure, (left, right) = plt.subplots(1, 2)
+        result.plot(ax=left)
+        """,
+    "picture beside pyplot": "result.plot()",
+    "history": """
+        vr.roll(ball, time=[0.0, 0.2], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64), lattices=1)
+        """,
+    "study": "vr.sweep(ball, load=[50.0, 60.0], **case)",
+    "inside": "result.interior(depth=[0.5e-3])",
+}
+
+
+@pytest.fixture(scope="module")
+def outputs():
+    """Return the outputs of each cell."""
+    cells = [nbformat.v4.new_code_cell(textwrap.dedent(text).strip()) for text in CELLS.values()]
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+    return dict(zip(CELLS, (cell.outputs for cell in notebook.cells), strict=True))
+
+
+def of_kind(outputs, kind):
+    return [output["data"][kind] for output in outputs if kind in output.get("data", {})]
+
+
+def streams(outputs):
+    return "".join(output["text"] for output in outputs if output["output_type"] == "stream")
+
+
+@pytest.mark.parametrize(
+    ("cell", "texts"),
+    [
+        ("ball", ["core radius", "0.02", "StandardLinearSolid", "relaxation time"]),
+        ("result", ["P = 50 N", "resisting torque T_r", "N m", "CONVERGED"]),
+        ("history", ["RELAXED start", "at the end", "energy stored in the coating"]),
+        ("study", ["resisting_torque"]),
+        ("inside", ["von_mises"]),
+    ],
+)
+def test_what_is_found_is_a_table(outputs, cell, texts):
+    (html,) = of_kind(outputs[cell], "text/html")
+    for text in texts:
+        assert text in html
+
+
+def test_pictures_show_once(outputs):
+    for cell in ("picture", "axes", "picture beside pyplot"):
+        assert len(of_kind(outputs[cell], "image/png")) == 1, cell
+
+
+def test_bars_come_without_warnings(outputs):
+    assert "point" in streams(outputs["study"])
+    assert "%|" in streams(outputs["bar"])
+    for cell in ("bar", "study"):
+        assert "TqdmWarning" not in streams(outputs[cell])

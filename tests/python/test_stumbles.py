@@ -1,0 +1,90 @@
+"""What goes wrong first for a new user: each message says what to do."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+from viscoroll.case import example_text
+from viscoroll.cli import app
+
+DMA = "frequency [Hz],E' [MPa],E'' [MPa]\n0.1,10,1\n1,12,2\n10,15,3\n"
+MOTION = {"time": [0.0, 0.1], "angle": [0.0, 0.1], "load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=64)}
+
+
+@pytest.fixture
+def data(tmp_path):
+    path = tmp_path / "dma.csv"
+    path.write_text(DMA, encoding="utf-8")
+    return vr.read_rheology(path)
+
+
+def layer(shear_modulus):
+    return vr.Layer(thickness=1e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)
+
+
+def test_measurements_are_no_moduli_yet(data):
+    with pytest.raises(TypeError, match=r"; give superpose\(...\).at\(temperature=...\) of it$"):
+        layer(data)
+    with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of it$"):
+        layer(data.isotherms[0])
+    fit = vr.fit_prony(data.isotherms[0])
+    with pytest.raises(TypeError, match=r"; give its series$"):
+        layer(fit)
+    assert layer(fit.series).shear_modulus == fit.series
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda t: vr.WilliamsLandelFerry(c1=8.86, c2=101.6, reference_temperature=t),
+        lambda t: vr.Arrhenius(activation_energy=6e4, reference_temperature=t),
+    ],
+)
+@pytest.mark.parametrize("temperature", [20.0, np.nan, np.inf])
+def test_degrees_celsius_are_told(make, temperature):
+    with pytest.raises(ValueError, match="reference_temperature must be finite and >"):
+        make(temperature)
+    with pytest.raises(ValueError, match=r"reference_temperature must be .* \(20 °C are 293.15 K\), got 20 K"):
+        make(20)
+
+
+def test_names_serve_in_transient_rolling_as_in_steady():
+    named = vr.roll(paper.ball(), **MOTION, compliance="vertical", curvature="paper", start="fresh", lattices=1)
+    assert (named.compliance, named.curvature) == (vr.Compliance.VERTICAL, vr.Curvature.PAPER)
+    assert named.start is vr.Start.FRESH
+    with pytest.raises(ValueError, match="start must be one of relaxed, fresh, got 'cold'"):
+        vr.roll(paper.ball(), **MOTION, start="cold")
+    with pytest.raises(TypeError, match=r"compliance must be a viscoroll\.Compliance, or one of"):
+        vr.RollingHistory(paper.ball(), load=50.0, compliance=1)
+
+
+def test_misspelled_parameters_of_a_study():
+    with pytest.raises(TypeError, match=r"a ball has no parameter acuracy; pass .*; or did you mean accuracy\?"):
+        vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, acuracy=0.1, progress=False)
+    with pytest.raises(TypeError, match=r"a ball has no parameter thickness; .* that returns the ball$"):
+        vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, thickness=1e-3, progress=False)
+
+
+def test_discrete_elements_need_a_result():
+    with pytest.raises(TypeError, match=r"source must be a viscoroll.Result or a study of viscoroll.sweep, got 'r'"):
+        vr.dem("r", code="lammps")
+
+
+def run(*words):
+    from typer.testing import CliRunner
+
+    return str(CliRunner().invoke(app, [str(word) for word in words]).exception)
+
+
+def test_files_of_another_kind(tmp_path):
+    case, unknown = tmp_path / "case.toml", tmp_path / "unknown.csv"
+    case.write_text(example_text(), encoding="utf-8")
+    unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
+    assert run("roll", case) == f"{case}: motion: field required (and 4 more)"
+    case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
+    told = "extra inputs are not permitted, got 2.5; did you mean angular_speed?"
+    assert run("solve", case) == f"{case}: rolling.angularspeed: {told} (and 1 more)"
+    assert run("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
+    assert "in the shell --columns frequency=name:unit,storage=name:unit" in run("material", unknown)

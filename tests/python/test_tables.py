@@ -1,0 +1,72 @@
+"""Tables for notebooks: units beside numbers, every text escaped, nothing left out."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll.scalars import SCALARS
+from viscoroll.tables import html_table, unit_text
+
+LAYER = vr.Layer(thickness=1e-3, shear_modulus=3e6, poisson_ratio=0.5, conductivity=0.2)
+
+
+def cells(html):
+    """Return the text of the innermost cells."""
+    return [part.partition("</td>")[0] for part in html.split('<td style="text-align: left">') if "</td>" in part]
+
+
+def test_texts_are_escaped():
+    class Strange:
+        def __call__(self, omega):
+            return 1e6 + 0.0 * omega
+
+        def __repr__(self):
+            return "<script>alert('&')</script>"
+
+    layer = vr.Layer(thickness=1e-3, shear_modulus=Strange(), poisson_ratio=0.5)
+    assert "&lt;script&gt;" in layer._repr_html_()
+    assert "<script>" not in layer._repr_html_()
+    assert html_table("a<b", [["<i>"]], head=["&"]).count("&lt;") == 2
+
+
+def test_all_scalars_of_a_result_have_their_units(paper_ball):
+    r = vr.solve(paper_ball, load=50.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=100), friction=0.2)
+    found = cells(r._repr_html_())
+    for name, (_, label) in SCALARS.items():
+        place = found.index(label)
+        assert found[place + 1 : place + 3] == [f"{v:.6g}" if isinstance(v := getattr(r, name), float) else str(v),
+                                                unit_text(r.unit(name))]  # fmt: skip
+    assert "DISCRETIZATION" in r.warnings.__repr__() or "warning" in found
+
+
+def test_rollers_are_per_length(rubber):
+    roller = vr.CoatedCylinder(
+        core_radius=50e-3, layers=[vr.Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)]
+    )
+    r = vr.solve(roller, load=5e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=400))
+    assert "P = 5000 N/m" in r._repr_html_()
+    found = cells(r._repr_html_())
+    assert found[found.index(SCALARS["bulk_power"][1]) + 2] == "W/m"
+
+
+@pytest.mark.parametrize(
+    ("given", "texts"),
+    [
+        (LAYER, ["thickness", "0.001", "m", "Elastic", "3e+06", "Pa", "conductivity", "W/(m K)"]),
+        (vr.CoatedSphere(core_radius=0.02, layers=[LAYER]), ["outer radius", "0.021"]),
+        (vr.CoatedPlane(layers=[LAYER], base=vr.HalfSpace(shear_modulus=1e7, poisson_ratio=0.4)), ["HalfSpace", "0.4"]),
+        (vr.Groove(radius=30e-3), ["radius", "0.03"]),
+        (vr.MasterCurve(np.arange(1.0, 9.0), np.full(8, 1e6), np.full(8, 1e5)), ["1, 2, 3, 4, …, 8 (8)", "rad/s"]),
+        (vr.Prony(instantaneous_modulus=1e6, weights=[0.5], relaxation_times=[0.1]), ["0.5", "0.1", "s"]),
+        (vr.LossFactor(modulus=1e6, loss_factor=0.1, reference_frequency=100.0), ["loss factor", "rad/s"]),
+        (vr.Drive(torque=0.1), ["torque", "N m"]),
+        (vr.Mesh(nodes_per_revolution=100), ["nodes per revolution", "100"]),
+    ],
+)
+def test_inputs_have_values_and_units(given, texts):
+    html = given._repr_html_()
+    assert f'<caption style="text-align: left">{type(given).__name__}</caption>' in html
+    for text in texts:
+        assert f">{text}<" in html, text
+    assert html.count("<table>") == html.count("</table>")
