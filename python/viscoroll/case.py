@@ -111,19 +111,11 @@ class _Groove(_Plane):
     path_radius: float | None = None
 
 
-class _Drive(StrictTable):
-    force: float | None = None
-    torque: float | None = None
-    creepage: float | None = None
-    lateral_creepage: float = 0.0
-    spin: float = 0.0
-
-
 class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
-    drive: _Drive = _Drive(force=0.0)
+    drive: dict[str, Any] = {"force": 0.0}  # of `viscoroll.Drive`
 
 
 class _Numerics(StrictTable):
@@ -311,7 +303,7 @@ def _build(file: _File, folder: Path) -> Case:
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
-        drive=Drive(**dict(file.rolling.drive)),
+        drive=_drive(file.rolling.drive),
         mesh=mesh,
         accuracy=numerics.accuracy,
         compliance=Compliance[numerics.compliance.upper()],
@@ -320,6 +312,12 @@ def _build(file: _File, folder: Path) -> Case:
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
         thermal=None if file.thermal is None else _thermal(file.thermal),
     )
+
+
+def _drive(table: dict[str, Any]) -> Drive:
+    if unknown := sorted(table.keys() - {field.name for field in fields(Drive)}):
+        raise ValueError(f"rolling.drive has no parameter {', '.join(unknown)}")
+    return Drive(**table)
 
 
 def _thermal(table: _Thermal) -> Thermal:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from . import _core
 from ._arrays import store_floats
@@ -41,11 +41,11 @@ class Drive:
     Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0, spin=0.0)
     """
 
-    force: float | None = None
-    torque: float | None = None
-    creepage: float | None = None
-    lateral_creepage: float = 0.0
-    spin: float = 0.0
+    force: float | None = field(default=None, metadata={"unit": "N"})
+    torque: float | None = field(default=None, metadata={"unit": "N m"})
+    creepage: float | None = field(default=None, metadata={"unit": "1"})
+    lateral_creepage: float = field(default=0.0, metadata={"unit": "1"})
+    spin: float = field(default=0.0, metadata={"unit": "1/m"})
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""

@@ -3,7 +3,7 @@
 namespace viscoroll::detail {
 
 RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
-                     const viscoroll::Drive& drive) {
+                     const GivenMotion& given) {
   using Eigen::ArrayX2d;
   const double step = points.grid().radius * points.grid().phi_spacing;
   const Eigen::Index nodes = points.shape().size();
@@ -15,10 +15,8 @@ RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematic
   } else {
     slip.own.col(0).tail(rest).setConstant(-step);
   }
-  if (const auto* given = std::get_if<DriveCreepage>(&drive)) {
-    slip.guided.col(0).tail(rest) = given->spin * step * points.z().tail(rest);
-    slip.guided.col(1).tail(rest) = given->lateral_creepage * step - given->spin * step * points.x().tail(rest);
-  }
+  slip.guided.col(0).tail(rest) = given.spin * step * points.z().tail(rest);
+  slip.guided.col(1).tail(rest) = given.lateral_creepage * step - given.spin * step * points.x().tail(rest);
   return slip;
 }
 

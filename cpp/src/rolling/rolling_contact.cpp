@@ -13,6 +13,7 @@
 #include "contact/multilevel.hpp"
 #include "influence/convolution.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
 #include "rolling/result.hpp"
 #include "rolling/rigid_slip.hpp"
@@ -208,13 +209,14 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
-    const RigidSlip slip = rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
+    const RigidSlip slip =
+        rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, given_motion(load_case_.drive));
     return {.coefficient = load_case_.friction,
             .rigid_slip = slip.own + slip.guided,
             .guided_slip = slip.guided,
             .step = grid_.radius * grid_.phi_spacing,
             .arms = lever_arms(nodes),
-            .drive = make_drive()};
+            .drive = row_of(load_case_.drive, pressure_share())};
   }
 
   /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
@@ -282,14 +284,6 @@ class LoadCaseSolver {
     return {grid_, nodes.window(), formulation_.collocation};
   }
 
-  [[nodiscard]] std::shared_ptr<const Drive> make_drive() const {
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-      return std::make_shared<GivenSpeed>(1.0 + given->creepage);
-    }
-    if (const auto* pull = std::get_if<DriveForce>(&load_case_.drive)) return std::make_shared<GivenForce>(pull->force);
-    return std::make_shared<GivenMoment>(std::get<DriveTorque>(load_case_.drive).torque, pressure_share());
-  }
-
   /// With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options_.compliance == Compliance::vertical ? 1.0 : 0.0; }
 
@@ -322,9 +316,7 @@ class LoadCaseSolver {
     try {
       return solve_multilevel(problem, likely_depth, limits_);
     } catch (const ConvergenceError&) {
-      if (const auto* turn = std::get_if<DriveTorque>(&load_case_.drive)) {
-        require_rolling(problem, likely_depth, turn->torque);
-      }
+      if (const auto torque = given_motion(load_case_.drive).torque) require_rolling(problem, likely_depth, *torque);
       throw;
     }
   }
