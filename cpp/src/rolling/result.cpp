@@ -52,7 +52,7 @@ class Summary {
         pressing_(pressing_force(contact_)),
         flat_area_(ArrayXd::Constant(
             size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
-        area_(flat_area_ * window_.theta().sin()) {}
+        area_(window_.patch_area()) {}
 
   void add_status(Result& r) const {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;

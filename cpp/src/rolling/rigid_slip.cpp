@@ -10,8 +10,8 @@ RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematic
   const Eigen::Index rest = nodes - points.shape().theta_nodes;
   RigidSlip slip{.own = ArrayX2d::Zero(nodes, 2), .guided = ArrayX2d::Zero(nodes, 2)};
   if (kinematics == SlipKinematics::exact) {
-    const Eigen::ArrayXd x = swelling * points.x();
-    slip.own.col(0).tail(rest) = x.tail(rest) - x.head(rest);
+    const Eigen::ArrayXd way = swelling * points.rolled_way();
+    slip.own.col(0).tail(rest) = way.tail(rest) - way.head(rest);
   } else {
     slip.own.col(0).tail(rest).setConstant(-step);
   }
