@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from . import materials
-from ._arrays import as_float
+from ._arrays import as_float, as_member
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
@@ -85,7 +85,7 @@ class BallTable(StrictTable):
     """The table `ball`."""
 
     core_radius: float = 0.0
-    inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
+    inner_boundary: str = "rigid"
     layers: list[_Layer] = []
 
 
@@ -338,7 +338,7 @@ def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
     """Return the ball that a table describes; its master curves are files in a folder."""
     return CoatedSphere(
         core_radius=ball.core_radius,
-        inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
+        inner_boundary=as_member("inner_boundary", ball.inner_boundary, InnerBoundary),
         layers=_layers(ball.layers, "ball", folder),
     )
 
