@@ -93,9 +93,9 @@ void bind_inputs(py::module_& m) {
            py::kw_only(), py::arg("thickness"), py::arg("shear_modulus"), py::arg("poisson_ratio").none(true),
            py::arg("bulk_modulus").none(true), py::arg("density"));
   py::native_enum<InnerBoundary>(m, "InnerBoundary", "enum.Enum", "What lies within the innermost layer.")
-      .value("RIGID", InnerBoundary::rigid, "a rigid core, bonded to the layer")
-      .value("HOLLOW", InnerBoundary::hollow, "nothing: the layer's inner surface is free")
-      .value("SOLID", InnerBoundary::solid, "nothing: the layer reaches the center")
+#define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) .value(#NAME, InnerBoundary::name, details)
+#include "viscoroll/inner_boundaries.def"
+#undef VISCOROLL_INNER_BOUNDARY
       .finalize();
   py::native_enum<Curvature>(m, "Curvature", "enum.Enum", "How much of the sphere's curvature the equations keep.")
       .value("SPHERE", Curvature::sphere, "the paper's orders with the membrane stiffness of a sphere")

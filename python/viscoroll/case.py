@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar
 
 from . import materials
-from ._arrays import as_float
+from ._arrays import as_float, as_member
 from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
@@ -87,7 +87,7 @@ class BallTable(StrictTable):
     """The table `ball`."""
 
     core_radius: float = 0.0
-    inner_boundary: Literal["rigid", "hollow", "solid"] = "rigid"
+    inner_boundary: str = "rigid"
     layers: list[_Layer] = []
 
 
@@ -113,19 +113,11 @@ class _Groove(_Plane):
     path_radius: float | None = None
 
 
-class _Drive(StrictTable):
-    force: float | None = None
-    torque: float | None = None
-    creepage: float | None = None
-    lateral_creepage: float = 0.0
-    spin: float = 0.0
-
-
 class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
-    drive: _Drive = _Drive(force=0.0)
+    drive: dict[str, Any] = {"force": 0.0}  # of `viscoroll.Drive`
 
 
 class _Numerics(StrictTable):
@@ -313,7 +305,7 @@ def _build(file: _File, folder: Path) -> Case:
         load=file.rolling.load,
         angular_speed=file.rolling.angular_speed,
         friction=file.rolling.friction,
-        drive=Drive(**dict(file.rolling.drive)),
+        drive=_drive(file.rolling.drive),
         mesh=mesh,
         accuracy=numerics.accuracy,
         compliance=Compliance[numerics.compliance.upper()],
@@ -322,6 +314,12 @@ def _build(file: _File, folder: Path) -> Case:
         slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
         thermal=None if file.thermal is None else _thermal(file.thermal),
     )
+
+
+def _drive(table: dict[str, Any]) -> Drive:
+    if unknown := sorted(table.keys() - {field.name for field in fields(Drive)}):
+        raise ValueError(f"rolling.drive has no parameter {', '.join(unknown)}")
+    return Drive(**table)
 
 
 def _thermal(table: _Thermal) -> Thermal:
@@ -342,7 +340,7 @@ def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
     """Return the ball that a table describes; its master curves are files in a folder."""
     return CoatedSphere(
         core_radius=ball.core_radius,
-        inner_boundary=InnerBoundary[ball.inner_boundary.upper()],
+        inner_boundary=as_member("inner_boundary", ball.inner_boundary, InnerBoundary),
         layers=_layers(ball.layers, "ball", folder),
     )
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields
 
 from . import _core
 from ._arrays import store_floats
 from .tables import ParameterTable
+from .units import UNITS
 
 __all__ = ["Drive"]
 
@@ -42,11 +43,11 @@ class Drive(ParameterTable):
     Drive(force=None, torque=0.0, creepage=None, lateral_creepage=0.0, spin=0.0)
     """
 
-    force: float | None = None
-    torque: float | None = None
-    creepage: float | None = None
-    lateral_creepage: float = 0.0
-    spin: float = 0.0
+    force: float | None = field(default=None, metadata={"unit": "N"})
+    torque: float | None = field(default=None, metadata={"unit": "N m"})
+    creepage: float | None = field(default=None, metadata={"unit": "1"})
+    lateral_creepage: float = field(default=0.0, metadata={"unit": "1"})
+    spin: float = field(default=0.0, metadata={"unit": "1/m"})
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
@@ -68,3 +69,6 @@ class Drive(ParameterTable):
             return _core.DriveTorque(self.torque)
         assert self.creepage is not None
         return _core.DriveCreepage(creepage=self.creepage, lateral_creepage=self.lateral_creepage, spin=self.spin)
+
+
+UNITS.update({parameter.name: parameter.metadata["unit"] for parameter in fields(Drive)})

@@ -4,18 +4,13 @@ from __future__ import annotations
 
 __all__ = ["UNITS"]
 
-#: Units of the parameters that this package names.
+#: Units of the parameters that this package names; drives add theirs.
 UNITS = {
     "load": "N",
     "angular_speed": "rad/s",
     "friction": "1",
     "accuracy": "1",
     "max_iterations": "1",
-    "force": "N",
-    "torque": "N m",
-    "creepage": "1",
-    "lateral_creepage": "1",
-    "spin": "1/m",
     "nodes_per_revolution": "1",
     "max_order": "1",
     "theta_nodes_per_revolution": "1",

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/multilevel.hpp"
 #include "influence/coating_sum.hpp"
 #include "modal/flat_layers.hpp"
 #include "modal/harmonic_plane.hpp"
@@ -344,20 +343,6 @@ class PlaneContact : public testing::Test {
         Execution{1, watch_});
   }
 
-  /// Moment of a rigid paraboloid on a plane, whose nodes are where the table has them: at the arcs of the ball.
-  [[nodiscard]] double moment_of_paraboloid(const CoatedPlane& plane, double speed, double load) {
-    const Eigen::ArrayXd along = (std::numbers::pi / 2.0 - nodes_.phi()) * grid_.radius;
-    const Eigen::ArrayXd across = (std::numbers::pi / 2.0 - nodes_.theta()) * grid_.radius;
-    const ContactProblem problem{.surface = surface(plane, speed / grid_.radius),
-                                 .initial_gap = (along.square() + across.square()) / (2.0 * grid_.radius),
-                                 .normal_force = load,
-                                 .friction = std::nullopt};
-    const LocatedContact located = solve_multilevel(problem, 1e-4, {.max_iterations = 100});
-    EXPECT_FALSE(touches_edge(located));
-    const ContactSolution contact = extended(located, problem);
-    return (along * pressing_force(contact)).sum();
-  }
-
   Observer observer_;
   Watch watch_{observer_};
   Mesh mesh_{.nodes_per_revolution = 2000};
@@ -365,14 +350,6 @@ class PlaneContact : public testing::Test {
   Window window_{{-52, 52}, {-52, 52}};
   SurfaceWindow nodes_{grid_, window_};
 };
-
-TEST_F(PlaneContact, RigidParaboloidOnALayer) {
-  // R = 21 mm, 1 mm of the rubber, P = 100 N: numbers of an independent program, to 0.2 %.
-  const CoatedPlane mat{.layers = {layer(1e-3, 0.0)}};
-  EXPECT_NEAR(moment_of_paraboloid(mat, 10.5e-3, 100.0), 31.41e-3, 2e-3 * 31.41e-3);
-  EXPECT_NEAR(moment_of_paraboloid(mat, 52.5e-3, 100.0), 11.179e-3, 2e-3 * 11.179e-3);
-  EXPECT_NEAR(moment_of_paraboloid(mat, 0.21, 100.0), 3.109e-3, 2e-3 * 3.109e-3);
-}
 
 TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
   // Two planes, each the mirror image of the other: the sum is symmetric, whatever Poisson's ratio and memory, and its

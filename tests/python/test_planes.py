@@ -40,18 +40,24 @@ def rolled(ball, on, *, load=100.0, speed=52.5e-3, mesh=MESH, **options):
 
 @pytest.mark.parametrize(
     ("speed", "base", "moment"),
-    # Independent computation with nodes on the plane and the gap of a paraboloid (the same numbers, within 0.2 %, are
-    # tested with that gap in tests/cpp/test_plane.cpp). The ball's own mesh changes terms of the order (a/R)^2 of the
-    # gap: -0.14 % of the moment at a/R = 0.13, -0.3 % at 0.19.
-    [(10.5e-3, None, 31.41e-3), (52.5e-3, None, 11.179e-3), (210e-3, None, 3.109e-3), (52.5e-3, 1e7, 4.400e-3)],
+    # Independent computations with the gap of a paraboloid, of which the plain NumPy one is
+    # tests/reference/rolling_plane.py: 20.10, 31.41, 11.179, 3.109 and 4.405.
+    [
+        (2.1e-3, None, 20.10e-3),
+        (10.5e-3, None, 31.41e-3),
+        (52.5e-3, None, 11.179e-3),
+        (210e-3, None, 3.109e-3),
+        (52.5e-3, 1e7, 4.405e-3),
+    ],
 )
+@pytest.mark.filterwarnings("ignore:the strain")  # linear theory is what is compared
 def test_rigid_ball_on_a_layer(speed, base, moment):
     plane = CoatedPlane(
         layers=[LAYER],
         base=None if base is None else HalfSpace(shear_modulus=Elastic(modulus=base), poisson_ratio=0.5),
     )
     r = rolled(RIGID, plane, speed=speed, mesh=Mesh(nodes_per_revolution=2400))
-    assert r.resisting_torque == pytest.approx(moment * (1.0 - 0.08 * (r.semi_axis_x / RADIUS) ** 2), rel=3e-3)
+    assert r.resisting_torque == pytest.approx(moment, rel=2e-3)
     assert r.driving_torque == 0.0  # pressure stands on the ball
     assert r.driving_force * RADIUS == pytest.approx(r.resisting_torque, rel=1e-12)
     assert r.power_balance_error < 1e-3
@@ -82,12 +88,19 @@ def test_compliances_add_up_exactly():
     assert both.resisting_torque / one.resisting_torque == pytest.approx(math.sqrt(curved), rel=2e-3)
 
 
-def test_each_body_pays_for_itself():
-    r = rolled(SOFT, MAT)
-    assert r.driving_torque * r.angular_speed == pytest.approx(r.rolling_bulk_power, rel=1.1e-3)
-    assert r.driving_force * 52.5e-3 == pytest.approx(r.counterpart_bulk_power, rel=1e-3)
-    assert r.bulk_power == pytest.approx(r.rolling_bulk_power + r.counterpart_bulk_power, rel=1e-12)
-    assert r.power_balance_error < 1e-3
+@pytest.mark.parametrize("speed", [2.1e-3, 52.5e-3, 210e-3])
+def test_each_body_pays_for_itself(speed):
+    # From some 100 nodes across: what the torque leaves open is the error of the whole balance and of the plane's.
+    errors = []
+    for nodes in (600, 2400):
+        r = rolled(SOFT, MAT, speed=speed, mesh=Mesh(nodes_per_revolution=nodes))
+        own = r.driving_torque * r.angular_speed / r.rolling_bulk_power - 1.0
+        counterpart = r.driving_force * speed / r.counterpart_bulk_power - 1.0
+        assert r.bulk_power == pytest.approx(r.rolling_bulk_power + r.counterpart_bulk_power, rel=1e-12)
+        errors.append(np.abs([own, counterpart]))
+    assert r.contact.any(axis=1).sum() > 100
+    assert np.all(errors[-1] < 1e-3)
+    assert errors[-1].max() < 0.25 * errors[0].max()
 
 
 @pytest.mark.parametrize("drive", [Drive(torque=0.0), Drive(force=0.0), Drive(creepage=0.0, spin=5.0)])
@@ -118,35 +131,53 @@ def test_creepage_of_free_rolling_has_the_sign_of_what_deforms():
     assert rolled(RIGID, MAT, **free).creepage < -1e-3
 
 
-def kalker(nodes):
-    """C_23, C_32, C_33, by the mean radius of the contact; rigid ball on an elastic half-space, nu = 1/2."""
-    modulus, radius = 1e6, 20e-3
-    a = radius / 40
-    ground = CoatedPlane(base=HalfSpace(shear_modulus=Elastic(modulus=modulus), poisson_ratio=0.5))
-    model = RollingModel(
-        CoatedSphere(core_radius=radius), on=ground, angular_speed=1.0, mesh=Mesh(nodes_per_revolution=nodes), threads=1
-    )
+KALKER_MODULUS, KALKER_RADIUS = 1e6, 20e-3
+HARD = Elastic(modulus=KALKER_MODULUS)
+ON_GROUND = {
+    "body": CoatedSphere(core_radius=KALKER_RADIUS),
+    "on": CoatedPlane(base=HalfSpace(shear_modulus=HARD, poisson_ratio=0.5)),
+}
+THICKLY_COATED = {
+    "body": CoatedSphere(
+        core_radius=0.5 * KALKER_RADIUS,
+        layers=[Layer(thickness=0.5 * KALKER_RADIUS, shear_modulus=HARD, poisson_ratio=0.5)],
+    ),
+    "on": None,
+}
+
+
+def kalker(pair, ratio, across):
+    """C_23, C_32, C_33, nu = 1/2, by the mean radius of the contact, R / ratio, so many nodes across."""
+    modulus, radius = KALKER_MODULUS, KALKER_RADIUS
+    a = radius / ratio
+    mesh = Mesh(nodes_per_revolution=round(np.pi * ratio * across))
+    model = RollingModel(pair["body"], on=pair["on"], angular_speed=1.0, mesh=mesh, threads=1)
     load = 16 / 3 * modulus * a**3 / radius
     spin = 1e-6 / a
     sideways = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0, lateral_creepage=1e-6))
     spinning = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0, spin=spin))
+    free = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0))
     mean = math.sqrt(spinning.contact_area / math.pi)
     scale = 2.0 * modulus * mean**3
     return np.abs(
         [
-            spinning.lateral_force / (scale * spin),
+            (spinning.lateral_force - free.lateral_force) / (scale * spin),
             sideways.spin_moment / (scale * 1e-6),
             spinning.spin_moment / (scale * mean * spin),
         ]
     )
 
 
-def test_kalkers_coefficients_of_spin():
+@pytest.mark.filterwarnings("ignore:the mesh is too coarse")  # full stick: the balance divides by nearly nothing
+@pytest.mark.parametrize(
+    ("pair", "ratio"), [(ON_GROUND, 40), (THICKLY_COATED, 160)], ids=["half-space", "thick coating"]
+)
+def test_kalkers_coefficients_of_spin(pair, ratio):
     # J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3, nu = 1/2, circle; the partner
     # is rigid.
     exact = np.array([1.63, 1.63, 1.16])
-    coarse, fine = kalker(2500), kalker(5000)  # 20 and 40 nodes across
-    assert fine[0] == pytest.approx(fine[1], rel=1e-6)
+    coarse, fine = kalker(pair, ratio, 20), kalker(pair, ratio, 40)
+    assert fine[0] == pytest.approx(fine[1], rel=1e-6 if pair is ON_GROUND else 1e-4)  # a ball's own mesh is curved
     np.testing.assert_allclose(fine[:2], exact[:2], rtol=0.03)
     assert fine[2] == pytest.approx(exact[2], rel=0.05)
     assert np.all(np.abs(fine - exact) < np.abs(coarse - exact))

@@ -22,9 +22,9 @@ struct Layer {
 
 /// @brief What lies within the innermost layer.
 enum class InnerBoundary {
-  rigid,   ///< a rigid core, bonded to the layer
-  hollow,  ///< nothing: the layer's inner surface is free
-  solid,   ///< nothing: the layer reaches the center
+#define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) name,
+#include "viscoroll/inner_boundaries.def"
+#undef VISCOROLL_INNER_BOUNDARY
 };
 
 /// @brief Layers bonded to one another, and to a rigid core if there is one. Without a core, the coating's mean

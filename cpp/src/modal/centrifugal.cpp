@@ -9,6 +9,7 @@
 #include <ranges>
 #include <vector>
 
+#include "modal/inner_boundary.hpp"
 #include "viscoroll/modal.hpp"
 
 namespace viscoroll {
@@ -71,7 +72,7 @@ std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<doub
     // In a solid ball the irregular solution, r^-3 of the regular one, dies out from this depth.
     const double inner = std::max(medium.inner_radius, 1e-6 * medium.outer_radius);
     const double extent = std::log(medium.outer_radius / inner);
-    bool free = medium.within == InnerBoundary::hollow;  // inner surface of the first step
+    bool free = inner_surface(medium.within).is_free;  // inner surface of the first step
     const int steps = static_cast<int>(std::ceil(extent / 0.2));
     const double x = std::expm1(extent / steps);
     for (int step = 0; step < steps; ++step) {
@@ -97,7 +98,7 @@ std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<doub
     if (step.ends_layer) states.emplace_back(step.compliance * stress + step.offset, stress * stress_unit);
     stress = (stress - step.load) / step.stress;
   }
-  const bool free = media.front().within == InnerBoundary::hollow;
+  const bool free = inner_surface(media.front().within).is_free;
   states.emplace_back(free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
   std::ranges::reverse(states);
   return states;

@@ -7,6 +7,7 @@
 #include <complex>
 #include <vector>
 
+#include "modal/inner_boundary.hpp"
 #include "modal/radial_step.hpp"
 
 namespace viscoroll::detail {
@@ -31,7 +32,7 @@ template <class Scalar>
 double deepest_radius(const OrderInLayers<Scalar>& order, double k, double depth) {
   // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
   // whose two solutions differ by the third power of the radius.
-  const bool held = order.media.front().within == InnerBoundary::rigid;
+  const bool held = inner_surface(order.media.front().within).is_core;
   const double exponent = std::max(k, held ? 1e-300 : 0.5);
   const double cosine = k > 0.0 ? order.m / k : 0.0;
   double left = depth;
@@ -144,7 +145,7 @@ class Batch {
     return orders_[std::min(l, orders_.size() - 1)];
   }
   [[nodiscard]] double surface() const { return at(0).media.back().outer_radius; }
-  [[nodiscard]] bool is_held() const { return at(0).media.front().within == InnerBoundary::rigid; }
+  [[nodiscard]] bool is_held() const { return inner_surface(at(0).media.front().within).is_core; }
 
   [[nodiscard]] Matrix3<Scalar> matrix(std::size_t l) const {
     const auto& y = compliance_;
@@ -171,7 +172,7 @@ class Batch {
       step_.q.set(l, medium.inertia * inner_[l] * inner_[l] / medium.mu);
       step_.growth.set(l, std::expm1(extent_[l] / std::max(steps, 1)));
       step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
-      at_free_surface_[l] = layer == 0 && medium.within == InnerBoundary::hollow && inner_[l] == medium.inner_radius;
+      at_free_surface_[l] = layer == 0 && inner_surface(medium.within).is_free && inner_[l] == medium.inner_radius;
     }
     return steps;
   }
@@ -240,7 +241,7 @@ struct KeptOrder {
 /// States of one order in the directions r, k and across k, from the surface down.
 std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrder& kept) {
   const auto& media = order.media;
-  const bool held = media.front().within == InnerBoundary::rigid;
+  const auto [held, free_inside] = inner_surface(media.front().within);
   const bool uniform = order.m == 0.0 && order.n == 0.0;
   std::vector<DepthState> states(media.size() + 1, DepthState::Zero());
   Matrix3<cplx> stress = Matrix3<cplx>::Identity();
@@ -251,7 +252,7 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
     stress = kept.down[layer] * stress;
   }
   DepthState& inner = states.front();
-  if (media.front().within == InnerBoundary::hollow) {
+  if (free_inside) {
     // The first step started from displacements; order (0, 0) from stresses along the surface, for it turns freely.
     const int free = uniform ? 1 : 3;
     inner.topRows(free) = stress.topRows(free) / media.front().mu;

@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "modal/compliance_recursion.hpp"
+#include "modal/inner_boundary.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -87,7 +88,7 @@ DegreeCompliance degree_compliance(std::span<const Medium<cplx>> media, int degr
     for (Medium<cplx>& medium : radial) medium.curvature = Curvature::sphere;
     return {.radial = surface_compliance<cplx>(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
   }
-  if (degree == 1 && media.front().within != InnerBoundary::rigid) return free_degree_one(media);
+  if (degree == 1 && !inner_surface(media.front().within).is_core) return free_degree_one(media);
   if (degree == 1) {
     // Along the diagonal k^2 is 2 to the last bit: a small core makes much of any stiffness against turning.
     const Matrix3<cplx> y = surface_compliance<cplx>(media, 1.0, 1.0);

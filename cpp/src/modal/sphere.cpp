@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "modal/inner_boundary.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -35,12 +36,13 @@ void validate(const Layer& layer, std::string_view prefix) {
 }
 
 void validate(const CoatedSphere& sphere) {
-  if (sphere.inner_boundary == InnerBoundary::solid) {
-    if (sphere.core_radius != 0.0) detail::reject("core_radius", "0 m in a solid ball", sphere.core_radius);
-  } else {
+  const detail::InnerSurface inner = detail::inner_surface(sphere.inner_boundary);
+  if (inner.exists()) {
     detail::require_positive("core_radius", sphere.core_radius, "m");
+  } else if (sphere.core_radius != 0.0) {
+    detail::reject("core_radius", "0 m in a solid ball", sphere.core_radius);
   }
-  if (sphere.layers.empty() && sphere.inner_boundary != InnerBoundary::rigid) {
+  if (sphere.layers.empty() && !inner.is_core) {
     detail::reject("layers", "a list of at least one layer without a rigid core", "none");
   }
   for (std::size_t j = 0; j < sphere.layers.size(); ++j) {

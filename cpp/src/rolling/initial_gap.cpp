@@ -27,6 +27,9 @@ ArrayXd counterpart_drop(const SurfaceWindow& points, const Counterpart& on) {
   }
   const TrackCurvature track = track_curvature(on);
   if (track.along == 0.0 && track.across == 0.0) return ArrayXd::Zero(points.shape().size());
+  if (points.grid().is_paraboloid) {
+    return -0.5 * (track.along * points.x().square() + track.across * points.z().square());
+  }
   return -rise_of_circle(points.x(), track.along) - rise_of_circle(points.z(), track.across);
 }
 

@@ -38,11 +38,6 @@ LineSpectrum plane_spectrum(const HarmonicPlane& plane) {
   return spectrum;
 }
 
-/// Add the table of the second surface to that of the first.
-void add(Table& sum, const Table& table, double sign) {
-  for (int j = -sum.phi_reach(); j <= sum.phi_reach(); ++j) sum.row(j)[0] += sign * table(j, 0);
-}
-
 }  // namespace
 
 LineSurface roller_surface(const CoatedCylinder& cylinder, double surface_speed, double arc, const Mesh& mesh,
@@ -91,20 +86,6 @@ LineSurface plane_surface(const CoatedPlane& plane, double surface_speed, double
   }
   surface.sum = std::make_unique<const LineSum>(std::move(bands), plane_spectrum(harmonics), radius, phi_spacing(mesh));
   return surface;
-}
-
-std::vector<Table> PairSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
-                                   int threads, Watch& watch) const {
-  const TableSum& only = first_ != nullptr ? *first_ : *second_;
-  std::vector<Table> sums = only.tables(requests, phi_reach, theta_reach, threads, watch);
-  const auto sign = [&](std::size_t i) { return requests[i].entry == Entry::rphi ? -1.0 : 1.0; };
-  if (first_ == nullptr) {
-    for (std::size_t i = 0; i < sums.size(); ++i) add(sums[i], sums[i], sign(i) - 1.0);
-  } else if (second_ != nullptr) {
-    const std::vector<Table> others = second_->tables(requests, phi_reach, theta_reach, threads, watch);
-    for (std::size_t i = 0; i < sums.size(); ++i) add(sums[i], others[i], sign(i));
-  }
-  return sums;
 }
 
 }  // namespace viscoroll::detail

@@ -37,18 +37,4 @@ struct LineSurface {
 [[nodiscard]] LineSurface plane_surface(const CoatedPlane& plane, double surface_speed, double radius,
                                         const Mesh& mesh);
 
-/// @brief Tables of two surfaces that are pressed together, by forces on the first: normal and tangential ones add up,
-/// and the cross ones, whose tangent turns around with the normal, are differences.
-class PairSum : public TableSum {
- public:
-  /// @param[in] first,second sums that outlive this object; one of them may be null
-  PairSum(const TableSum* first, const TableSum* second) : first_(first), second_(second) {}
-  [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
-                                          int threads, Watch& watch) const override;
-
- private:
-  const TableSum* first_;
-  const TableSum* second_;
-};
-
 }  // namespace viscoroll::detail

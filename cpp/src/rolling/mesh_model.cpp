@@ -128,17 +128,20 @@ void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch
   const double radius = viscoroll::outer_radius(cylinder);
   const double speed = angular_speed_ * radius;
   const double arc = radius * phi_spacing(mesh_);
-  roller_ = roller_surface(cylinder, speed, arc, mesh_, threads, watch);
+  own_ = count_in(roller_surface(cylinder, speed, arc, mesh_, threads, watch));
   if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
-    counterpart_ = plane_surface(*plane, speed, radius, mesh_);
+    track_ = count_in(plane_surface(*plane, speed, radius, mesh_));
   } else {
-    counterpart_ = roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch);
+    track_ = count_in(roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch));
   }
-  own_ = std::make_unique<const TableStore>(std::make_unique<const PairSum>(roller_.sum.get(), counterpart_.sum.get()),
-                                            mesh_);
-  alternating_ = {.normal = roller_.normal + counterpart_.normal, .along = roller_.along + counterpart_.along};
-  stiffest_modulus_ = std::max(roller_.stiffest_modulus, counterpart_.stiffest_modulus);
-  centrifugal_ = roller_.centrifugal + counterpart_.centrifugal;
+}
+
+std::unique_ptr<const TableStore> MeshModel::count_in(LineSurface surface) {
+  alternating_.normal += surface.normal;
+  alternating_.along += surface.along;
+  stiffest_modulus_ = std::max(stiffest_modulus_, surface.stiffest_modulus);
+  centrifugal_ += surface.centrifugal;
+  return surface.sum ? std::make_unique<const TableStore>(std::move(surface.sum), mesh_) : nullptr;
 }
 
 SurfaceGrid MeshModel::grid() const {
@@ -146,7 +149,8 @@ SurfaceGrid MeshModel::grid() const {
   // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
   return {.radius = radius,
           .phi_spacing = phi_spacing(mesh_),
-          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_)};
+          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_),
+          .is_paraboloid = track_ && !is_roller(body())};
 }
 
 }  // namespace viscoroll::detail

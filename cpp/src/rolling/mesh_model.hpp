@@ -36,8 +36,6 @@ class MeshModel {
   [[nodiscard]] SurfaceGrid grid() const;
   /// @return the largest shear modulus of a layer at the highest harmonic [Pa]
   [[nodiscard]] double stiffest_modulus() const { return stiffest_modulus_; }
-  /// @return sums of what the body rolls on, none where that is rigid
-  [[nodiscard]] const TableSum* counterpart() const { return counterpart_.sum.get(); }
   /// @return tables of the exact sphere, where that is what the model is of
   [[nodiscard]] const SphereTables* sphere_tables() const { return sphere_tables_.get(); }
   /// @return what was kept of the curvature
@@ -47,10 +45,9 @@ class MeshModel {
   /// @return d_R^(c) [m]
   [[nodiscard]] double centrifugal() const { return centrifugal_; }
 
-  /// @return tables of what rolls, of a roller together with those of what it rolls on; none of a rigid ball, and of
-  /// the exact sphere
+  /// @return tables of what rolls, none where that is rigid or the exact sphere
   [[nodiscard]] const TableStore* own() const { return own_.get(); }
-  /// @return tables of what a ball rolls on, none where that is rigid
+  /// @return tables of what it rolls on, none where that is rigid
   [[nodiscard]] const TableStore* track() const { return track_.get(); }
 
  private:
@@ -63,13 +60,13 @@ class MeshModel {
   void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance);
   void roll_over(const CoatedPlane& plane, int threads, Watch& watch);
   void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
+  /// @return tables of one of two surfaces in line contact, whose compliance and swelling are counted in
+  [[nodiscard]] std::unique_ptr<const TableStore> count_in(LineSurface surface);
 
   RollingPair pair_;
   double angular_speed_;
   Mesh mesh_;
   Curvature curvature_;
-  LineSurface roller_;       // in line contact
-  LineSurface counterpart_;  // the same
   std::unique_ptr<const TableStore> own_;
   std::unique_ptr<const TableStore> track_;
   std::unique_ptr<const SphereTables> sphere_tables_;

@@ -8,11 +8,11 @@
 #include <numbers>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
 #include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "validate.hpp"
@@ -75,19 +75,17 @@ std::vector<Answer> answers(const Result& result, const LoadCase& load_case, dou
   if (load_case.friction == 0.0) return answers;
   answers.push_back(
       {result.dissipated_power, std::max(std::abs(result.dissipated_power), negligible * load_case.angular_speed)});
-  if (!std::holds_alternative<DriveTorque>(load_case.drive)) {
+  const GivenMotion given = given_motion(load_case.drive);
+  if (!given.torque) {
     answers.push_back({result.driving_torque, std::max({std::abs(result.driving_torque), torque, negligible})});
   }
-  if (!std::holds_alternative<DriveForce>(load_case.drive)) {
+  if (!given.force) {
     answers.push_back({result.driving_force, std::max(std::abs(result.driving_force), force)});
   }
-  if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-    if (given->lateral_creepage != 0.0) {
-      answers.push_back({result.lateral_force, std::max(std::abs(result.lateral_force), force)});
-    }
-  } else {
-    answers.push_back({*result.linear_speed, std::abs(*result.linear_speed)});
+  if (given.lateral_creepage != 0.0) {
+    answers.push_back({result.lateral_force, std::max(std::abs(result.lateral_force), force)});
   }
+  if (!given.creepage) answers.push_back({*result.linear_speed, std::abs(*result.linear_speed)});
   return answers;
 }
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <variant>
 #include <vector>
+
+#include "rolling/drives.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -51,7 +52,7 @@ class Summary {
         pressing_(pressing_force(contact_)),
         flat_area_(ArrayXd::Constant(
             size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
-        area_(flat_area_ * window_.theta().sin()) {}
+        area_(window_.patch_area()) {}
 
   void add_status(Result& r) const {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
@@ -95,7 +96,8 @@ class Summary {
   void add_powers(Result& r) const {
     const LoadCase& load_case = given_.load_case;
     std::optional<double> speed_ratio = contact_.speed_ratio;
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) speed_ratio = 1.0 + given->creepage;
+    const GivenMotion motion = given_motion(load_case.drive);
+    if (motion.creepage) speed_ratio = 1.0 + *motion.creepage;
     if (speed_ratio) {
       r.creepage = *speed_ratio - 1.0;
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
@@ -113,10 +115,8 @@ class Summary {
     const double counterpart = counterpart_force(r);
     double work = r.driving_torque * load_case.angular_speed +
                   (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-      const double speed_given = load_case.angular_speed * radius();
-      work -= (r.lateral_force * given->lateral_creepage + r.spin_moment * given->spin) * speed_given;
-    }
+    const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
+    work -= guided * load_case.angular_speed * radius();
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
     const double negligible =
         std::max(1e-10 * load_case.load * load_case.angular_speed * r.semi_axis_x, std::numeric_limits<double>::min());

@@ -3,22 +3,20 @@
 namespace viscoroll::detail {
 
 RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
-                     const viscoroll::Drive& drive) {
+                     const GivenMotion& given) {
   using Eigen::ArrayX2d;
   const double step = points.grid().radius * points.grid().phi_spacing;
   const Eigen::Index nodes = points.shape().size();
   const Eigen::Index rest = nodes - points.shape().theta_nodes;
   RigidSlip slip{.own = ArrayX2d::Zero(nodes, 2), .guided = ArrayX2d::Zero(nodes, 2)};
   if (kinematics == SlipKinematics::exact) {
-    const Eigen::ArrayXd x = swelling * points.x();
-    slip.own.col(0).tail(rest) = x.tail(rest) - x.head(rest);
+    const Eigen::ArrayXd way = swelling * points.rolled_way();
+    slip.own.col(0).tail(rest) = way.tail(rest) - way.head(rest);
   } else {
     slip.own.col(0).tail(rest).setConstant(-step);
   }
-  if (const auto* given = std::get_if<DriveCreepage>(&drive)) {
-    slip.guided.col(0).tail(rest) = given->spin * step * points.z().tail(rest);
-    slip.guided.col(1).tail(rest) = given->lateral_creepage * step - given->spin * step * points.x().tail(rest);
-  }
+  slip.guided.col(0).tail(rest) = given.spin * step * points.z().tail(rest);
+  slip.guided.col(1).tail(rest) = given.lateral_creepage * step - given.spin * step * points.x().tail(rest);
   return slip;
 }
 

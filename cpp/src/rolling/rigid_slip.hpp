@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "rolling/drives.hpp"
 #include "surface/surface_window.hpp"
-#include "viscoroll/drive.hpp"
 #include "viscoroll/formulation.hpp"
 
 namespace viscoroll::detail {
@@ -19,8 +19,8 @@ struct RigidSlip {
 /// @param[in] points where displacements are taken
 /// @param[in] swelling of the free surface, by the turning
 /// @param[in] kinematics with Heathcote slip or without
-/// @param[in] drive which may give creepages and spin
+/// @param[in] given lateral creepage and spin
 [[nodiscard]] RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
-                                   const viscoroll::Drive& drive);
+                                   const GivenMotion& given);
 
 }  // namespace viscoroll::detail

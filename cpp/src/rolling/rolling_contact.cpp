@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "contact/multilevel.hpp"
-#include "influence/convolution.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
 #include "rolling/result.hpp"
 #include "rolling/rigid_slip.hpp"
@@ -57,8 +57,10 @@ class LoadCaseSolver {
     if (is_roller(model_.body()) && options_.patch_load != PatchLoad::flat) {
       reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
     }
-    if (model_.counterpart() != nullptr) require_frictionless();
     if (model_.track() != nullptr) require_plain_formulation();
+    if (std::holds_alternative<CoatedCylinder>(model_.pair().on) && load_case_.friction > 0.0) {
+      reject("friction", "0 between two cylinders", text(load_case_.friction));
+    }
     if (track_curvature(model_.pair().on).along != 0.0 && load_case_.friction > 0.0) {
       reject("friction", "0 where the path is curved (on.path_radius)", text(load_case_.friction));
     }
@@ -206,20 +208,20 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
-    const RigidSlip slip = rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, load_case_.drive);
+    const RigidSlip slip =
+        rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, given_motion(load_case_.drive));
     return {.coefficient = load_case_.friction,
             .rigid_slip = slip.own + slip.guided,
             .guided_slip = slip.guided,
             .step = grid_.radius * grid_.phi_spacing,
             .arms = lever_arms(nodes),
-            .drive = make_drive()};
+            .drive = row_of(load_case_.drive, pressure_share())};
   }
 
   /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed
   /// surface; under a rigid ball that is the ball's.
   [[nodiscard]] double drag(const SurfaceWindow& nodes, const ContactProblem& problem,
                             const ContactSolution& contact) const {
-    if (model_.counterpart() != nullptr) return roller_drag(contact);
     switch (problem.surface->bodies()) {
       case Bodies::rolling:
         return 0.0;
@@ -230,32 +232,9 @@ class LoadCaseSolver {
     }
   }
 
-  /// By central differences.
-  [[nodiscard]] double roller_drag(const ContactSolution& contact) const {
-    const Eigen::ArrayXd pressing = pressing_force(contact);
-    const auto count = static_cast<int>(pressing.size());
-    const std::vector<Table> table =
-        model_.counterpart()->tables({TableRequest{}}, count - 1, 0, execution_.threads, execution_.watch);
-    const Convolution product({count, 1}, table, {{.result = 0, .table = 0, .operand = 0, .sign = 1.0}},
-                              execution_.threads, execution_.watch);
-    const Eigen::ArrayXd w = product.apply(pressing, execution_.threads, execution_.watch).col(0);
-    const Eigen::ArrayXd slope = (w.tail(count - 2) - w.head(count - 2)) / (2.0 * grid_.radius * grid_.phi_spacing);
-    return (pressing.segment(1, count - 2) * slope).sum();
-  }
-
-  /// Friction between two bodies that deform has kinematics of its own, which are not here.
-  void require_frictionless() const {
-    if (load_case_.friction > 0.0) {
-      reject("friction", "0 where the counterpart of a cylinder deforms", text(load_case_.friction));
-    }
-    if (options_.compliance == Compliance::vertical) {
-      reject("compliance", "RADIAL where the counterpart deforms", "VERTICAL");
-    }
-  }
-
-  /// What the tables of a plane are made for.
+  /// What the tables of a counterpart are made for.
   void require_plain_formulation() const {
-    const std::string why = " where what the ball rolls on deforms";
+    const std::string why = " where the counterpart deforms";
     if (options_.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
     if (options_.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
   }
@@ -278,14 +257,6 @@ class LoadCaseSolver {
   /// Where displacements are taken.
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& nodes) const {
     return {grid_, nodes.window(), formulation_.collocation};
-  }
-
-  [[nodiscard]] std::shared_ptr<const Drive> make_drive() const {
-    if (const auto* given = std::get_if<DriveCreepage>(&load_case_.drive)) {
-      return std::make_shared<GivenSpeed>(1.0 + given->creepage);
-    }
-    if (const auto* pull = std::get_if<DriveForce>(&load_case_.drive)) return std::make_shared<GivenForce>(pull->force);
-    return std::make_shared<GivenMoment>(std::get<DriveTorque>(load_case_.drive).torque, pressure_share());
   }
 
   /// With the radial compliance pressure does no work along the plane.
@@ -320,9 +291,7 @@ class LoadCaseSolver {
     try {
       return solve_multilevel(problem, likely_depth, limits_);
     } catch (const ConvergenceError&) {
-      if (const auto* turn = std::get_if<DriveTorque>(&load_case_.drive)) {
-        require_rolling(problem, likely_depth, turn->torque);
-      }
+      if (const auto torque = given_motion(load_case_.drive).torque) require_rolling(problem, likely_depth, *torque);
       throw;
     }
   }

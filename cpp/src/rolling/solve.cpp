@@ -1,14 +1,13 @@
 // Public face of the library: checks the input once and dispatches.
 #include "viscoroll/solve.hpp"
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "parallel.hpp"
+#include "rolling/drives.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
 #include "rolling/rolling_body.hpp"
@@ -19,37 +18,11 @@
 namespace viscoroll {
 namespace {
 
-void validate(const DriveForce& drive, const LoadCase& load_case) {
-  detail::require_finite("drive.force", drive.force);
-  if (drive.force == 0.0) return;
-  const double largest = load_case.friction * load_case.load;
-  if (!(std::abs(drive.force) < largest)) {
-    detail::reject("drive.force",
-                   "smaller than friction * load = " + detail::text(largest) +
-                       " N in magnitude, else the sphere slides without end",
-                   detail::text(drive.force) + " N");
-  }
-}
-
-void validate(const DriveTorque& drive, const LoadCase& load_case) {
-  detail::require_finite("drive.torque", drive.torque);
-  if (load_case.friction == 0.0) {
-    detail::reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
-                   detail::text(drive.torque) + " N m");
-  }
-}
-
 void validate(const LoadCase& load_case, const RollingBody& body) {
   detail::require_positive("load", load_case.load, detail::load_unit(body));
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   detail::require_nonnegative("friction", load_case.friction, "");
-  if (const auto* pull = std::get_if<DriveForce>(&load_case.drive)) validate(*pull, load_case);
-  if (const auto* turn = std::get_if<DriveTorque>(&load_case.drive)) validate(*turn, load_case);
-  if (const auto* given = std::get_if<DriveCreepage>(&load_case.drive)) {
-    detail::require_finite("drive.creepage", given->creepage);
-    detail::require_finite("drive.lateral_creepage", given->lateral_creepage);
-    detail::require_finite("drive.spin", given->spin);
-  }
+  detail::validate_drive(load_case);
 }
 
 void validate(const Options& options) {

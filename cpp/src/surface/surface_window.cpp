@@ -42,6 +42,29 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, doub
       ++node;
     }
   }
+  if (grid.is_paraboloid) flatten();
+}
+
+void SurfaceWindow::flatten() {
+  const double r = grid_.radius;
+  const Eigen::Index columns = shape().theta_nodes;
+  for (Eigen::Index node = 0; node < x_.size(); ++node) {
+    x_[node] = -r * grid_.phi_spacing * (static_cast<double>(window_.phi.first + node / columns) + shift_);
+    z_[node] = -r * grid_.theta_spacing * static_cast<double>(window_.theta.first + node % columns);
+  }
+  height_ = (x_.square() + z_.square()) / (2.0 * r);
+  y_ = r - height_;
+}
+
+Eigen::ArrayXd SurfaceWindow::rolled_way() const {
+  if (!grid_.is_paraboloid) return x_;
+  return x_ * (1.0 - (x_.square() / 3.0 + z_.square()) / (2.0 * std::pow(grid_.radius, 2)));
+}
+
+Eigen::ArrayXd SurfaceWindow::patch_area() const {
+  const double equatorial = std::pow(grid_.radius, 2) * grid_.phi_spacing * grid_.theta_spacing;
+  if (grid_.is_paraboloid) return Eigen::ArrayXd::Constant(shape().size(), equatorial);
+  return equatorial * theta().sin();
 }
 
 Eigen::ArrayXd SurfaceWindow::phi() const {

@@ -15,6 +15,9 @@ struct SurfaceGrid {
   double radius;         ///< r_o [m]
   double phi_spacing;    ///< [rad]
   double theta_spacing;  ///< [rad]
+  /// Whether nodes keep their distances, r_o times the spacings, along a plane, and the sphere's height above it is
+  /// that of its paraboloid: over a plane that deforms, whose nodes they are, too (theory.md section 15).
+  bool is_paraboloid = false;
 };
 
 /// @brief The nodes of a rectangle of the grid.
@@ -37,6 +40,11 @@ class SurfaceWindow {
   [[nodiscard]] const Eigen::ArrayXd& z() const { return z_; }
   /// @return height of every undeformed node above the lowest point, r_o - y without its round-off [m]
   [[nodiscard]] const Eigen::ArrayXd& height() const { return height_; }
+  /// @return place up to which every node has come, forward, where what lies at height y moves at Omega y: the integral
+  /// of y dphi from the lowest point [m]
+  [[nodiscard]] Eigen::ArrayXd rolled_way() const;
+  /// @return area of every node's patch [m^2]
+  [[nodiscard]] Eigen::ArrayXd patch_area() const;
   /// @return phi of every node [rad]
   [[nodiscard]] Eigen::ArrayXd phi() const;
   /// @return theta of every node [rad]
@@ -47,6 +55,8 @@ class SurfaceWindow {
   [[nodiscard]] std::array<std::array<Eigen::ArrayXd, 3>, 3> axes() const;
 
  private:
+  void flatten();
+
   SurfaceGrid grid_;
   Window window_;
   double shift_;

@@ -66,7 +66,7 @@ class TableOperator : public SurfaceOperator {
     return formulation_.is_counterpart ? Bodies::counterpart : Bodies::rolling;
   }
   [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override;
-  /// By central differences.
+  /// By differences between nodes.
   [[nodiscard]] double pushback(const VectorField& force) const override;
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,

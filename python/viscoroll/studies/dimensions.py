@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from enum import Enum
 from typing import Any
 
@@ -140,9 +140,9 @@ def label(value: object) -> str:
         case Enum():
             return value.name
         case Drive():
-            numbers = {name: getattr(value, name) for name in ("force", "torque", "creepage")}
-            numbers |= {"lateral_creepage": value.lateral_creepage or None, "spin": value.spin or None}
-            return ", ".join(f"{name}={number:g}" for name, number in numbers.items() if number is not None)
+            given = {parameter.name: getattr(value, parameter.name) for parameter in fields(Drive)}
+            left_out = {parameter.name: parameter.default for parameter in fields(Drive)}
+            return ", ".join(f"{name}={number:g}" for name, number in given.items() if number != left_out[name])
         case _:
             return str(getattr(value, "__name__", None) or repr(value))
 

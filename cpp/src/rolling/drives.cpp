@@ -1,0 +1,71 @@
+#include "rolling/drives.hpp"
+
+#include <cmath>
+
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Row = std::shared_ptr<const Drive>;
+
+GivenMotion given(const DriveForce& drive) { return {.force = drive.force, .torque = {}, .creepage = {}}; }
+
+Row row(const DriveForce& drive, double /*pressure_share*/) { return std::make_shared<GivenForce>(drive.force); }
+
+void validate(const DriveForce& drive, const LoadCase& load_case) {
+  require_finite("drive.force", drive.force);
+  if (drive.force == 0.0) return;
+  const double largest = load_case.friction * load_case.load;
+  if (std::abs(drive.force) < largest) return;
+  reject("drive.force",
+         "smaller than friction * load = " + text(largest) + " N in magnitude, else the sphere slides without end",
+         text(drive.force) + " N");
+}
+
+GivenMotion given(const DriveTorque& drive) { return {.force = {}, .torque = drive.torque, .creepage = {}}; }
+
+Row row(const DriveTorque& drive, double pressure_share) {
+  return std::make_shared<GivenMoment>(drive.torque, pressure_share);
+}
+
+void validate(const DriveTorque& drive, const LoadCase& load_case) {
+  require_finite("drive.torque", drive.torque);
+  if (load_case.friction > 0.0) return;
+  reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
+         text(drive.torque) + " N m");
+}
+
+GivenMotion given(const DriveCreepage& drive) {
+  return {.force = {},
+          .torque = {},
+          .creepage = drive.creepage,
+          .lateral_creepage = drive.lateral_creepage,
+          .spin = drive.spin};
+}
+
+Row row(const DriveCreepage& drive, double /*pressure_share*/) {
+  return std::make_shared<GivenSpeed>(1.0 + drive.creepage);
+}
+
+void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/) {
+  require_finite("drive.creepage", drive.creepage);
+  require_finite("drive.lateral_creepage", drive.lateral_creepage);
+  require_finite("drive.spin", drive.spin);
+}
+
+}  // namespace
+
+GivenMotion given_motion(const viscoroll::Drive& drive) {
+  return std::visit([](const auto& kind) { return given(kind); }, drive);
+}
+
+std::shared_ptr<const Drive> row_of(const viscoroll::Drive& drive, double pressure_share) {
+  return std::visit([pressure_share](const auto& kind) { return row(kind, pressure_share); }, drive);
+}
+
+void validate_drive(const LoadCase& load_case) {
+  std::visit([&load_case](const auto& kind) { validate(kind, load_case); }, load_case.drive);
+}
+
+}  // namespace viscoroll::detail
