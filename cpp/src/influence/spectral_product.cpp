@@ -51,7 +51,7 @@ double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 }  // namespace
 
 WindowShape doubled(const WindowShape& shape) {
-  return {fast_length(2 * shape.phi_nodes - 1), fast_length(2 * shape.theta_nodes - 1)};
+  return {ComplexFft::fast_length(2 * shape.phi_nodes - 1), RealFft::fast_length(2 * shape.theta_nodes - 1)};
 }
 
 SpectralProduct::SpectralProduct(WindowShape window, WindowShape period)

@@ -17,7 +17,7 @@ SphereProduct::SphereProduct(WindowShape shape, int first_theta, const std::vect
                              Watch& watch)
     : shape_(shape),
       components_(tables.size() == 1 ? 1 : 3),
-      period_(fast_length(2 * shape.phi_nodes - 1)),
+      period_(RealFft::fast_length(2 * shape.phi_nodes - 1)),
       fft_(period_),
       spectrum_(frequencies(period_)) {
   const int columns = shape.theta_nodes;

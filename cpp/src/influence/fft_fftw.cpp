@@ -1,5 +1,8 @@
-#include "influence/fft.hpp"
-
+/// @file
+/// @brief Transforms by FFTW, under the GNU General Public License, version 2 or later.
+///
+/// Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same bits in every run, under
+/// one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
 #include <fftw3.h>
 
 #include <cassert>
@@ -7,6 +10,9 @@
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
+
+#include "influence/fft.hpp"
+#include "influence/fft_cost.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -42,6 +48,10 @@ Plan plan(const MakePlan& make) {
 }
 
 }  // namespace
+
+// FFTW 3.3.10 on an Intel Xeon with AVX-512, even lengths from 96 to 4224: 12 % from what was measured.
+const FftCost kComplexFftCost{.least = 1.34, .factor_2 = 0.41, .factor_3 = 1.46, .factor_5 = 1.38, .factor_7 = 1.57};
+const FftCost kRealFftCost{.least = 0.86, .factor_2 = 0.14, .factor_3 = 0.58, .factor_5 = 0.53, .factor_7 = 0.99};
 
 struct ComplexFft::Impl {
   Plan forward;
@@ -97,16 +107,6 @@ void RealFft::forward(double* real, std::complex<double>* spectrum) const {
 void RealFft::backward(std::complex<double>* spectrum, double* real) const {
   assert(is_aligned(real) && is_aligned(spectrum));
   fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);
-}
-
-int fast_length(int length) {
-  for (;; ++length) {
-    int rest = length;
-    for (const int factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return length;
-  }
 }
 
 }  // namespace viscoroll::detail
