@@ -38,7 +38,7 @@ using ComplexBuffer = std::vector<std::complex<double>, CacheLineAllocator<std::
   return (complex_numbers + 3) / 4 * 4;
 }
 
-/// @brief Transforms of a line of complex numbers, in place.
+/// @brief Transforms of lines of complex numbers, in place. Several lines at a time may take less time for each.
 class ComplexFft {
  public:
   explicit ComplexFft(int length);
@@ -48,9 +48,11 @@ class ComplexFft {
   ComplexFft(const ComplexFft&) = delete;
   ComplexFft& operator=(const ComplexFft&) = delete;
 
-  /// @param[in,out] line `length` numbers on a cache line
-  void forward(std::complex<double>* line) const;
-  void backward(std::complex<double>* line) const;
+  /// @param[in,out] lines `length` numbers each, on cache lines
+  /// @param[in] count number of lines
+  /// @param[in] stride numbers from line to line
+  void forward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
+  void backward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
 
   /// @return the length >= `length`, even and of factors 2, 3, 5 and 7, at which a product with a spectrum takes the
   /// least time
