@@ -7,7 +7,10 @@
 #include <pocketfft.hpp>
 #endif
 
+#include <complex>
 #include <cstddef>
+#include <memory>
+#include <vector>
 
 #include "influence/fft.hpp"
 #include "influence/fft_cost.hpp"
@@ -79,7 +82,7 @@ struct ComplexFft::Impl {
 
 ComplexFft::ComplexFft(int length) {
   const auto numbers = static_cast<std::size_t>(length);
-  impl_ = std::make_unique<Impl>(Plan(numbers), numbers);
+  impl_ = std::make_unique<Impl>(Impl{.plan = Plan(numbers), .length = numbers});
 }
 
 ComplexFft::~ComplexFft() = default;
@@ -99,7 +102,8 @@ struct RealFft::Impl {
 };
 
 RealFft::RealFft(int length)
-    : impl_(std::make_unique<Impl>(pocketfft::detail::pocketfft_r<double>(static_cast<std::size_t>(length)))) {}
+    : impl_(std::make_unique<Impl>(
+          Impl{.plan = pocketfft::detail::pocketfft_r<double>(static_cast<std::size_t>(length))})) {}
 
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
@@ -108,7 +112,7 @@ RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 // PocketFFT has the half spectrum in as many numbers as the line: real part 0, real and imaginary part 1, ..., and for
 // an even length the real part of the last.
 
-void RealFft::forward(double* real, std::complex<double>* spectrum) const {
+void RealFft::forward(double* real, complex<double>* spectrum) const {
   const std::size_t length = impl_->plan.length();
   impl_->plan.exec(real, 1.0, true);
   spectrum[0] = real[0];
@@ -116,7 +120,7 @@ void RealFft::forward(double* real, std::complex<double>* spectrum) const {
   if (length % 2 == 0) spectrum[length / 2] = real[length - 1];
 }
 
-void RealFft::backward(std::complex<double>* spectrum, double* real) const {
+void RealFft::backward(complex<double>* spectrum, double* real) const {
   const std::size_t length = impl_->plan.length();
   real[0] = spectrum[0].real();
   for (std::size_t i = 1; 2 * i < length; ++i) {
