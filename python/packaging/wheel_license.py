@@ -27,7 +27,7 @@ class Provider:
         """Note what is built."""
         self._of_sources = build_state == "sdist"
 
-    def dynamic_metadata(self, settings: Mapping[str, Any], project: Mapping[str, Any]) -> dict[str, Any]:
+    def dynamic_metadata(self, _settings: Mapping[str, Any], _project: Mapping[str, Any]) -> dict[str, Any]:
         """Return both fields."""
         transform = os.environ.get("VISCOROLL_FFT", "FFTW")
         if transform not in TRANSFORMS:
@@ -39,6 +39,6 @@ class Provider:
             "license-files": [*INSIDE.values(), *TRANSFORMS[transform].values(), "licenses/README.md"],
         }
 
-    def dynamic_wheel(self, settings: Mapping[str, Any]) -> dict[str, bool]:
+    def dynamic_wheel(self, _settings: Mapping[str, Any]) -> dict[str, bool]:
         """Say that a wheel has others than the sources."""
         return {"license": True, "license-files": True}
