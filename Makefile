@@ -61,12 +61,12 @@ test-package: test-cpp
 	cmake --build build/package/source --parallel $(JOBS) && build/package/source/consumer
 	cmake -S . -B build/package/plain && grep -q 'CMAKE_BUILD_TYPE:STRING=Release' build/package/plain/CMakeCache.txt
 
-test-clang: deps-clang $(VENV)/test.stamp
+test-clang: deps-clang
 	cmake --preset clang -DCMAKE_CXX_COMPILER=clang++-$(CLANG)
 	cmake --build --preset clang --parallel $(JOBS)
 	ctest --preset clang --parallel $(JOBS)
 	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
-	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet '.[test]'
+	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet --config-settings=build-dir=build/clang/wheel '.[test]'
 	build/clang/venv/bin/python -m pytest
 
 # The header comes out of a Python package.
