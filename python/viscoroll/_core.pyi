@@ -679,4 +679,5 @@ def validate_modulus(
 ) -> None: ...
 
 __commit__: str
+__fft__: str
 __version__: str

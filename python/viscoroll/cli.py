@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
 from . import ConvergenceError, Result, ResultWarning, Status, __version__, paper
-from ._core import Compliance, Curvature
+from ._core import Compliance, Curvature, __fft__
 from ._extras import extra
 from ._text import one_line, shown
 from .case import example_text, load_case
@@ -83,14 +83,14 @@ def _print_message(message: str) -> None:
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        _output.print(f"viscoroll {__version__}", highlight=False)
+        _output.print(f"viscoroll {__version__} ({__fft__})", highlight=False)
         raise typer.Exit
 
 
 @app.callback()
 def _main(
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version and exit.")
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show version and transforms.")
     ] = False,
 ) -> None:
     pass

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "influence/fft.hpp"
+#include "joined_thread.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -43,6 +43,27 @@ TEST(ComplexFft, SumsWithPositiveExponentBackwardAndNoScale) {
   }
 }
 
+TEST(ComplexFft, TransformsSeveralLinesAsItDoesOne) {
+  constexpr std::size_t kLength = 30;
+  constexpr std::size_t kStride = 32;
+  constexpr std::size_t kLines = 7;
+  ComplexBuffer lines(kLines * kStride);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = std::polar(1.0, static_cast<double>(i * i));
+  const ComplexBuffer input = lines;
+  const ComplexFft fft(kLength);
+  fft.backward(lines.data(), kLines, kStride);
+  for (std::size_t l = 0; l < kLines; ++l) {
+    const auto first = input.begin() + static_cast<std::ptrdiff_t>(l * kStride);
+    const ComplexBuffer line(first, first + kLength);
+    for (std::size_t j = 0; j < kLength; ++j) EXPECT_LT(std::abs(lines[l * kStride + j] - direct_sum(line, j)), 1e-12);
+  }
+  fft.forward(lines.data(), kLines, kStride);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double times = i % kStride < kLength ? kLength : 1.0;  // nothing else is touched
+    EXPECT_LT(std::abs(lines[i] - times * input[i]), 1e-12);
+  }
+}
+
 TEST(RealFft, BackwardUndoesForwardTimesTheLength) {
   for (const int length : {14, 15}) {
     const RealFft fft(length);
@@ -73,7 +94,7 @@ TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
   ComplexBuffer expected = input;
   shared.backward(expected.data());
   constexpr int kThreads = 8;
-  std::vector<std::jthread> threads;
+  std::vector<JoinedThread> threads;
   threads.reserve(kThreads);
   for (int t = 0; t < kThreads; ++t) {
     threads.emplace_back([&] {
@@ -90,11 +111,24 @@ TEST(Fft, ThreadsPlanAndExecuteAtOnce) {
   }
 }
 
-TEST(FastLength, HasSmallFactorsOnly) {
-  EXPECT_EQ(fast_length(1), 1);
-  EXPECT_EQ(fast_length(11), 12);
-  EXPECT_EQ(fast_length(121), 125);
-  EXPECT_EQ(fast_length(2 * 3 * 5 * 7), 210);
+TEST(FastLength, HasSmallFactorsAndIsLessThanTwice) {
+  for (int length = 1; length < 5000; ++length) {
+    for (const int fast : {ComplexFft::fast_length(length), RealFft::fast_length(length)}) {
+      EXPECT_GE(fast, length);
+      EXPECT_LE(fast, 2 * length);
+      int rest = fast;
+      for (const int factor : {2, 3, 5, 7}) {
+        while (rest % factor == 0) rest /= factor;
+      }
+      EXPECT_EQ(rest, 1) << "for " << length;
+    }
+  }
+}
+
+// By FFTW each of 1000 numbers took 1.57 times as long as each of 1024.
+TEST(FastLength, PrefersAPowerOfTwoToManyOddFactors) {
+  EXPECT_EQ(ComplexFft::fast_length(1000), 1024);
+  for (int power = 2; power <= 4096; power *= 2) EXPECT_EQ(ComplexFft::fast_length(power), power);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "joined_thread.hpp"
 #include "parallel.hpp"
 #include "viscoroll/cores.hpp"
 #include "viscoroll/errors.hpp"
@@ -107,7 +108,7 @@ TEST(ParallelFor, MayBeCalledByItsBodies) {
 TEST(ParallelFor, MayBeCalledByManyThreads) {
   std::vector<long> sums(8);
   {
-    std::vector<std::jthread> callers;
+    std::vector<JoinedThread> callers;
     callers.reserve(sums.size());
     for (long& sum : sums) {
       callers.emplace_back([&sum] {

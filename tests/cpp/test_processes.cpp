@@ -22,6 +22,7 @@
 #include <thread>
 
 #include "cores.hpp"
+#include "joined_thread.hpp"
 #include "parallel.hpp"
 #include "viscoroll/cores.hpp"
 
@@ -73,7 +74,7 @@ TEST(Fork, LeavesBothProcessesWithThreads) {
 TEST(Fork, LeavesBothProcessesWithThreadsWhileOthersCompute) {
   std::atomic<bool> stop = false;
   {
-    const std::jthread other([&] {
+    const JoinedThread other([&] {
       while (!stop) EXPECT_EQ(sum_alone_or_together(), 0);
     });
     for (int child = 0; child < 20; ++child) EXPECT_EQ(in_child(sum_together), 0);

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-#include <thread>
 #include <tuple>
 #include <vector>
 
 #include "cases.hpp"
+#include "joined_thread.hpp"
 #include "viscoroll/viscoroll.hpp"
 
 namespace viscoroll {
@@ -29,7 +29,7 @@ TEST(Solve, ManyThreadsSolveAtOnce) {
   };
   const double expected = torque();
   constexpr int kThreads = 8;
-  std::vector<std::jthread> threads;
+  std::vector<detail::JoinedThread> threads;
   threads.reserve(kThreads);
   for (int t = 0; t < kThreads; ++t) threads.emplace_back([&] { EXPECT_EQ(torque(), expected); });
 }
@@ -56,7 +56,7 @@ TEST(RollingModel, ThreadsShareIt) {
   const RollingModel model(cases::unlike_layers(), 2.5, *kCoarse.mesh);
   // Each load needs wider tables than the one before.
   const std::vector<double> loads{1.0, 10.0, 50.0, 100.0};
-  std::vector<std::jthread> threads;
+  std::vector<detail::JoinedThread> threads;
   threads.reserve(loads.size());
   for (const double load : loads) {
     threads.emplace_back([&model, load] {

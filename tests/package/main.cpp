@@ -4,8 +4,11 @@
 #include <stdexcept>
 #include <viscoroll/viscoroll.hpp>
 
+static_assert(VISCOROLL_VERSION_MAJOR == 0 && VISCOROLL_VERSION_MINOR >= 1);
+
 int main() {
   namespace vr = viscoroll;
+  std::printf("viscoroll %s with %s\n", vr::kVersion, vr::kFft);
   const vr::CoatedSphere ball{.core_radius = 20e-3,
                               .layers = {{.thickness = 1e-3,
                                           .shear_modulus = vr::standard_linear_solid(6e6, 3e6, 0.125),

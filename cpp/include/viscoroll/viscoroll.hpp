@@ -21,3 +21,4 @@
 #include "viscoroll/rolling_history.hpp"  // IWYU pragma: export
 #include "viscoroll/solve.hpp"            // IWYU pragma: export
 #include "viscoroll/sphere.hpp"           // IWYU pragma: export
+#include "viscoroll/version.hpp"          // IWYU pragma: export

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact/krylov.hpp"
+#include "influence/fft.hpp"
 #include "influence/inverse_convolution.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -143,7 +144,7 @@ class NormalContactSolver {
   void press() {
     if (!inverse_) {
       const WindowShape shape = problem_.surface->shape();
-      const WindowShape period{fast_length(shape.phi_nodes), fast_length(shape.theta_nodes)};
+      const WindowShape period{ComplexFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
       const Execution& execution = problem_.surface->execution();
       inverse_ = std::make_unique<InverseConvolution>(
           shape, period, std::vector{&problem_.surface->local().table(Entry::rr)},

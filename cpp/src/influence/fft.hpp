@@ -1,9 +1,9 @@
 /// @file
-/// @brief The owner of FFTW: no other file includes it, so that another library could take its place.
+/// @brief Transforms of lines. What does them is chosen when configuring: fft_fftw.cpp or fft_pocketfft.cpp.
 ///
 /// No transform is normalized: backward after forward multiplies by the number of points. Forward has exp(-i ...),
-/// backward exp(+i ...). Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same
-/// bits in every run, under one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
+/// backward exp(+i ...). The same length gives the same bits in every run; plans may be made and executed on several
+/// threads at once.
 #pragma once
 
 #include <complex>
@@ -38,7 +38,7 @@ using ComplexBuffer = std::vector<std::complex<double>, CacheLineAllocator<std::
   return (complex_numbers + 3) / 4 * 4;
 }
 
-/// @brief Transforms of a line of complex numbers, in place.
+/// @brief Transforms of lines of complex numbers, in place. Several lines at a time may take less time for each.
 class ComplexFft {
  public:
   explicit ComplexFft(int length);
@@ -48,9 +48,15 @@ class ComplexFft {
   ComplexFft(const ComplexFft&) = delete;
   ComplexFft& operator=(const ComplexFft&) = delete;
 
-  /// @param[in,out] line `length` numbers on a cache line
-  void forward(std::complex<double>* line) const;
-  void backward(std::complex<double>* line) const;
+  /// @param[in,out] lines `length` numbers each, on cache lines
+  /// @param[in] count number of lines
+  /// @param[in] stride numbers from line to line
+  void forward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
+  void backward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
+
+  /// @return the length >= `length`, even and of factors 2, 3, 5 and 7, at which a product with a spectrum takes the
+  /// least time
+  [[nodiscard]] static int fast_length(int length);
 
  private:
   struct Impl;
@@ -67,7 +73,7 @@ class RealFft {
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @param[in] real `length` numbers on a cache line
+  /// @param[in,out] real `length` numbers on a cache line, overwritten
   /// @param[out] spectrum `length / 2 + 1` numbers on a cache line
   void forward(double* real, std::complex<double>* spectrum) const;
 
@@ -75,12 +81,12 @@ class RealFft {
   /// @param[out] real `length` numbers on a cache line
   void backward(std::complex<double>* spectrum, double* real) const;
 
+  /// @return as `ComplexFft::fast_length`
+  [[nodiscard]] static int fast_length(int length);
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// @return the smallest length >= `length` whose only factors are 2, 3, 5 and 7, where transforms are fast
-[[nodiscard]] int fast_length(int length);
 
 }  // namespace viscoroll::detail

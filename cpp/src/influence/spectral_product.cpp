@@ -51,7 +51,7 @@ double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 }  // namespace
 
 WindowShape doubled(const WindowShape& shape) {
-  return {fast_length(2 * shape.phi_nodes - 1), fast_length(2 * shape.theta_nodes - 1)};
+  return {ComplexFft::fast_length(2 * shape.phi_nodes - 1), RealFft::fast_length(2 * shape.theta_nodes - 1)};
 }
 
 SpectralProduct::SpectralProduct(WindowShape window, WindowShape period)
@@ -87,7 +87,7 @@ ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, 
     const std::size_t count = std::min(kColumns, columns_ - first);
     cplx* columns = spectrum.data() + first * column_stride_;
     gather(half.data() + first, row_stride_, rows, count, columns, column_stride_);
-    for (std::size_t c = 0; c < count; ++c) phi_fft_.forward(columns + c * column_stride_);
+    phi_fft_.forward(columns, count, column_stride_);
   });
   return spectrum;
 }
@@ -144,10 +144,9 @@ void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vec
       cplx* lines = work.lines.data() + field * kColumns * column_stride_;
       gather(half_.data() + field * field_size + first, row_stride_, rows, count, lines, column_stride_);
       for (std::size_t c = 0; c < count; ++c) {
-        cplx* line = lines + c * column_stride_;
-        std::fill(line + rows, line + column_stride_, cplx());
-        phi_fft_.forward(line);
+        std::fill(lines + c * column_stride_ + rows, lines + (c + 1) * column_stride_, cplx());
       }
+      phi_fft_.forward(lines, count, column_stride_);
     }
     for (std::size_t result = 0; result < results; ++result) {
       std::ranges::fill(work.sums, cplx());
@@ -157,7 +156,7 @@ void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vec
                     as_pairs(work.lines.data() + term.operand * kColumns * column_stride_), count * column_stride_,
                     as_pairs(work.sums.data()));
       }
-      for (std::size_t c = 0; c < count; ++c) phi_fft_.backward(work.sums.data() + c * column_stride_);
+      phi_fft_.backward(work.sums.data(), count, column_stride_);
       scatter(work.sums.data(), column_stride_, rows, count, half_.data() + result * field_size + first, row_stride_);
     }
   });

@@ -41,7 +41,7 @@ SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInf
       components_(static_cast<Index>(influence.components())),
       displaced_(influence.displaced.middleRows(first_theta, shape.theta_nodes)),
       loaded_(influence.loaded.middleRows(first_theta, shape.theta_nodes)),
-      period_(fast_length(2 * shape.phi_nodes - 1)),
+      period_(RealFft::fast_length(2 * shape.phi_nodes - 1)),
       fft_(period_),
       spectrum_(frequencies(period_)) {
   const Index thetas = loaded_.cols();

@@ -101,7 +101,7 @@ class LossSum {
         loads_(tractions, coating_.outer_radius(), orders_, orders_),
         transfers_(coating_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order,
                    loads_.loaded(), kAccuracy),
-        theta_nodes_(fast_length(2 * max_order + 2)),
+        theta_nodes_(ComplexFft::fast_length(2 * max_order + 2)),
         transform_(theta_nodes_) {}
 
   [[nodiscard]] LossDensity sum(int threads, Watch& watch) const {

@@ -1,5 +1,8 @@
-#include "influence/fft.hpp"
-
+/// @file
+/// @brief Transforms by FFTW, under the GNU General Public License, version 2 or later.
+///
+/// Plans are made with FFTW_ESTIMATE, so that the same length gives the same plan and the same bits in every run, under
+/// one process-wide mutex, since FFTW's planner is not thread-safe; executing a plan is.
 #include <fftw3.h>
 
 #include <cassert>
@@ -7,6 +10,9 @@
 #include <mutex>
 #include <stdexcept>
 #include <type_traits>
+
+#include "influence/fft.hpp"
+#include "influence/fft_cost.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -41,7 +47,19 @@ Plan plan(const MakePlan& make) {
   return Plan(made);
 }
 
+void transform_lines(fftw_plan plan, std::complex<double>* lines, std::size_t count, std::size_t stride) {
+  for (std::size_t l = 0; l < count; ++l) {
+    fftw_complex* line = as_fftw(lines + l * stride);
+    assert(is_aligned(line));
+    fftw_execute_dft(plan, line, line);
+  }
+}
+
 }  // namespace
+
+// FFTW 3.3.10 on an Intel Xeon with AVX-512, even lengths from 96 to 4200; 12 and 13 % from what was measured.
+const FftCost kComplexFftCost{.least = 1.14, .factor_2 = 0.43, .factor_3 = 1.51, .factor_5 = 1.52, .factor_7 = 1.82};
+const FftCost kRealFftCost{.least = 0.88, .factor_2 = 0.14, .factor_3 = 0.64, .factor_5 = 0.56, .factor_7 = 0.98};
 
 struct ComplexFft::Impl {
   Plan forward;
@@ -61,14 +79,12 @@ ComplexFft::~ComplexFft() = default;
 ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
 ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 
-void ComplexFft::forward(std::complex<double>* line) const {
-  assert(is_aligned(line));
-  fftw_execute_dft(impl_->forward.get(), as_fftw(line), as_fftw(line));
+void ComplexFft::forward(std::complex<double>* lines, std::size_t count, std::size_t stride) const {
+  transform_lines(impl_->forward.get(), lines, count, stride);
 }
 
-void ComplexFft::backward(std::complex<double>* line) const {
-  assert(is_aligned(line));
-  fftw_execute_dft(impl_->backward.get(), as_fftw(line), as_fftw(line));
+void ComplexFft::backward(std::complex<double>* lines, std::size_t count, std::size_t stride) const {
+  transform_lines(impl_->backward.get(), lines, count, stride);
 }
 
 struct RealFft::Impl {
@@ -97,16 +113,6 @@ void RealFft::forward(double* real, std::complex<double>* spectrum) const {
 void RealFft::backward(std::complex<double>* spectrum, double* real) const {
   assert(is_aligned(real) && is_aligned(spectrum));
   fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);
-}
-
-int fast_length(int length) {
-  for (;; ++length) {
-    int rest = length;
-    for (const int factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return length;
-  }
 }
 
 }  // namespace viscoroll::detail

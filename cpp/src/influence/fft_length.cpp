@@ -1,0 +1,50 @@
+/// @file
+/// @brief Lengths at which products are fast: a power of two may take less time than a shorter product of many factors.
+#include <limits>
+
+#include "influence/fft.hpp"
+#include "influence/fft_cost.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+// Both axes take turns: at a number of a period, the time of one axis' transform adds to that of the other's, taken at
+// a length in the middle, and to that of the product itself, which waits for the memory.
+constexpr int kMiddle = 1024;
+constexpr double kProduct = 4.0;  // [ns], in the units of the costs
+
+/// @return [ns] for each number of a line, or infinity where the length has other factors
+double time_per_number(int length, const FftCost& cost) {
+  double time = cost.least;
+  const auto divide = [&](int factor, double more) {
+    for (; length % factor == 0; length /= factor) time += more;
+  };
+  divide(2, cost.factor_2);
+  divide(3, cost.factor_3);
+  divide(5, cost.factor_5);
+  divide(7, cost.factor_7);
+  return length == 1 ? time : std::numeric_limits<double>::infinity();
+}
+
+int fastest(int length, const FftCost& own, const FftCost& other) {
+  const double rest = time_per_number(kMiddle, other) + kProduct;
+  int best = length;
+  double least = std::numeric_limits<double>::infinity();
+  // Costs were measured at even lengths, and a power of two is among those below twice the length.
+  for (int candidate = length + length % 2; candidate <= 2 * length; candidate += 2) {
+    const double time = candidate * (time_per_number(candidate, own) + rest);
+    if (time < least) {
+      best = candidate;
+      least = time;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+int ComplexFft::fast_length(int length) { return fastest(length, kComplexFftCost, kRealFftCost); }
+
+int RealFft::fast_length(int length) { return fastest(length, kRealFftCost, kComplexFftCost); }
+
+}  // namespace viscoroll::detail
