@@ -28,7 +28,7 @@ COLUMNS = ["date", "commit", "cpu", "threads", "case", "runs", "clock", "median_
 COLUMNS += ["contact_nodes", "peak_mb", "details"]
 
 HERTZ = [(solver, nodes) for nodes in (256, 512, 1024) for solver in ("viscoroll", "tamaas", "aspher", "aspher_nested")]
-MODULES = {"aspher_nested": "aspher"}
+MODULES = {"aspher_nested": "aspher", "roll": "viscoroll", "advance": "viscoroll"}
 
 
 def git(*arguments: str) -> str:
@@ -81,9 +81,14 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
         arguments = [f"--benchmark_filter=^{name}$", *repetitions, "--benchmark_format=json"]
         output, peak = run(PROGRAM, *arguments)
         done = [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"]
-        details = {
-            key: int(done[0][key]) for key in ("iterations", "operator_applications", "window") if key in done[0]
+        details: dict[str, object] = {
+            key: int(done[0][key])
+            for key in ("iterations", "operator_applications", "window", "steps")
+            if key in done[0]
         }
+        if "steps" in details:
+            real = statistics.median(repetition["real_time"] for repetition in done)
+            details["ms_per_step"] = f"{real / details['steps']:.3f}"
         yield row(
             case,
             "wall",
@@ -91,7 +96,7 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
             done[0]["error"],
             peak,
             contact_nodes=int(done[0].get("contact_nodes", 0)),
-            details=text(details) if "operator_applications" in details else "",
+            details=text(details) if {"operator_applications", "steps"} & details.keys() else "",
         )
 
 
@@ -100,6 +105,7 @@ def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]
     folder = Path(__file__).parent
     cases = [(f"hertz/{nodes}/{solver}", folder / "hertz.py", solver, nodes) for solver, nodes in HERTZ]
     cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]
+    cases += [(f"revolution_python/500_{way}", folder / "revolution.py", way, 500) for way in ("roll", "advance")]
     for case, script, solver, *rest in cases:
         if not only.search(case):
             continue

@@ -192,7 +192,7 @@ def test_break_away_after_standing(stand, torque, bar):
     if stand == 0.1:
         at = np.searchsorted(h.time, t[2])
         assert h.resisting_torque[at] * MILLI == pytest.approx(6.40, abs=0.02)
-        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=7e-5)  # theirs ± 2e-5, of four digits
+        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=2e-5)
 
 
 def test_oscillation_loses_what_it_should():
@@ -217,14 +217,14 @@ PENETRATIONS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("compliance", PENETRATIONS)
 def test_pressed_and_left_standing(compliance):
-    times = np.array([0.0, 0.05, 0.1, 0.25, 0.5, 50.0])
+    """Penetrations of Lee and Radok hold for steps of any length, so that a fine mesh costs a contact for each."""
+    times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
     h = vr.roll(
-        BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=800),
-        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=2,
+        BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=1600),
+        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=1, steps_per_spacing=None,
     )  # fmt: skip
-    found = h.penetration[np.searchsorted(h.time, times)] * MILLI
-    # Theirs are limits of the mesh, to 2e-5 mm; the steady solver at rest is 3e-5 to 4e-5 mm below its own at π/400.
-    np.testing.assert_allclose(found, PENETRATIONS[compliance], rtol=0, atol=6e-5)
+    # Limits of the mesh, to 2e-5 mm: what is missing falls with the square of the spacing, 4e-5 at π/400, 1e-5 here.
+    np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
 
 
 # --- the steady solver ----------------------------------------------------------------------------------------------
@@ -249,14 +249,14 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("omega", [0.5, 1.0, 2.0, 2.5, 4.0])
-def test_fractional_zener_ends_in_the_steady_torque(omega):
-    """Its memory has no end: what is left of the start falls with the root of time, to 0.3 % after 20 s."""
+@pytest.mark.parametrize(("nodes", "bound"), [(300, 0.005), (500, 0.0015)])
+def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
+    """Its memory has no end: what is left of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
     ball = ball_of(ZENER)
     steady = steady_torque(ball, omega)
-    mesh = vr.Mesh(nodes_per_revolution=300)
-    h = speed(omega, 20.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=mesh, lattices=2, steps_per_spacing=2)
+    h = speed(omega, 2.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
     last = h.angle > h.angle[-1] - h.mesh.spacing
-    assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=0.005)
+    assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
 
 
 def test_kelvin_voigt_ends_in_the_steady_torque():

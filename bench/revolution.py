@@ -1,0 +1,73 @@
+"""A revolution of transient rolling from Python: python bench/revolution.py roll|advance NODES [--runs N].
+
+One lattice on one thread, tables left out, as the cases `revolution/..._one_lattice` of bench_solve: by `roll`
+of a history that exists, or a call of `RollingHistory.advance` for each step, as an equation of motion does. Prints
+CPU seconds, the error of the torque averaged over the last spacing, and milliseconds a step as JSON.
+"""
+
+from __future__ import annotations
+
+import argparse
+import copy
+import json
+import statistics
+import time
+
+import numpy as np
+import viscoroll as vr
+from viscoroll import paper
+
+ANGULAR_SPEED = 2.5
+LOAD = 100.0
+STEPS_PER_SPACING = 4
+
+#: Of the steady state, on meshes of π/6600 and finer [N m].
+TORQUE = 11.3867e-3
+
+
+def by_roll(stepper: vr.RollingHistory, turn: float) -> list[float]:
+    """Return the torques of the last steps, the history being followed in one call."""
+    knots = {"time": [0.0, turn / ANGULAR_SPEED], "angle": [0.0, turn], "load": [LOAD, LOAD]}
+    instants = stepper._history.roll(**knots, progress=None)
+    torque = instants[vr._core.instant_names().index("resisting_torque")]
+    return torque[-STEPS_PER_SPACING:].tolist()
+
+
+def by_advance(stepper: vr.RollingHistory, turn: float) -> list[float]:
+    """Return the torques of the last steps, each of which is a call."""
+    count = stepper.mesh.nodes_per_revolution * STEPS_PER_SPACING
+    angles = np.linspace(0.0, turn, count + 1)[1:].tolist()
+    torques = [stepper.advance(time=a / ANGULAR_SPEED, angle=a, load=LOAD).resisting_torque for a in angles]
+    return torques[-STEPS_PER_SPACING:]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("way", choices=("roll", "advance"))
+    parser.add_argument("nodes", type=int)
+    parser.add_argument("--runs", type=int, default=5)
+    options = parser.parse_args()
+
+    follow = {"roll": by_roll, "advance": by_advance}[options.way]
+    fresh = vr.RollingHistory(
+        paper.ball(),
+        load=LOAD,
+        start=vr.Start.FRESH,
+        mesh=vr.Mesh(nodes_per_revolution=options.nodes),
+        lattices=1,
+        steps_per_spacing=STEPS_PER_SPACING,
+        threads=1,
+    )
+    seconds = []
+    for _ in range(options.runs + 1):
+        stepper = copy.copy(fresh)
+        begin = time.process_time()
+        torques = follow(stepper, 2.0 * np.pi)
+        seconds.append(time.process_time() - begin)
+    details = {"steps": stepper.steps, "ms_per_step": f"{1e3 * statistics.median(seconds[1:]) / stepper.steps:.3f}"}
+    error = float(np.mean(torques)) / TORQUE - 1.0
+    print(json.dumps({"seconds": seconds[1:], "error": error, "details": details}))
+
+
+if __name__ == "__main__":
+    main()
