@@ -8,12 +8,14 @@ SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
 APT := g++ cmake make libeigen3-dev libfftw3-dev libgtest-dev python3-dev python3-venv
 APT_BENCH := libbenchmark-dev
+APT_DOCS := doxygen
 DEPS ?= deps
 
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format stubs bench deps deps-bench clean
+.PHONY: help demo test test-cpp test-python test-package sanitize campaign lint format stubs bench docs deps deps-bench \
+  deps-docs clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -25,6 +27,7 @@ help:
 	@echo "               under the thread sanitizer"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
+	@echo "make docs      build the documentation site, build/docs/index.html, running all its examples"
 
 demo: $(VENV)/demo.stamp
 	$(BIN)/viscoroll demo
@@ -97,6 +100,13 @@ bench: deps-bench $(VENV)/bench.stamp
 	cmake --build --preset bench --parallel $(JOBS)
 	$(BIN)/python bench/run.py
 
+# Nothing is fetched while the site is built. Links and files are checked when it stands: all must be there.
+docs: deps-docs $(VENV)/docs.stamp
+	rm -rf build/docs && mkdir -p build
+	doxygen docs/Doxyfile
+	$(BIN)/sphinx-build --fail-on-warning --keep-going -d build/doctrees docs build/docs
+	$(BIN)/python docs/check_links.py build/docs
+
 deps:
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT) >/dev/null 2>&1; then \
 	  $(SUDO) apt-get update -q && \
@@ -105,6 +115,10 @@ deps:
 deps-bench: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_BENCH) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_BENCH); fi
+
+deps-docs: $(DEPS)
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
 # One environment; each stamp says that the package is installed as it stands, with the extras of that name.
 $(VENV)/bin/pip: | $(DEPS)
@@ -124,6 +138,10 @@ $(VENV)/lint.stamp: $(VENV)/test.stamp
 
 $(VENV)/bench.stamp: $(SOURCES) | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet '.[bench]' || $(BIN)/pip install --quiet .  # the peers come where they can be had
+	touch $@
+
+$(VENV)/docs.stamp: $(SOURCES) | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet '.[docs]'
 	touch $@
 
 clean:

@@ -1,0 +1,91 @@
+"""How Sphinx builds the documentation site: see `make docs`. Nothing is fetched while it is built, or when it is read."""
+
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+import viscoroll
+
+DOCS = Path(__file__).parent
+ROOT = DOCS.parent
+sys.path.insert(0, str(DOCS))
+
+from tables import benchmark_table, scalar_table, validation_table  # noqa: E402  (beside this file)
+
+project = "viscoroll"
+author = "The viscoroll developers"
+copyright = "2026, The viscoroll developers"  # noqa: A001  (Sphinx calls it so)
+version = release = viscoroll.__version__
+
+extensions = [
+    "breathe",
+    "myst_nb",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.mathjax",
+    "sphinx_copybutton",
+]
+exclude_patterns = ["_generated", "recorded/*.md"]
+default_role = "py:obj"
+
+# Pages in Markdown; their code cells run when the site is built, and fail the build where they fail or warn.
+myst_enable_extensions = ["amsmath", "dollarmath"]
+myst_heading_anchors = 3
+nb_execution_mode = "force"
+nb_execution_in_temp = True
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_output_stderr = "warn"
+
+# The API of Python from docstrings, that of C++ from the headers by way of Doxygen.
+autosummary_generate = True
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+numpydoc_show_class_members = False
+breathe_projects = {"viscoroll": str(ROOT / "build" / "doxygen" / "xml")}
+breathe_default_project = "viscoroll"
+breathe_default_members = ("members",)
+breathe_show_include = False
+suppress_warnings = ["duplicate_declaration.cpp"]  # the namespace, which each header opens again
+
+
+def keep_bars(_app, _what, _name, _object, _options, lines: list[str]) -> None:
+    """Let |x| in docstrings be an absolute value, where reStructuredText would look for a substitution."""
+    lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
+
+
+def setup(app) -> None:
+    """Connect what is above to Sphinx; numpydoc has read the docstrings by then."""
+    app.connect("autodoc-process-docstring", keep_bars, priority=900)
+
+
+html_theme = "pydata_sphinx_theme"
+html_title = f"viscoroll {version}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sourcelink = False
+html_theme_options = {
+    "show_prev_next": True,
+    "navigation_with_keys": False,
+    "header_links_before_dropdown": 4,
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+}
+
+# MathJax with its font in one file, from a package; by default it would come from the net.
+_mathjax = find_spec("sphinx-mathjax-offline")
+html_static_path.append(str(Path(_mathjax.origin).parent / "static" / "mathjax" / "tex-svg.js"))
+mathjax_path = "tex-svg.js"
+
+# Tables that pages include, made of what tests and benchmarks know.
+_generated = DOCS / "_generated"
+_generated.mkdir(exist_ok=True)
+for name, text in {
+    "validation": validation_table(DOCS / "validation.toml"),
+    "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
+    "scalars": scalar_table(),
+}.items():
+    (_generated / f"{name}.md").write_text(text, encoding="utf-8")
