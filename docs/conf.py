@@ -1,4 +1,4 @@
-"""How Sphinx builds the documentation site: see `make docs`. Nothing is fetched while it is built, or when it is read."""
+"""How Sphinx builds the documentation site, by `make docs`. Nothing is fetched while it is built, or when it is read."""
 
 import sys
 from importlib.util import find_spec

@@ -21,7 +21,10 @@ def validation_table(path: Path) -> str:
     rows = tomllib.loads(path.read_text(encoding="utf-8"))["row"]
     return table(
         ("what", "against", "found", "test"),
-        [(row["what"], row["against"], row["found"], "<br>".join(f"`{test}`" for test in row["tests"])) for row in rows],
+        [
+            (row["what"], row["against"], row["found"], "<br>".join(f"`{test}`" for test in row["tests"]))
+            for row in rows
+        ],
     )
 
 
