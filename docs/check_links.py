@@ -35,7 +35,8 @@ class Page(HTMLParser):
 
 def faults(site: Path) -> list[str]:
     """Return a line for each link that leads nowhere and each file that a page loads from elsewhere."""
-    pages = {path.resolve(): Page(path.read_text(encoding="utf-8")) for path in sorted(site.rglob("*.html"))}
+    paths = [path.resolve() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    pages = {path: Page(path.read_text(encoding="utf-8")) for path in paths}
     found = []
     for path, page in pages.items():
         for tag, target in page.targets:
@@ -56,7 +57,7 @@ def faults(site: Path) -> list[str]:
 def main(site: Path) -> int:
     """Print all faults; return 1 if there are any."""
     found = faults(site)
-    print("\n".join(found) or f"{len(list(site.rglob('*.html')))} pages, no broken links, nothing from the net")
+    print("\n".join(found) or "no broken links, and nothing that comes from the net")
     return 1 if found else 0
 
 

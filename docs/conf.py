@@ -1,4 +1,4 @@
-"""How Sphinx builds the documentation site, by `make docs`. Nothing is fetched while it is built, or when it is read."""
+"""How Sphinx builds the site, by `make docs`: nothing is fetched while it is built, or when it is read."""
 
 import sys
 from importlib.util import find_spec
@@ -43,6 +43,20 @@ autosummary_generate = True
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
+numpydoc_xref_param_type = True
+numpydoc_xref_ignore = {
+    "of",
+    "or",
+    "to",
+    "optional",
+    "default",
+    "shape",
+    "path-like",
+    "callable",
+    "array_like",
+    "nodes",
+    "in",
+}
 breathe_projects = {"viscoroll": str(ROOT / "build" / "doxygen" / "xml")}
 breathe_default_project = "viscoroll"
 breathe_default_members = ("members",)
@@ -69,7 +83,6 @@ html_show_sourcelink = False
 html_theme_options = {
     "show_prev_next": True,
     "navigation_with_keys": False,
-    "header_links_before_dropdown": 4,
     "secondary_sidebar_items": ["page-toc"],
     "footer_start": ["copyright"],
     "footer_end": [],
