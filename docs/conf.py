@@ -5,6 +5,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import viscoroll
+from numpydoc.xref import DEFAULT_LINKS
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
@@ -44,19 +45,8 @@ autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = True
-numpydoc_xref_ignore = {
-    "of",
-    "or",
-    "to",
-    "optional",
-    "default",
-    "shape",
-    "path-like",
-    "callable",
-    "array_like",
-    "nodes",
-    "in",
-}
+numpydoc_xref_aliases = {word: word for word in DEFAULT_LINKS}  # of Python and NumPy, whose sites are elsewhere
+numpydoc_xref_ignore = {"of", "or", "to", "in", "optional", "default", "shape", "path-like", "nodes", *DEFAULT_LINKS}
 breathe_projects = {"viscoroll": str(ROOT / "build" / "doxygen" / "xml")}
 breathe_default_project = "viscoroll"
 breathe_default_members = ("members",)
