@@ -1,6 +1,7 @@
 """How Sphinx builds the site, by `make docs`: nothing is fetched while it is built, or when it is read."""
 
 import sys
+from enum import Enum
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -27,6 +28,7 @@ extensions = [
     "sphinx.ext.mathjax",
     "sphinx_copybutton",
 ]
+templates_path = ["_templates"]
 exclude_patterns = ["_generated", "recorded/*.md"]
 default_role = "py:obj"
 
@@ -54,14 +56,16 @@ breathe_show_include = False
 suppress_warnings = ["duplicate_declaration.cpp"]  # the namespace, which each header opens again
 
 
-def keep_bars(_app, _what, _name, _object, _options, lines: list[str]) -> None:
-    """Let |x| in docstrings be an absolute value, where reStructuredText would look for a substitution."""
+def complete_docstring(_app, _what, _name, described, _options, lines: list[str]) -> None:
+    """Give members of enums their docstrings, and let |x| be an absolute value, where reStructuredText substitutes."""
+    if isinstance(described, Enum) and described.__doc__ != type(described).__doc__:
+        lines[:] = [described.__doc__]
     lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
 
 
 def setup(app) -> None:
     """Connect what is above to Sphinx; numpydoc has read the docstrings by then."""
-    app.connect("autodoc-process-docstring", keep_bars, priority=900)
+    app.connect("autodoc-process-docstring", complete_docstring, priority=900)
 
 
 html_theme = "pydata_sphinx_theme"
