@@ -1,7 +1,7 @@
 """How Sphinx builds the site, by `make docs`: nothing is fetched while it is built, or when it is read."""
 
 import sys
-from enum import Enum
+from enum import EnumType
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -57,9 +57,9 @@ suppress_warnings = ["duplicate_declaration.cpp"]  # the namespace, which each h
 
 
 def complete_docstring(_app, _what, _name, described, _options, lines: list[str]) -> None:
-    """Give members of enums their docstrings, and let |x| be an absolute value, where reStructuredText substitutes."""
-    if isinstance(described, Enum) and described.__doc__ != type(described).__doc__:
-        lines[:] = [described.__doc__]
+    """List the members of enums, and let |x| be an absolute value, where reStructuredText looks for a substitution."""
+    if isinstance(described, EnumType):
+        lines += [text for member in described for text in (f"``{member.name}``", f"    {member.__doc__}")]
     lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
 
 
