@@ -1,7 +1,7 @@
 """How Sphinx builds the site, by `make docs`: nothing is fetched while it is built, or when it is read."""
 
 import sys
-from enum import EnumType
+from enum import Enum, EnumType
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -59,12 +59,18 @@ suppress_warnings = ["duplicate_declaration.cpp"]  # the namespace, which each h
 def complete_docstring(_app, _what, _name, described, _options, lines: list[str]) -> None:
     """List the members of enums, and let |x| be an absolute value, where reStructuredText looks for a substitution."""
     if isinstance(described, EnumType):
-        lines += [text for member in described for text in (f"``{member.name}``", f"    {member.__doc__}")]
+        lines += ["", *(text for member in described for text in (f"``{member.name}``", f"    {member.__doc__}", ""))]
     lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
+
+
+def is_listed(_app, _what, _name, described, _skip, _options) -> bool | None:
+    """Leave out members of enums, which the docstring lists."""
+    return True if isinstance(described, Enum) else None
 
 
 def setup(app) -> None:
     """Connect what is above to Sphinx; numpydoc has read the docstrings by then."""
+    app.connect("autodoc-skip-member", is_listed)
     app.connect("autodoc-process-docstring", complete_docstring, priority=900)
 
 
