@@ -10,13 +10,14 @@ APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev python3
 # The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev
+APT_DOCS := doxygen
 DEPS ?= deps
 
 SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package test-clang test-pocketfft dist sanitize coverage campaign lint \
-        format stubs hooks bench bench-compare deps deps-bench deps-clang clean
+.PHONY: help demo test test-cpp test-python test-package test-clang test-pocketfft dist docs sanitize coverage campaign \
+        lint format stubs hooks bench bench-compare deps deps-bench deps-clang deps-docs clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -34,6 +35,7 @@ help:
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 	@echo "make bench-compare  hold the last ones against those before on the same processor"
+	@echo "make docs      build the documentation site, build/docs/index.html, running all its examples"
 
 demo: $(VENV)/demo.stamp
 	$(BIN)/viscoroll demo
@@ -162,6 +164,13 @@ bench: deps-bench $(VENV)/bench.stamp
 bench-compare:
 	$(PYTHON) bench/compare.py
 
+# Nothing is fetched while the site is built. Links and files are checked when it stands: all must be there.
+docs: deps-docs $(VENV)/docs.stamp
+	rm -rf build/docs && mkdir -p build
+	doxygen docs/Doxyfile
+	$(BIN)/sphinx-build --fail-on-warning --keep-going -d build/doctrees docs build/docs
+	$(BIN)/python docs/check_links.py build/docs
+
 deps:
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT) >/dev/null 2>&1; then \
 	  $(SUDO) apt-get update -q && \
@@ -174,6 +183,10 @@ deps-bench: $(DEPS)
 deps-clang: $(DEPS)
 	@if command -v apt-get >/dev/null && ! command -v clang++-$(CLANG) >/dev/null; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends clang-$(CLANG); fi
+
+deps-docs: $(DEPS)
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
 # One environment; each stamp says that the package is installed as it stands, with the extras of that name.
 $(VENV)/bin/pip: | $(DEPS)
@@ -193,6 +206,10 @@ $(VENV)/lint.stamp: $(VENV)/test.stamp
 
 $(VENV)/bench.stamp: $(SOURCES) | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet '.[bench]' || $(BIN)/pip install --quiet .  # the peers come where they can be had
+	touch $@
+
+$(VENV)/docs.stamp: $(SOURCES) | $(VENV)/bin/pip
+	$(BIN)/pip install --quiet '.[docs]'
 	touch $@
 
 clean:

@@ -15,14 +15,16 @@ PAGE = (Path(__file__).parents[2] / "docs" / "from-dma-to-dem.md").read_text(enc
 
 
 def blocks(language):
-    return re.findall(rf"```{language}\n(.*?)```", PAGE, re.DOTALL)
+    """Return the blocks of a language, without the cell that tells a notebook how to draw."""
+    found = re.findall(rf"```{re.escape(language)}\n(.*?)```", PAGE, re.DOTALL)
+    return [block for block in found if not block.startswith(":tags: [remove-cell]")]
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """Folder in which the Python of the page has run."""
     path = tmp_path_factory.mktemp("tutorial")
-    (path / "page.py").write_text("\n".join(blocks("python")), encoding="utf-8")
+    (path / "page.py").write_text("\n".join(blocks("{code-cell}")), encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-W", "error", "page.py"], cwd=path, capture_output=True, text=True, timeout=300
     )

@@ -10,6 +10,8 @@ namespace viscoroll {
 /// @brief An iteration ended without a usable answer.
 class ConvergenceError : public std::runtime_error {
  public:
+  /// @param[in] message what was tried
+  /// @param[in] iterations,residual as below
   ConvergenceError(const std::string& message, int iterations, double residual)
       : std::runtime_error(message), iterations_(iterations), residual_(residual) {}
 

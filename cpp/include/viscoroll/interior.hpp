@@ -74,7 +74,7 @@ struct Tractions {
 
 /// @brief Fields on surfaces r = const.
 struct InteriorFields {
-  std::vector<Place> places;
+  std::vector<Place> places;  ///< surfaces, in the order asked for
   std::vector<double> phi;    ///< [rad]
   std::vector<double> theta;  ///< [rad]
   /// Displacement [m], stress [Pa] and strain [-], row-major [place][component][phi][theta].

@@ -62,7 +62,7 @@ struct MasterCurve {
   std::vector<double> frequency;  ///< angular frequency [rad/s], strictly increasing, >= 0, at least two above 0
   std::vector<double> storage;    ///< storage modulus [Pa], > 0
   std::vector<double> loss;       ///< loss modulus [Pa], >= 0
-  Extrapolation extrapolation = Extrapolation::error;
+  Extrapolation extrapolation = Extrapolation::error;  ///< what to do outside the table
 };
 
 /// @brief Any other modulus, as a function.

@@ -38,6 +38,7 @@ struct Groove {
 
 /// @return whether nothing of the plane deforms
 [[nodiscard]] bool is_rigid(const CoatedPlane& plane);
+/// @return whether nothing of the groove deforms
 [[nodiscard]] bool is_rigid(const Groove& groove);
 
 /// @brief Check a plane, its layers and its base.

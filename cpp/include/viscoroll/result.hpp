@@ -31,8 +31,8 @@ enum class WarningKind {
 
 /// @brief A warning and its text for people.
 struct Warning {
-  WarningKind kind;
-  std::string message;
+  WarningKind kind;     ///< which
+  std::string message;  ///< with the numbers that gave rise to it
 };
 
 /// @brief One mesh of a solve that chooses its own.
@@ -45,7 +45,7 @@ struct Refinement {
   double error_estimate = 0.0;        ///< largest of power balance and changes from the mesh before [-]
 };
 
-/// @brief The scalar results; `result_scalars.def` says what they are, in SI units.
+/// @brief The scalar results, in SI units, each a member of the name that `result_scalars.def` gives it.
 struct ResultScalars {
 #define VISCOROLL_SCALAR(type, name, unit, label, details) type name{};
 #include "viscoroll/result_scalars.def"

@@ -113,7 +113,9 @@ class RollingHistory {
   /// @param[in] load [N], > 0
   /// @param[in] observer progress and cancellation
   /// @return the instant at the end
-  /// @throws std::invalid_argument for bad input, ConvergenceError, Cancelled; the history is then as it was before
+  /// @throws std::invalid_argument for bad input; the history is then as it was before
+  /// @throws ConvergenceError where no usable state was found; likewise
+  /// @throws Cancelled where the observer stopped it; likewise
   RollingInstant advance(double time, double angle, double load, const Observer& observer = {});
 
   /// @return the instant reached
@@ -134,7 +136,7 @@ class RollingHistory {
   void restore(const RollingState& state);
 
  private:
-  friend std::vector<RollingInstant> roll(RollingHistory&, const Motion&, const Observer&);
+  friend std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -146,7 +148,8 @@ class RollingHistory {
 /// @param[in] observer progress and cancellation
 /// @return all instants, that of the start first
 /// @throws std::invalid_argument for bad input
-/// @throws ConvergenceError, Cancelled
+/// @throws ConvergenceError where no usable state was found
+/// @throws Cancelled where the observer stopped it
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,
                                                const Observer& observer = {});
 

@@ -1,0 +1,65 @@
+"""Check a built site: every link within it leads somewhere, and nothing that a page needs comes from the net.
+
+python docs/check_links.py build/docs
+"""
+
+from __future__ import annotations
+
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+#: Attributes that name another file, by tag; those of the first kind are followed by readers, the others by browsers.
+FOLLOWED = {"a": "href"}
+LOADED = {"img": "src", "script": "src", "link": "href", "source": "src", "iframe": "src"}
+
+
+class Page(HTMLParser):
+    """Names of the places of a page, and what it points at."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.places: set[str] = {"", "top"}
+        self.targets: list[tuple[str, str]] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Note places and targets."""
+        values = dict(attrs)
+        self.places |= {value for key in ("id", "name") if (value := values.get(key))}
+        target = values.get((FOLLOWED | LOADED).get(tag, ""))
+        if target:
+            self.targets.append((tag, target))
+
+
+def faults(site: Path) -> list[str]:
+    """Return a line for each link that leads nowhere and each file that a page loads from elsewhere."""
+    paths = [path.resolve() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    pages = {path: Page(path.read_text(encoding="utf-8")) for path in paths}
+    found = []
+    for path, page in pages.items():
+        for tag, target in page.targets:
+            url = urlsplit(target)
+            where = f"{path.relative_to(site.resolve())}: <{tag}> {target}"
+            if url.scheme or url.netloc:
+                if tag in LOADED and url.scheme != "data":
+                    found.append(f"{where}: comes from the net")
+                continue
+            aim = (path.parent / unquote(url.path)).resolve() if url.path else path
+            if not aim.exists():
+                found.append(f"{where}: no such file")
+            elif aim in pages and unquote(url.fragment) not in pages[aim].places:
+                found.append(f"{where}: no such place")
+    return found
+
+
+def main(site: Path) -> int:
+    """Print all faults; return 1 if there are any."""
+    found = faults(site)
+    print("\n".join(found) or "no broken links, and nothing that comes from the net")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1])))
