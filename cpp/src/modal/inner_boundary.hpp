@@ -17,7 +17,7 @@ struct InnerSurface {
 
 [[nodiscard]] constexpr InnerSurface inner_surface(InnerBoundary boundary) {
 #define VISCOROLL_INNER_BOUNDARY(name, NAME, details, is_core, is_free) \
-  case InnerBoundary::name:                                         \
+  case InnerBoundary::name:                                             \
     return {is_core, is_free};
   switch (boundary) {
 #include "viscoroll/inner_boundaries.def"
