@@ -32,6 +32,7 @@ constexpr std::array kInstantMembers{
     std::pair{"energy_imbalance", &RollingInstant::energy_imbalance},
     std::pair{"driving_force", &RollingInstant::driving_force},
     std::pair{"center_way", &RollingInstant::center_way},
+    std::pair{"center_speed", &RollingInstant::center_speed},
     std::pair{"slip_energy", &RollingInstant::slip_energy},
     std::pair{"stick_share", &RollingInstant::stick_share},
     std::pair{"error_estimate", &RollingInstant::error_estimate},
@@ -57,14 +58,16 @@ py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
 
 RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, std::optional<Mesh> mesh,
                             Compliance compliance, Curvature curvature, double friction, double driving_force,
-                            int lattices, std::optional<int> steps_per_spacing, double shortest_time,
-                            double longest_time, double spectrum_tolerance, int threads, double time, double angle,
-                            const py::object& progress) {
+                            double mass, double center_speed, int lattices, std::optional<int> steps_per_spacing,
+                            double shortest_time, double longest_time, double spectrum_tolerance, int threads,
+                            double time, double angle, const py::object& progress) {
   const HistoryOptions options{.mesh = mesh,
                                .compliance = compliance,
                                .curvature = curvature,
                                .friction = friction,
                                .driving_force = driving_force,
+                               .mass = mass,
+                               .center_speed = center_speed,
                                .lattices = lattices,
                                .steps_per_spacing = steps_per_spacing,
                                .shortest_time = shortest_time,
@@ -77,20 +80,25 @@ RollingHistory make_history(const CoatedSphere& sphere, double load, Start start
 }
 
 py::array_t<double> roll_array(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
-                               std::vector<double> load, const py::object& progress) {
+                               std::vector<double> load, std::vector<double> center_way, const py::object& progress) {
   std::vector<RollingInstant> instants;
   {
     const Observer observer = python_observer(progress);
     const py::gil_scoped_release release;
-    instants = roll(history, {.time = std::move(time), .angle = std::move(angle), .load = std::move(load)}, observer);
+    const Motion motion{.time = std::move(time),
+                        .angle = std::move(angle),
+                        .load = std::move(load),
+                        .center_way = std::move(center_way)};
+    instants = roll(history, motion, observer);
   }
   return as_array(instants);
 }
 
-void advance_released(RollingHistory& history, double time, double angle, double load) {
+void advance_released(RollingHistory& history, double time, double angle, double load,
+                      std::optional<double> center_way) {
   const Observer observer = python_observer(py::none());
   const py::gil_scoped_release release;
-  history.advance(time, angle, load, observer);
+  history.advance(time, angle, load, center_way, observer);
 }
 
 template <class T>
@@ -115,6 +123,8 @@ void bind_roll(py::module_& m) {
       .def_readonly("curvature", &HistoryOptions::curvature)
       .def_readonly("friction", &HistoryOptions::friction)
       .def_readonly("driving_force", &HistoryOptions::driving_force)
+      .def_readonly("mass", &HistoryOptions::mass)
+      .def_readonly("center_speed", &HistoryOptions::center_speed)
       .def_readonly("lattices", &HistoryOptions::lattices)
       .def_readonly("steps_per_spacing", &HistoryOptions::steps_per_spacing)
       .def_readonly("shortest_time", &HistoryOptions::shortest_time)
@@ -131,13 +141,15 @@ void bind_roll(py::module_& m) {
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
            py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"),
-           py::arg("driving_force"), py::arg("lattices"), py::arg("steps_per_spacing").none(true),
-           py::arg("shortest_time"), py::arg("longest_time"), py::arg("spectrum_tolerance"), py::arg("threads"),
-           py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
-      .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
-      .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"))
-      .def("roll", &roll_array, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
+           py::arg("driving_force"), py::arg("mass"), py::arg("center_speed"), py::arg("lattices"),
+           py::arg("steps_per_spacing").none(true), py::arg("shortest_time"), py::arg("longest_time"),
+           py::arg("spectrum_tolerance"), py::arg("threads"), py::arg("time"), py::arg("angle"),
            py::arg("progress").none(true))
+      .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
+      .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
+           py::arg("center_way").none(true))
+      .def("roll", &roll_array, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
+           py::arg("center_way"), py::arg("progress").none(true))
       .def("state",
            [](const RollingHistory& self) {
              const RollingState state = self.state();
@@ -158,9 +170,13 @@ void bind_roll(py::module_& m) {
 
   m.def(
       "check_motion",
-      [](std::vector<double> time, std::vector<double> angle, std::vector<double> load) {
-        validate({.time = std::move(time), .angle = std::move(angle), .load = std::move(load)});
+      [](std::vector<double> time, std::vector<double> angle, std::vector<double> load,
+         std::vector<double> center_way) {
+        validate({.time = std::move(time),
+                  .angle = std::move(angle),
+                  .load = std::move(load),
+                  .center_way = std::move(center_way)});
       },
-      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"));
+      py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_way"));
   m.def("instant_names", &instant_names, "What the rows of a history are.");
 }

@@ -464,6 +464,8 @@ class Start(enum.Enum):
 class HistoryOptions:
     def __init__(self) -> None: ...
     @property
+    def center_speed(self) -> float: ...
+    @property
     def compliance(self) -> Compliance: ...
     @property
     def curvature(self) -> Curvature: ...
@@ -475,6 +477,8 @@ class HistoryOptions:
     def lattices(self) -> int: ...
     @property
     def longest_time(self) -> float: ...
+    @property
+    def mass(self) -> float: ...
     @property
     def shortest_time(self) -> float: ...
     @property
@@ -506,6 +510,8 @@ class RollingHistory:
         curvature: Curvature,
         friction: typing.SupportsFloat | typing.SupportsIndex,
         driving_force: typing.SupportsFloat | typing.SupportsIndex,
+        mass: typing.SupportsFloat | typing.SupportsIndex,
+        center_speed: typing.SupportsFloat | typing.SupportsIndex,
         lattices: typing.SupportsInt | typing.SupportsIndex,
         steps_per_spacing: typing.SupportsInt | typing.SupportsIndex | None,
         shortest_time: typing.SupportsFloat | typing.SupportsIndex,
@@ -522,6 +528,7 @@ class RollingHistory:
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
         load: typing.SupportsFloat | typing.SupportsIndex,
+        center_way: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
@@ -533,6 +540,7 @@ class RollingHistory:
         time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        center_way: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
     ) -> numpy.typing.NDArray[numpy.float64]: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -551,6 +559,7 @@ def check_motion(
     time: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     angle: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    center_way: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
 ) -> None: ...
 def complex_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "cases.hpp"
@@ -157,7 +158,7 @@ TEST(RollingHistory, AFailedStepLeavesItAsItWas) {
   EXPECT_EQ(history.now().time, before.time);
   EXPECT_EQ(history.now().load, before.load);
   const Observer stopping{.cancelled = [] { return true; }, .progress = {}};
-  EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, stopping), Cancelled);
+  EXPECT_THROW(history.advance(1000.0, 3000.0, 100.0, std::nullopt, stopping), Cancelled);
   EXPECT_EQ(history.now().time, before.time);
 }
 

@@ -28,8 +28,11 @@ struct HistoryOptions {
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
   double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], >= 0
-  double driving_force = 0.0;                  ///< Q on the center, forward [N], below friction * load in magnitude
-  int lattices = 4;                            ///< shifted lattices that are averaged, 1 to 16
+  /// Force on the center, forward [N]; below friction * load in magnitude where the center has no mass.
+  double driving_force = 0.0;
+  double mass = 0.0;          ///< of what moves with the center, with friction [kg], >= 0
+  double center_speed = 0.0;  ///< of the center with its mass at the first instant, forward [m/s]
+  int lattices = 4;           ///< shifted lattices that are averaged, 1 to 16
   /// Steps while the coating turns by a spacing, 1 to 64; none: one step from each knot to the next.
   std::optional<int> steps_per_spacing = 4;
   double shortest_time = 1e-4;       ///< of what a modulus with a continuous spectrum is resolved for [s], > 0
@@ -54,11 +57,14 @@ struct RollingInstant {
   double dissipated_energy = 0.0;  ///< lost in the coating and by slip since the start [J]
   double work = 0.0;               ///< of torque and load since the start, by the trapezoidal rule [J]
   double energy_imbalance = 0.0;   ///< work - change of stored energy - dissipated_energy [J]
-  double driving_force = 0.0;      ///< Q = -sum of t_x, force on the center, forward [N]; 0 without friction
-  double center_way = 0.0;         ///< of the center since the start [m]; 0 without friction
-  double slip_energy = 0.0;        ///< part of dissipated_energy that slip on the plane takes [J]
-  double stick_share = 0.0;        ///< of the nodes in contact [-]; 0 without friction
-  double error_estimate = 0.0;     ///< of the torque: standard error of the mean over the lattices [N m]
+  /// Q = -sum of t_x, what pushes the coating along: force on the center less its mass times acceleration [N]; 0
+  /// without friction.
+  double driving_force = 0.0;
+  double center_way = 0.0;      ///< of the center since the start [m]; 0 without friction
+  double center_speed = 0.0;    ///< its speed [m/s]; without mass the mean over the step before
+  double slip_energy = 0.0;     ///< part of dissipated_energy that slip on the plane takes [J]
+  double stick_share = 0.0;     ///< of the nodes in contact [-]; 0 without friction
+  double error_estimate = 0.0;  ///< of the torque: standard error of the mean over the lattices [N m]
 };
 
 /// @brief Fields of the contact of one lattice at an instant, row-major [phi][theta].
@@ -71,11 +77,13 @@ struct ContactField {
   std::vector<double> pressure;  ///< [Pa]
 };
 
-/// @brief A motion between knots: angle and load linear in time. Two knots at one time are a jump.
+/// @brief A motion between knots, linear in time. Two knots at one time are a jump.
 struct Motion {
   std::vector<double> time;   ///< [s], at least one, not decreasing
   std::vector<double> angle;  ///< psi [rad], as many
-  std::vector<double> load;   ///< P [N], as many, > 0
+  std::vector<double> load;   ///< P [N], as many, >= 0; at 0 the sphere has lifted off
+  /// Of the center since the first instant [m], as many, with friction; none: forces move the center.
+  std::vector<double> center_way = {};
 };
 
 /// @brief Check a motion.
@@ -110,13 +118,15 @@ class RollingHistory {
   /// @brief Turn and load linearly in time, in steps of the library's choice.
   /// @param[in] time [s], not before now; now for a jump
   /// @param[in] angle [rad]
-  /// @param[in] load [N], > 0
+  /// @param[in] load [N], >= 0; at 0 the sphere has lifted off
+  /// @param[in] center_way of the center since the first instant [m], with friction; none: forces move the center
   /// @param[in] observer progress and cancellation
   /// @return the instant at the end
   /// @throws std::invalid_argument for bad input; the history is then as it was before
   /// @throws ConvergenceError where no usable state was found; likewise
   /// @throws Cancelled where the observer stopped it; likewise
-  RollingInstant advance(double time, double angle, double load, const Observer& observer = {});
+  RollingInstant advance(double time, double angle, double load, std::optional<double> center_way = std::nullopt,
+                         const Observer& observer = {});
 
   /// @return the instant reached
   [[nodiscard]] const RollingInstant& now() const;

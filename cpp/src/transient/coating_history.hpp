@@ -20,6 +20,7 @@ struct CreepingCoating {
   Compliance compliance;   ///< in the contact condition
   double friction;         ///< Coulomb's coefficient [-]
   double driving_force;    ///< on the center, forward [N]
+  double mass;             ///< of what moves with the center [kg]
   CreepSpectrum spectrum;  ///< per the compliance at rest
   MirroredTables tables;   ///< at rest
 };

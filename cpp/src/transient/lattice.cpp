@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "validate.hpp"
@@ -20,6 +21,12 @@ constexpr double kContactShare = 0.8;
 constexpr int kPressingSteps = 8;
 
 Index on_ring(Index row, Index ring) { return ((row % ring) + ring) % ring; }
+
+/// First and last row of a window that bear loads; none where it has lifted off.
+std::pair<Index, Index> rows_in_contact(const StickSlip& contact, Index half_nodes) {
+  if (contact.nodes.empty()) return {0, -1};
+  return {contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes};
+}
 
 /// Numbers of the nodes of a window, row by row, as the columns of a field.
 auto as_field(const ArrayXd& values, Index half_nodes) {
@@ -65,20 +72,49 @@ Lattice::Place Lattice::place_at(double angle) const {
           .axes = axes_at(nodes)};
 }
 
-Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, double angle, double load,
-                              double driving_force) {
+/// Without mass the center goes where forces balance. With it, by the method of J. Chung and G. M. Hulbert, J. Appl.
+/// Mech. 60 (1993) 371-375, at spectral radius 0: exact where the force is constant, and what swings faster than the
+/// steps is gone after two of them. The trapezoidal rule would ring.
+CenterCondition Lattice::center_condition(double duration, const StepEnd& end) const {
+  if (end.center_way) return {.force = 0.0, .way = 1.0, .value = *end.center_way - now_.center_way};
+  const double mass = coating_->mass;
+  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -coating_->driving_force};
+  if (duration == 0.0) return {.force = 0.0, .way = 1.0, .value = 0.0};
+  return {.force = 1.0,
+          .way = -2.0 * mass / (duration * duration),
+          .value = -coating_->driving_force - 2.0 * mass * now_.center_speed / duration};
+}
+
+void Lattice::move_center(double duration, double way) {
+  now_.center_way += way;
+  if (duration == 0.0) return;
+  const double mean_speed = way / duration;
+  const double before = center_acceleration_;
+  if (coating_->mass == 0.0) {
+    now_.center_speed = mean_speed;
+    return;
+  }
+  center_acceleration_ = (mean_speed - now_.center_speed) / duration + 0.5 * before;
+  now_.center_speed += duration * (1.5 * center_acceleration_ - 0.5 * before);
+}
+
+Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, const StepEnd& end,
+                              const CenterCondition& center) {
   const MirroredTables& tables = coating_->tables;
   const Index half_nodes = tables.half_nodes();
   // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
   const Index most = tables.ring() / 6;
   for (;;) {
-    Touch touch{.place = place_at(angle), .known = {}, .compliance = compliance, .contact = {}};
+    Touch touch{.place = place_at(end.angle), .known = {}, .compliance = compliance, .contact = {}};
     const RingRows& rows = touch.place.rows;
     touch.known =
         step != nullptr ? memory_.known_displacement(*step, rows) : HalfField::Zero(tables.height(), rows.count);
-    touch.contact = has_friction()
-                        ? touch_with_friction(touch.place, touch.known, compliance, angle, load, driving_force)
-                        : touch_smooth(touch.place, touch.known, compliance * load);
+    if (end.load == 0.0) {
+      touch.contact = lifted(touch.place, touch.known, center);
+      return touch;
+    }
+    touch.contact = has_friction() ? touch_with_friction(touch.place, touch.known, compliance, end, center)
+                                   : touch_smooth(touch.place, touch.known, compliance * end.load);
     bool at_side = false;
     bool at_end = false;
     for (const Index node : touch.contact.nodes) {
@@ -88,7 +124,8 @@ Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, double an
     if (at_side) throw ContactTooWide();
     if (!at_end) return touch;
     if (half_rows_ >= most) {
-      reject("load", "small enough for the coating", text(load) + " N (it is in contact over 60 degrees to a side)");
+      reject("load", "small enough for the coating",
+             text(end.load) + " N (it is in contact over 60 degrees to a side)");
     }
     half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
     inverse_ = {};
@@ -123,28 +160,45 @@ StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, doub
   return result;
 }
 
-StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance, double angle,
-                                       double load, double driving_force) const {
+/// The plane just touches what the coating remembers, and bears nothing.
+StickSlip Lattice::lifted(const Place& place, const HalfField& known, const CenterCondition& center) const {
+  const Index half_nodes = coating_->tables.half_nodes();
+  const HalfField weights = half_weights(half_nodes).matrix().replicate(1, place.rows.count);
+  const HalfField rise = coating_->tables.components() == 1 ? known : along(place.axes[1], known);
+  const HalfField none = HalfField::Zero(half_nodes, place.rows.count);
+  StickSlip result;
+  result.forces = {.pressing = none, .forward = none, .sideways = none};
+  result.penetration = (as_field(place.nodes.height(), half_nodes) + rise.cwiseQuotient(weights)).minCoeff();
+  result.way = center.way != 0.0 ? center.value / center.way : 0.0;
+  result.forward_slip = none;
+  result.sideways_slip = none;
+  return result;
+}
+
+StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance,
+                                       const StepEnd& end, const CenterCondition& center) const {
   const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceGrid& grid = coating_->grid;
   const ArrayXd weights = half_weights(half_nodes);
-  const SurfaceWindow before(grid, place.nodes.window(), place.nodes.shift() - (angle - now_.angle) / grid.phi_spacing);
+  const SurfaceWindow before(grid, place.nodes.window(),
+                             place.nodes.shift() - (end.angle - now_.angle) / grid.phi_spacing);
   const Axes axes_before = axes_at(before);
   const HalfField borne = memory_.displacement(place.rows);
   const auto weighted = [&](const ArrayXd& values) -> HalfField {
     return weights.matrix().asDiagonal() * as_field(values, half_nodes);
   };
-  const StickSlipProblem problem{.tables = coating_->tables,
-                                 .axes = place.axes,
-                                 .gap = weighted(place.nodes.height()) + along(place.axes[1], known),
-                                 .forward_way = weighted(place.nodes.x() - before.x()) - along(place.axes[0], known) +
-                                                along(axes_before[0], borne),
-                                 .sideways_way = weighted(place.nodes.z() - before.z()) - along(place.axes[2], known) +
-                                                 along(axes_before[2], borne),
-                                 .weights = weights.matrix().replicate(1, place.rows.count),
-                                 .load = compliance * load,
-                                 .friction = coating_->friction,
-                                 .forward_force = -compliance * driving_force};
+  const StickSlipProblem problem{
+      .tables = coating_->tables,
+      .axes = place.axes,
+      .gap = weighted(place.nodes.height()) + along(place.axes[1], known),
+      .forward_way =
+          weighted(place.nodes.x() - before.x()) - along(place.axes[0], known) + along(axes_before[0], borne),
+      .sideways_way =
+          weighted(place.nodes.z() - before.z()) - along(place.axes[2], known) + along(axes_before[2], borne),
+      .weights = weights.matrix().replicate(1, place.rows.count),
+      .load = compliance * end.load,
+      .friction = coating_->friction,
+      .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};
   const HalfField likely = guess(forces_.pressing, place);
   return solve_stick_slip(problem, {.pressing = problem.load / likely.cwiseProduct(problem.weights).sum() * likely,
                                     .forward = HalfField::Zero(half_nodes, place.rows.count),
@@ -154,11 +208,6 @@ StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& know
 /// The last pressure, where it has been carried to: it stays below while nodes pass.
 HalfField Lattice::guess(const HalfField& last, const Place& place) const {
   const Index half_nodes = coating_->tables.half_nodes();
-  if (last.size() == 0) {
-    // The window was made a little wider than such a contact.
-    const ArrayXd& height = place.nodes.height();
-    return as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
-  }
   HalfField field = HalfField::Zero(half_nodes, place.rows.count);
   const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(last.cols() - field.cols());
   const auto whole = static_cast<Index>(std::floor(lowest));
@@ -167,7 +216,10 @@ HalfField Lattice::guess(const HalfField& last, const Place& place) const {
     if (i + whole >= 0 && i + whole < last.cols()) field.col(i) += (1.0 - share) * last.col(i + whole);
     if (i + whole + 1 >= 0 && i + whole + 1 < last.cols()) field.col(i) += share * last.col(i + whole + 1);
   }
-  return field;
+  if ((field.array() > 0.0).any()) return field;
+  // The window was made a little wider than a first contact.
+  const ArrayXd& height = place.nodes.height();
+  return as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
 }
 
 RingMemory::Load Lattice::load_of(const Touch& touch) const {
@@ -181,18 +233,18 @@ RingMemory::Load Lattice::load_of(const Touch& touch) const {
     force = spread(place.axes[1], force);
   }
   const Index reach = tables.reach();
+  const auto [first, last] = rows_in_contact(touch.contact, tables.half_nodes());
   RingMemory::Load load{
       .rows = {.first = on_ring(place.rows.first - reach, tables.ring()), .count = place.rows.count + 2 * reach},
       .force = HalfField::Zero(tables.height(), place.rows.count + 2 * reach),
-      .displacement = tables.displacement_in_reach(force, touch.contact.nodes.front() / tables.half_nodes(),
-                                                   touch.contact.nodes.back() / tables.half_nodes())};
+      .displacement = tables.displacement_in_reach(force, first, last)};
   load.force.middleCols(reach, place.rows.count) = force;
   return load;
 }
 
-void Lattice::take(const Touch& touch, double angle, double load) {
-  now_.angle = angle;
-  now_.load = load;
+void Lattice::take(const Touch& touch, const StepEnd& end) {
+  now_.angle = end.angle;
+  now_.load = end.load;
   take_contact(touch);
   now_.driving_torque = now_.resisting_torque;
   if (coating_->tables.components() == 3) take_friction(touch);
@@ -220,9 +272,10 @@ void Lattice::take_contact(const Touch& touch) {
   ArrayXd touching = ArrayXd::Zero(forces.size());
   for (const Index node : touch.contact.nodes) touching[node] = weights[node] * weights[node] * patches[node];
   now_.contact_area = touching.sum();
-  const double center = (touching * nodes.x()).sum() / now_.contact_area;
-  now_.semi_axis_x = 2.0 * std::sqrt((touching * (nodes.x() - center).square()).sum() / now_.contact_area);
-  now_.semi_axis_z = 2.0 * std::sqrt((touching * nodes.z().square()).sum() / now_.contact_area);
+  const ArrayXd share = touching / std::max(now_.contact_area, std::numeric_limits<double>::min());
+  const double center = (share * nodes.x()).sum();
+  now_.semi_axis_x = 2.0 * std::sqrt((share * (nodes.x() - center).square()).sum());
+  now_.semi_axis_z = 2.0 * std::sqrt((share * nodes.z().square()).sum());
   now_.max_pressure = (forces / weights).maxCoeff() / flat_patch;
 }
 
@@ -233,8 +286,8 @@ void Lattice::take_friction(const Touch& touch) {
   if (coating_->compliance == Compliance::vertical) {
     const HalfField force = has_friction() ? on_plane(touch.place.axes, contact.forces)
                                            : spread(touch.place.axes[1], contact.forces.pressing);
-    const HalfField moved = touch.known + coating_->tables.displacement(force, contact.nodes.front() / half_nodes,
-                                                                        contact.nodes.back() / half_nodes);
+    const auto [first, last] = rows_in_contact(contact, half_nodes);
+    const HalfField moved = touch.known + coating_->tables.displacement(force, first, last);
     now_.driving_torque -=
         along(touch.place.axes[0], moved).cwiseProduct(contact.forces.pressing).sum() / touch.compliance;
   }
@@ -242,10 +295,9 @@ void Lattice::take_friction(const Touch& touch) {
   const ArrayXd weights = half_weights(half_nodes).matrix().replicate(1, touch.place.rows.count).reshaped();
   now_.driving_force = -(weights * contact.forces.forward.reshaped().array()).sum() / touch.compliance;
   now_.driving_torque -= now_.driving_force * (coating_->grid.radius - contact.penetration);
-  now_.center_way += contact.way;
   now_.dissipated_energy += slip_work(touch);
   now_.slip_energy += slip_work(touch);
-  now_.stick_share = static_cast<double>(contact.sticking) / static_cast<double>(contact.nodes.size());
+  now_.stick_share = static_cast<double>(contact.sticking) / std::max(1.0, static_cast<double>(contact.nodes.size()));
   forces_.forward = contact.forces.forward / touch.compliance;
   forces_.sideways = contact.forces.sideways / touch.compliance;
 }
@@ -264,16 +316,17 @@ double Lattice::slip_work(const Touch& touch) const {
   return -0.5 * (forward.cwiseProduct(contact.forward_slip) + sideways.cwiseProduct(contact.sideways_slip)).sum();
 }
 
-void Lattice::start(Start start, double angle, double load) {
+void Lattice::start(Start start, const StepEnd& at, double center_speed) {
   const bool relaxed = start == Start::relaxed;
   const double compliance = relaxed ? 1.0 : coating_->spectrum.instantaneous;
-  now_.angle = angle;
-  // With friction, pressing depends on its path: the load rises in steps.
+  now_.angle = at.angle;
+  // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
   const int count = has_friction() ? kPressingSteps : 1;
   for (int i = 1; i <= count; ++i) {
-    const double borne = load * i / count;
-    const Touch contact = touch(nullptr, compliance, angle, borne, 0.0);
-    take(contact, angle, borne);
+    StepEnd end = at;
+    end.load *= static_cast<double>(i) / count;
+    const Touch contact = touch(nullptr, compliance, end, {});
+    take(contact, end);
     if (relaxed) {
       memory_.relax(load_of(contact));
     } else {
@@ -281,22 +334,24 @@ void Lattice::start(Start start, double angle, double load) {
     }
   }
   now_.stored_energy = memory_.stored_energy();
-  now_.dissipated_energy = now_.slip_energy = now_.center_way = 0.0;
+  now_.dissipated_energy = now_.slip_energy = 0.0;
+  now_.center_speed = center_speed;
 }
 
-void Lattice::advance(const TimeStep& step, bool jump, double angle, double load) {
+void Lattice::advance(const TimeStep& step, double duration, const StepEnd& end) {
   const RollingInstant before = now_;
-  const Touch contact = touch(&step, step.compliance, angle, load, coating_->driving_force);
-  take(contact, angle, load);
+  const Touch contact = touch(&step, step.compliance, end, center_condition(duration, end));
+  take(contact, end);
+  if (has_friction()) move_center(duration, contact.contact.way);
   const double lost = memory_.advance(step, load_of(contact));
   now_.dissipated_energy += lost;
   now_.stored_energy = memory_.stored_energy();
   const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
   // A jump is elastic, whatever its way: it takes the energy that it stores.
-  const double work = jump
+  const double work = duration == 0.0
                           ? used
-                          : 0.5 * ((before.driving_torque + now_.driving_torque) * (angle - before.angle) +
-                                   (before.load + load) * (now_.penetration - before.penetration) +
+                          : 0.5 * ((before.driving_torque + now_.driving_torque) * (end.angle - before.angle) +
+                                   (before.load + end.load) * (now_.penetration - before.penetration) +
                                    (before.driving_force + now_.driving_force) * (now_.center_way - before.center_way));
   now_.work += work;
   now_.energy_imbalance += work - used;
@@ -315,6 +370,7 @@ void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
 
 void Lattice::write(NumberWriter& numbers) const {
   for (const auto member : kLatticeScalars) numbers.put(now_.*member);
+  numbers.put(center_acceleration_);
   numbers.put(static_cast<double>(half_rows_));
   numbers.put(lowest_);
   numbers.put(static_cast<double>(rows_.first));
@@ -325,6 +381,7 @@ void Lattice::write(NumberWriter& numbers) const {
 
 void Lattice::read(NumberReader& numbers) {
   for (const auto member : kLatticeScalars) now_.*member = numbers.get();
+  center_acceleration_ = numbers.get();
   half_rows_ = numbers.count(static_cast<double>(coating_->tables.ring()) / 6.0);
   lowest_ = numbers.get();
   rows_ = {.first = numbers.count(static_cast<double>(coating_->tables.ring())), .count = numbers.count()};

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "transient/coating_history.hpp"
@@ -37,8 +38,17 @@ inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
                                             &RollingInstant::energy_imbalance,
                                             &RollingInstant::driving_force,
                                             &RollingInstant::center_way,
+                                            &RollingInstant::center_speed,
                                             &RollingInstant::slip_energy,
                                             &RollingInstant::stick_share};
+
+/// @brief Where a step ends, in which angle, load and a given way of the center change linearly.
+struct StepEnd {
+  double time;                       ///< [s]
+  double angle;                      ///< [rad]
+  double load;                       ///< [N]
+  std::optional<double> center_way;  ///< since the first instant [m]; none: forces decide
+};
 
 /// @brief Nodes of the coating at angles (I + shift) spacing + angle turned, what they bear and what they remember.
 class Lattice {
@@ -48,15 +58,15 @@ class Lattice {
   /// @param[in] half_rows rows on either side of the lowest one that may touch, to begin with
   Lattice(std::shared_ptr<const CreepingCoating> coating, double shift, Eigen::Index half_rows);
 
-  /// @brief The first contact.
-  void start(Start start, double angle, double load);
+  /// @brief The first contact, at rest.
+  void start(Start start, const StepEnd& at, double center_speed);
 
   /// @brief Turn and load linearly in time.
   /// @param[in] step weights of the time that it takes
-  /// @param[in] jump whether it takes none
-  /// @param[in] angle,load at its end
+  /// @param[in] duration that time [s], 0 for a jump
+  /// @param[in] end of the step
   /// @throws ContactTooWide, ConvergenceError
-  void advance(const TimeStep& step, bool jump, double angle, double load);
+  void advance(const TimeStep& step, double duration, const StepEnd& end);
 
   /// @brief The same history on wider tables.
   void widen(std::shared_ptr<const CreepingCoating> coating);
@@ -87,13 +97,16 @@ class Lattice {
   [[nodiscard]] Place place_at(double angle) const;
   [[nodiscard]] Axes axes_at(const SurfaceWindow& nodes) const;
   /// @param[in] step none for a first contact, on a coating that bears nothing else
-  [[nodiscard]] Touch touch(const TimeStep* step, double compliance, double angle, double load, double driving_force);
+  [[nodiscard]] Touch touch(const TimeStep* step, double compliance, const StepEnd& end, const CenterCondition& center);
   [[nodiscard]] StickSlip touch_smooth(const Place& place, const HalfField& known, double load);
   [[nodiscard]] StickSlip touch_with_friction(const Place& place, const HalfField& known, double compliance,
-                                              double angle, double load, double driving_force) const;
+                                              const StepEnd& end, const CenterCondition& center) const;
+  [[nodiscard]] StickSlip lifted(const Place& place, const HalfField& known, const CenterCondition& center) const;
+  [[nodiscard]] CenterCondition center_condition(double duration, const StepEnd& end) const;
+  void move_center(double duration, double way);
   [[nodiscard]] HalfField guess(const HalfField& last, const Place& place) const;
   [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
-  void take(const Touch& touch, double angle, double load);
+  void take(const Touch& touch, const StepEnd& end);
   void take_contact(const Touch& touch);
   void take_friction(const Touch& touch);
   [[nodiscard]] double slip_work(const Touch& touch) const;
@@ -104,9 +117,10 @@ class Lattice {
   Eigen::Index half_rows_;
   RingMemory memory_;
   ContactInverse inverse_;
-  PlaneForces forces_;   // of the window at the last angle
-  RingRows rows_;        // which it is of
-  double lowest_ = 0.0;  // place of the window's middle row from the lowest point [spacings]
+  PlaneForces forces_;                // of the window at the last angle
+  RingRows rows_;                     // which it is of
+  double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
+  double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]
   RollingInstant now_;
 };
 

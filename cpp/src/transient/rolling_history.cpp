@@ -11,6 +11,7 @@
 #include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "transient/history_input.hpp"
 #include "transient/lattice.hpp"
 #include "transient/step_choice.hpp"
 #include "validate.hpp"
@@ -22,34 +23,9 @@ namespace {
 using detail::CreepingCoating;
 using detail::Lattice;
 using detail::reject;
+using detail::StepEnd;
 using detail::text;
 using Eigen::Index;
-
-constexpr int kMostLattices = 16;
-constexpr int kMostStepsPerSpacing = 64;
-
-void validate(const HistoryOptions& options) {
-  if (options.mesh) viscoroll::validate(*options.mesh);
-  detail::require_orders(options.curvature);
-  if (options.lattices < 1 || options.lattices > kMostLattices) {
-    reject("lattices", "in [1, " + std::to_string(kMostLattices) + "]", std::to_string(options.lattices));
-  }
-  if (options.steps_per_spacing &&
-      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
-    reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
-           std::to_string(*options.steps_per_spacing));
-  }
-  detail::require_nonnegative("friction", options.friction, "");
-  detail::require_finite("driving_force", options.driving_force);
-  detail::require_positive("shortest_time", options.shortest_time, "s");
-  if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
-    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
-  }
-  if (!(options.spectrum_tolerance > 0.0 && options.spectrum_tolerance < 1.0)) {
-    reject("spectrum_tolerance", "in (0, 1)", options.spectrum_tolerance);
-  }
-  detail::require_thread_count(options.threads);
-}
 
 /// 16 nodes across the contact at rest.
 Mesh chosen_mesh(double outer_radius, double contact_radius) {
@@ -100,11 +76,22 @@ double difference(const detail::CreepSpectrum& a, const detail::CreepSpectrum& b
   return largest;
 }
 
-/// A step in which angle and load change linearly.
-struct Step {
-  double time;
-  double angle;
-  double load;
+/// Change per the larger value.
+double relative_change(double before, double after) {
+  const double larger = std::max(before, after);
+  return larger > 0.0 ? (after - before) / larger : 0.0;
+}
+
+/// Lattices on which a step is tried, whose memory serves the next one too. Copies begin without it.
+struct Trial {
+  std::vector<Lattice> lattices = {};
+
+  Trial() = default;
+  Trial(const Trial&) noexcept : Trial() {}
+  Trial(Trial&&) noexcept = default;
+  Trial& operator=(const Trial&) noexcept { return *this; }
+  Trial& operator=(Trial&&) noexcept = default;
+  ~Trial() = default;
 };
 
 }  // namespace
@@ -116,6 +103,7 @@ struct RollingHistory::Impl {
   HistoryOptions options;
   std::shared_ptr<const CreepingCoating> coating;
   std::vector<Lattice> lattices;
+  Trial trial;
   RollingInstant now;
   double last_step = 0.0;  // [s]
   std::int64_t steps = 0;
@@ -139,6 +127,7 @@ struct RollingHistory::Impl {
         .compliance = options.compliance,
         .friction = options.friction,
         .driving_force = options.driving_force,
+        .mass = options.mass,
         .spectrum = spectrum,
         .tables = detail::MirroredTables(sum, along_plane ? 3 : 1, half_nodes, options.threads, watch)});
   }
@@ -153,11 +142,12 @@ struct RollingHistory::Impl {
   template <class Body>
   void on_lattices(detail::Watch& watch, const Body& body) {
     for (;;) {
-      std::vector<Lattice> next = lattices;
+      std::vector<Lattice>& next = trial.lattices;
+      next = lattices;
       try {
         detail::parallel_for(next.size(), options.threads, watch, "rolling",
                              [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); });
-        lattices = std::move(next);
+        std::swap(lattices, next);
         return;
       } catch (const detail::ContactTooWide&) {
         widen(watch);
@@ -166,11 +156,12 @@ struct RollingHistory::Impl {
   }
 
   [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_lattices, double time) const;
-  [[nodiscard]] std::vector<RollingInstant> follow(std::span<const Step> path, detail::Watch& watch);
+  [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch);
   [[nodiscard]] RollingState state() const;
   void restore(const RollingState& state);
-  void require_step(const Step& to) const;
-  [[nodiscard]] std::vector<Step> path_to(const Step& end) const;
+  void require_step(const StepEnd& to) const;
+  void require_forces(const StepEnd& to) const;
+  [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end) const;
 };
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
@@ -190,24 +181,39 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
   return mean;
 }
 
-void RollingHistory::Impl::require_step(const Step& to) const {
-  detail::require_finite("time", to.time);
-  detail::require_finite("angle", to.angle);
-  if (!(to.time >= now.time)) {
-    reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
+/// What moves the center is enough, and not too much.
+void RollingHistory::Impl::require_forces(const StepEnd& to) const {
+  if (to.center_way) {
+    detail::require_finite("center_way", *to.center_way);
+    if (options.friction == 0.0) {
+      reject("center_way", "left out without friction, where it moves nothing", text(*to.center_way) + " m");
+    }
+    if (options.driving_force != 0.0) {
+      reject("driving_force", "0 N where the way of the center is given", text(options.driving_force) + " N");
+    }
+    return;
   }
-  if (!(std::isfinite(to.load) && to.load > 0.0)) {
-    reject("load", "> 0 N on the whole way (lifting off is not built)", text(to.load) + " N");
-  }
-  if (!(std::abs(options.driving_force) < options.friction * to.load) && options.driving_force != 0.0) {
+  if (options.driving_force == 0.0 || options.mass > 0.0) return;
+  if (!(std::abs(options.driving_force) < options.friction * to.load)) {
     reject("driving_force",
            "smaller than friction * load = " + text(options.friction * to.load) +
                " N in magnitude, else the sphere slides without end",
            text(options.driving_force) + " N");
   }
+}
+
+void RollingHistory::Impl::require_step(const StepEnd& to) const {
+  detail::require_finite("time", to.time);
+  detail::require_finite("angle", to.angle);
+  if (!(to.time >= now.time)) {
+    reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
+  }
+  detail::require_nonnegative("load", to.load, "N");
+  require_forces(to);
   const double duration = to.time - now.time;
   if (duration == 0.0) {
-    const bool moves = to.angle != now.angle || to.load != now.load;
+    const bool moves =
+        to.angle != now.angle || to.load != now.load || to.center_way.value_or(now.center_way) != now.center_way;
     if (moves && spectrum.instantaneous == 0.0) {
       reject("time",
              "after the instant reached, " + text(now.time) +
@@ -226,39 +232,40 @@ void RollingHistory::Impl::require_step(const Step& to) const {
   }
 }
 
-std::vector<Step> RollingHistory::Impl::path_to(const Step& end) const {
+std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) const {
   const auto& times = spectrum.retardation_times;
   const double shortest = times.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::min_element(times);
   const detail::StepChoice choice(coating->grid.phi_spacing, options.steps_per_spacing, shortest);
   const double duration = end.time - now.time;
-  const auto shares = choice.shares({.duration = duration,
-                                     .turn = end.angle - now.angle,
-                                     .relative_load = (end.load - now.load) / std::max(end.load, now.load)},
-                                    last_step);
-  std::vector<Step> path;
+  const auto shares = choice.shares(
+      {.duration = duration, .turn = end.angle - now.angle, .relative_load = relative_change(now.load, end.load)},
+      last_step);
+  std::vector<StepEnd> path;
   path.reserve(shares.size());
   for (const double share : shares) {
     path.push_back({.time = now.time + share * duration,
                     .angle = now.angle + share * (end.angle - now.angle),
-                    .load = now.load + share * (end.load - now.load)});
+                    .load = now.load + share * (end.load - now.load),
+                    .center_way = {}});
+    if (end.center_way) path.back().center_way = now.center_way + share * (*end.center_way - now.center_way);
   }
   path.back() = end;
   return path;
 }
 
-std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const Step> path, detail::Watch& watch) {
+std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd> path, detail::Watch& watch) {
   const std::size_t count = lattices.size();
   std::vector<RollingInstant> instants(path.size() * count);
   std::vector<detail::TimeStep> weights;
   double before = now.time;
-  for (const Step& step : path) {
+  for (const StepEnd& step : path) {
     weights.emplace_back(spectrum, step.time - before);
     before = step.time;
   }
   on_lattices(watch, [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
     double time = now.time;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      lattice.advance(weights[i], path[i].time == time, path[i].angle, path[i].load);
+      lattice.advance(weights[i], path[i].time - time, path[i]);
       time = path[i].time;
       instants[i * count + l] = lattice.now();
       worker.checkpoint();
@@ -299,7 +306,7 @@ void RollingHistory::Impl::restore(const RollingState& state) {
     reject("start", "a state of the same ball and mesh", "one of another compliance");
   }
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
-  if (numbers.count(kMostLattices) != static_cast<Index>(lattices.size())) {
+  if (numbers.count(detail::kMostLattices) != static_cast<Index>(lattices.size())) {
     reject("start", "a state of as many lattices (" + std::to_string(lattices.size()) + ")", "one of another number");
   }
   Impl next(*this);
@@ -336,7 +343,7 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
                                double time, double angle, const Observer& observer)
     : impl_(std::make_unique<Impl>()) {
   viscoroll::validate(sphere);
-  validate(options);
+  detail::validate(options);
   detail::require_positive("load", load, "N");
   detail::require_finite("time", time);
   detail::require_finite("angle", angle);
@@ -360,8 +367,10 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
   for (int l = 0; l < options.lattices; ++l) {
     impl.lattices.emplace_back(impl.coating, static_cast<double>(l) / options.lattices, half_rows);
   }
-  impl.on_lattices(watch,
-                   [&](std::size_t, Lattice& lattice, const detail::Worker&) { lattice.start(start, angle, load); });
+  const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
+  impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker&) {
+    lattice.start(start, first, options.center_speed);
+  });
   std::vector<RollingInstant> instants;
   instants.reserve(impl.lattices.size());
   for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
@@ -377,9 +386,10 @@ RollingHistory& RollingHistory::operator=(const RollingHistory& other) {
 RollingHistory& RollingHistory::operator=(RollingHistory&& other) noexcept = default;
 RollingHistory::~RollingHistory() = default;
 
-RollingInstant RollingHistory::advance(double time, double angle, double load, const Observer& observer) {
+RollingInstant RollingHistory::advance(double time, double angle, double load, std::optional<double> center_way,
+                                       const Observer& observer) {
   detail::Watch watch(observer);
-  const Step end{.time = time, .angle = angle, .load = load};
+  const StepEnd end{.time = time, .angle = angle, .load = load, .center_way = center_way};
   impl_->require_step(end);
   return impl_->follow(impl_->path_to(end), watch).back();
 }
@@ -394,40 +404,25 @@ std::int64_t RollingHistory::steps() const { return impl_->steps; }
 const Mesh& RollingHistory::mesh() const { return *impl_->options.mesh; }
 double RollingHistory::spectrum_error() const { return impl_->spectrum.error; }
 
-void validate(const Motion& motion) {
-  const auto require_length = [&](const char* name, std::size_t length) {
-    if (length != motion.time.size()) {
-      reject(name, "as long as time (" + std::to_string(motion.time.size()) + ")", std::to_string(length));
-    }
-  };
-  if (motion.time.empty()) reject("time", "of one knot at least", "none");
-  require_length("angle", motion.angle.size());
-  require_length("load", motion.load.size());
-  for (std::size_t k = 0; k < motion.time.size(); ++k) {
-    const std::string index = "[" + std::to_string(k) + "]";
-    detail::require_finite("time" + index, motion.time[k]);
-    detail::require_finite("angle" + index, motion.angle[k]);
-    if (!(std::isfinite(motion.load[k]) && motion.load[k] > 0.0)) {
-      reject("load" + index, "> 0 N on the whole way (lifting off is not built)", text(motion.load[k]) + " N");
-    }
-    if (k > 0 && motion.time[k] < motion.time[k - 1]) {
-      reject("time" + index, ">= time[" + std::to_string(k - 1) + "] = " + text(motion.time[k - 1]) + " s",
-             text(motion.time[k]) + " s");
-    }
-  }
-}
-
 RollingState RollingHistory::state() const { return impl_->state(); }
 void RollingHistory::restore(const RollingState& state) { impl_->restore(state); }
 
 namespace {
+
+StepEnd knot_of(const Motion& motion, std::size_t k) {
+  StepEnd knot{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k], .center_way = {}};
+  if (!motion.center_way.empty()) knot.center_way = motion.center_way[k];
+  return knot;
+}
 
 /// The knot ahead: of knots at one time, that behind the one which was reached.
 std::size_t next_knot(const Motion& motion, const RollingInstant& now) {
   std::size_t next = 0;
   while (motion.time[next] < now.time) ++next;
   for (std::size_t k = next; k < motion.time.size() && motion.time[k] == now.time; ++k) {
-    if (motion.angle[k] == now.angle && motion.load[k] == now.load) next = k + 1;
+    const StepEnd knot = knot_of(motion, k);
+    const bool reached = knot.center_way.value_or(now.center_way) == now.center_way;
+    if (knot.angle == now.angle && knot.load == now.load && reached) next = k + 1;
   }
   return next;
 }
@@ -444,9 +439,9 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
   }
   std::vector<RollingInstant> instants{impl.now};
   for (std::size_t k = next_knot(motion, impl.now); k < motion.time.size(); ++k) {
-    const Step end{.time = motion.time[k], .angle = motion.angle[k], .load = motion.load[k]};
+    const StepEnd end = knot_of(motion, k);
     impl.require_step(end);
-    const std::vector<Step> path = impl.path_to(end);
+    const std::vector<StepEnd> path = impl.path_to(end);
     constexpr std::size_t kTogether = 64;
     for (std::size_t first = 0; first < path.size(); first += kTogether) {
       const auto piece = std::span(path).subspan(first, std::min(kTogether, path.size() - first));

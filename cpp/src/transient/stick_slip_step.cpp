@@ -126,8 +126,11 @@ class StickSlipSolver {
     }
     matrix.row(depth).head(m) = weight.transpose() * scale;
     right[depth] = problem_.load * scale;
-    matrix.row(way).segment(m, m) = weight.transpose() * scale;
-    right[way] = problem_.forward_force * scale;
+    // Forces and ways on one scale: a heavy center must not serve as pivot for anything but its own way.
+    const double share = scale / std::max(problem_.center.force, std::abs(problem_.center.way) * scale);
+    matrix.row(way).segment(m, m) = share * problem_.center.force * weight.transpose();
+    matrix(way, way) = share * problem_.center.way;
+    right[way] = share * problem_.center.value;
 
     const VectorXd unknowns = matrix.partialPivLu().solve(right);
     if (!unknowns.allFinite()) throw ConvergenceError("the equations of stick and slip are singular", 0, 1.0);

@@ -28,6 +28,14 @@ struct PlaneForces {
 /// @return the forces of the body on the plane, by components
 [[nodiscard]] HalfField on_plane(const Axes& axes, const PlaneForces& forces);
 
+/// @brief What decides how far the center comes in a step: force * (sum of the forces along the plane) + way * (way of
+/// the center) = value.
+struct CenterCondition {
+  double force = 1.0;
+  double way = 0.0;
+  double value = 0.0;
+};
+
 /// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step.
 struct StickSlipProblem {
   const MirroredTables& tables;
@@ -38,7 +46,7 @@ struct StickSlipProblem {
   HalfField weights;       ///< of `half_weights`
   double load;             ///< sum of the pressing forces
   double friction;         ///< coefficient
-  double forward_force;    ///< sum of the forces along the plane
+  CenterCondition center;  ///< in scaled forces
 };
 
 /// @brief Who touches, who sticks, and how far the center has come.

@@ -62,7 +62,7 @@ class History:
 
     Attributes
     ----------
-    ball, mesh, compliance, curvature, friction, drive, lattices
+    ball, mesh, compliance, curvature, friction, drive, mass, lattices
         The input; the mesh as it was used.
     start : Start or None
         What was before; None for a history that went on from a state.
@@ -95,9 +95,11 @@ class History:
     energy_imbalance : ndarray
         Work less what was stored and lost [J].
     driving_force : ndarray
-        Q = -Σ t_x, force on the center [N].
+        Q = -Σ t_x, force on the center [N], less mass × acceleration where it has mass.
     center_way : ndarray
         Way of the center since the start [m]; 0 without friction, where it is undetermined.
+    center_speed : ndarray
+        Of the center [m/s]; without mass the mean over the step before.
     slip_energy : ndarray
         Part of `dissipated_energy` that slip on the plane takes [J].
     stick_share : ndarray
@@ -117,6 +119,7 @@ class History:
     curvature: Curvature
     friction: float
     drive: Drive
+    mass: float
     lattices: int
     spectrum_error: float
     time: NDArray[np.float64]
@@ -135,6 +138,7 @@ class History:
     energy_imbalance: NDArray[np.float64]
     driving_force: NDArray[np.float64]
     center_way: NDArray[np.float64]
+    center_speed: NDArray[np.float64]
     slip_energy: NDArray[np.float64]
     stick_share: NDArray[np.float64]
     error_estimate: NDArray[np.float64]
@@ -211,6 +215,7 @@ class History:
             "energy_balance_error": float(self.energy_balance_error[-1]),
             "slip_energy": float(self.slip_energy[-1] - self.slip_energy[0]),
             "friction": self.friction,
+            "mass": self.mass,
             "spectrum_error": self.spectrum_error,
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
             "lattices": self.lattices,

@@ -42,6 +42,9 @@ class _Motion(StrictTable):
     start: Literal["relaxed", "fresh"] = "relaxed"
     friction: float = 0.0
     driving_force: float = 0.0
+    center_way: list[float] | None = None
+    mass: float = 0.0
+    center_speed: float = 0.0
 
 
 class _Numerics(StrictTable):
@@ -69,9 +72,12 @@ class MotionCase:
     time: NDArray[np.float64]
     angle: NDArray[np.float64]
     load: NDArray[np.float64] | float
+    center_way: NDArray[np.float64] | None
     start: Start
     friction: float
     drive: Drive
+    mass: float
+    center_speed: float
     mesh: Mesh | None
     compliance: Compliance
     curvature: Curvature
@@ -115,15 +121,18 @@ def _build(file: _File, folder: Path) -> MotionCase:
         )
     elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
         raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
-    time, angle, load = _motion(file.motion, folder)
+    knots = _motion(file.motion, folder)
     return MotionCase(
         ball=build_ball(file.ball, folder),
-        time=time,
-        angle=angle,
-        load=load,
+        time=knots["time"],
+        angle=knots["angle"],
+        load=knots["load"],
+        center_way=knots.get("center_way"),
         start=Start[file.motion.start.upper()],
         friction=file.motion.friction,
         drive=Drive(force=file.motion.driving_force),
+        mass=file.motion.mass,
+        center_speed=file.motion.center_speed,
         mesh=mesh,
         compliance=Compliance[numerics.compliance.upper()],
         curvature=Curvature[numerics.curvature.upper()],
@@ -133,8 +142,8 @@ def _build(file: _File, folder: Path) -> MotionCase:
     )
 
 
-def _motion(motion: _Motion, folder: Path) -> tuple[Any, Any, Any]:
-    """Return knots in whichever of three ways they are given."""
+def _motion(motion: _Motion, folder: Path) -> dict[str, Any]:
+    """Return knots by name, in whichever of three ways they are given."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
         raise ValueError(f"motion must have one of time, file and amplitude, got {', '.join(given) or 'none'}")
@@ -144,17 +153,20 @@ def _motion(motion: _Motion, folder: Path) -> tuple[Any, Any, Any]:
             columns = _read_columns(folder / motion.file)
             if "load" not in columns and motion.load is None:
                 raise ValueError("motion.load must be given where the file has no column load")
-            if "load" in columns and motion.load is not None:
-                raise ValueError("motion.load must be left out where the file has a column load")
-            return columns["time"], columns["angle"], columns.get("load", motion.load)
+            for name in ("load", "center_way"):
+                if name in columns and getattr(motion, name) is not None:
+                    raise ValueError(f"motion.{name} must be left out where the file has a column {name}")
+            return {"load": motion.load, "center_way": motion.center_way} | columns
         case "amplitude":
             return _oscillation(motion)
     if motion.angle is None or motion.load is None:
         raise ValueError("motion needs angle and load with time")
-    return motion.time, motion.angle, motion.load
+    return {name: getattr(motion, name) for name in ("time", "angle", "load", "center_way")}
 
 
-def _oscillation(motion: _Motion) -> tuple[NDArray[np.float64], NDArray[np.float64], Any]:
+def _oscillation(motion: _Motion) -> dict[str, Any]:
+    if motion.center_way is not None:
+        raise ValueError("motion.center_way must be left out with amplitude")
     if motion.frequency is None or motion.load is None:
         raise ValueError("motion needs frequency and load with amplitude")
     if not (np.isfinite(motion.frequency) and motion.frequency > 0.0):
@@ -163,16 +175,19 @@ def _oscillation(motion: _Motion) -> tuple[NDArray[np.float64], NDArray[np.float
         raise ValueError(f"motion.cycles must be in (0, 1e4], got {motion.cycles!r}")
     assert motion.amplitude is not None
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_KNOTS * motion.cycles), 1) + 1)
-    return time, motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time), motion.load
+    angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
+    return {"time": time, "angle": angle, "load": motion.load}
 
 
 def _read_columns(path: Path) -> dict[str, list[float]]:
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file, skipinitialspace=True))
-        names = [name for name in ("time", "angle", "load") if name != "load" or (rows and "load" in rows[0])]
+        names = ["time", "angle", *(name for name in ("load", "center_way") if rows and name in rows[0])]
         return {name: [float(row[name]) for row in rows] for name in names}
     except OSError as error:
         raise ValueError(f"motion {path}: {error.strerror}") from None
     except (KeyError, TypeError, ValueError, csv.Error) as error:
-        raise ValueError(f"motion {path}: needs numbers in columns time, angle and maybe load ({error})") from None
+        raise ValueError(
+            f"motion {path}: needs numbers in columns time, angle and maybe load, center_way ({error})"
+        ) from None

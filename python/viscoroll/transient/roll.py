@@ -31,12 +31,15 @@ def roll(
     time: ArrayLike,
     angle: ArrayLike,
     load: ArrayLike,
+    center_way: ArrayLike | None = None,
     start: Start | str | RollingState = Start.RELAXED,
     mesh: Mesh | None = None,
     compliance: Compliance | str = Compliance.RADIAL,
     curvature: Curvature | str = Curvature.SPHERE,
     friction: float = 0.0,
     drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+    mass: float = 0.0,
+    center_speed: float = 0.0,
     lattices: int = 4,
     steps_per_spacing: int | None = 4,
     shortest_time: float | None = None,
@@ -60,11 +63,14 @@ def roll(
     angle : array_like
         ψ, angle turned at the knots [rad]; growing, the ball rolls forward.
     load : array_like or float
-        P at the knots [N], > 0; a number for all of them.
+        P at the knots [N], ≥ 0 and at first > 0; a number for all of them. At 0 the ball has lifted off.
+    center_way : array_like, optional
+        Way of the center at the knots [m], from 0, with friction; left out, forces move the center.
     start : Start or str or RollingState, default Start.RELAXED
         What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
-    mesh, compliance, curvature, friction, drive, lattices, steps_per_spacing, spectrum_tolerance, threads
+    mesh, compliance, curvature, friction, drive, mass, center_speed, lattices, steps_per_spacing, spectrum_tolerance, \
+    threads
         As of `RollingHistory`.
     shortest_time, longest_time : float, optional
         Between which moduli with a continuous spectrum are resolved [s]; by default from the motion: a tenth of a step
@@ -104,19 +110,22 @@ def roll(
     compliance = as_member("compliance", compliance, Compliance)
     curvature = as_member("curvature", curvature, Curvature)
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
-    knots, angles, loads = _motion(time, angle, load)
+    motion = _motion(time=time, angle=angle, load=load, center_way=center_way)
+    knots, angles = motion["time"], motion["angle"]
     spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
     shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))
     with reporting(progress) as report:
         stepper = RollingHistory(
             ball,
-            load=float(loads[0]),
+            load=float(motion["load"][0]),
             start=start,
             mesh=mesh,
             compliance=compliance,
             curvature=curvature,
             friction=friction,
             drive=drive,
+            mass=mass,
+            center_speed=center_speed,
             lattices=lattices,
             steps_per_spacing=steps_per_spacing,
             shortest_time=shortest if shortest_time is None else shortest_time,
@@ -127,7 +136,7 @@ def roll(
             angle=float(angles[0]),
             progress=report,
         )
-        pieces, contacts = _follow(stepper, (knots, angles, loads), contact_times, checkpoint, report)
+        pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
     rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
     return History(
         ball=ball,
@@ -137,6 +146,7 @@ def roll(
         curvature=curvature,
         friction=float(friction),
         drive=drive,
+        mass=float(mass),
         lattices=lattices,
         spectrum_error=stepper.spectrum_error,
         contacts=tuple(contacts),
@@ -147,7 +157,7 @@ def roll(
 
 def _follow(
     stepper: RollingHistory,
-    motion: tuple[NDArray[np.float64], ...],
+    motion: dict[str, NDArray[np.float64]],
     contact_times: ArrayLike,
     checkpoint: str | Path | None,
     report: Report | None,
@@ -157,11 +167,10 @@ def _follow(
     pieces: list[NDArray[np.float64]] = []
     contacts: list[ContactInstant] = []
     try:
-        for stop in _stops(motion[0], contact_times):
-            piece_time, piece_angle, piece_load = _until(stop, *motion)
+        for stop in _stops(motion["time"], contact_times):
             if stop < core.now()[0, 0]:
                 continue
-            piece = core.roll(time=piece_time, angle=piece_angle, load=piece_load, progress=report)
+            piece = core.roll(**_until(stop, motion), progress=report)
             pieces.append(piece if not pieces else piece[:, 1:])
             if stop in np.asarray(contact_times):
                 contacts.append(ContactInstant._from_core(stepper.contact))
@@ -172,9 +181,9 @@ def _follow(
     return pieces, contacts
 
 
-def _motion(time: ArrayLike, angle: ArrayLike, load: ArrayLike) -> tuple[NDArray[np.float64], ...]:
-    """Return knots of equal lengths; the core checks their values."""
-    arrays = {name: as_float_array(name, values) for name, values in (("time", time), ("angle", angle), ("load", load))}
+def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
+    """Return knots of equal lengths, of what is given; the core checks their values."""
+    arrays = {name: as_float_array(name, values) for name, values in knots.items() if values is not None}
     if arrays["load"].ndim == 0:
         arrays["load"] = np.full_like(arrays["time"], arrays["load"])
     for name, values in arrays.items():
@@ -184,9 +193,12 @@ def _motion(time: ArrayLike, angle: ArrayLike, load: ArrayLike) -> tuple[NDArray
             raise ValueError(f"{name} must be as long as time ({len(arrays['time'])}), got {len(values)}")
     if len(arrays["time"]) < 2:
         raise ValueError(f"time must hold at least two knots, got {len(arrays['time'])}")
-    core = _core.check_motion
-    core(time=arrays["time"].tolist(), angle=arrays["angle"].tolist(), load=arrays["load"].tolist())
-    return arrays["time"], arrays["angle"], arrays["load"]
+    _core.check_motion(**_lists(arrays))
+    return arrays
+
+
+def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
+    return {"center_way": []} | {name: values.tolist() for name, values in motion.items()}
 
 
 def _time_range(time: NDArray[np.float64], angle: NDArray[np.float64], step: float) -> tuple[float, float]:
@@ -208,14 +220,11 @@ def _stops(time: NDArray[np.float64], contact_times: ArrayLike) -> list[float]:
     return sorted({*instants.tolist(), float(time[-1])})
 
 
-def _until(
-    stop: float, time: NDArray[np.float64], angle: NDArray[np.float64], load: NDArray[np.float64]
-) -> tuple[list[float], list[float], list[float]]:
+def _until(stop: float, motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:
     """Return the knots up to an instant, and the motion there."""
-    before = time <= stop
-    knots = [values[before].tolist() for values in (time, angle, load)]
-    if knots[0][-1] < stop:
-        knots[0].append(stop)
-        knots[1].append(float(np.interp(stop, time, angle)))
-        knots[2].append(float(np.interp(stop, time, load)))
-    return knots[0], knots[1], knots[2]
+    before = motion["time"] <= stop
+    knots = {name: values[before] for name, values in motion.items()}
+    if knots["time"][-1] < stop:
+        there = {name: np.interp(stop, motion["time"], values) for name, values in motion.items()}
+        knots = {name: np.append(values, there[name]) for name, values in knots.items()}
+    return _lists(knots)

@@ -47,6 +47,8 @@ class Instant:
         Q [N].
     center_way : float
         [m].
+    center_speed : float
+        [m/s].
     slip_energy : float
         Part of `dissipated_energy` [J].
     stick_share : float
@@ -71,6 +73,7 @@ class Instant:
     energy_imbalance: float
     driving_force: float
     center_way: float
+    center_speed: float
     slip_energy: float
     stick_share: float
     error_estimate: float
@@ -153,7 +156,12 @@ class RollingHistory:
     friction : float, default 0
         Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
     drive : Drive, default Drive(force=0.0)
-        Horizontal force on the center; a given torque or creepage is refused here.
+        Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
+    mass : float, default 0
+        Of what moves with the center, with friction [kg], ≥ 0: Σ t_x + Q = mass × acceleration. Then a force that
+        exceeds friction is no error: the ball slides.
+    center_speed : float, default 0
+        Of the center with its mass at the first instant, forward [m/s].
     lattices : int, default 4
         Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
         fast, and its torque carries the staircase of the nodes.
@@ -196,6 +204,8 @@ class RollingHistory:
         curvature: Curvature | str = Curvature.SPHERE,
         friction: float = 0.0,
         drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
+        mass: float = 0.0,
+        center_speed: float = 0.0,
         lattices: int = 4,
         steps_per_spacing: int | None = 4,
         shortest_time: float = 1e-4,
@@ -212,7 +222,7 @@ class RollingHistory:
         curvature = as_member("curvature", curvature, Curvature)
         require_type("drive", drive, Drive)
         if drive.force is None:
-            raise ValueError("drive must be a force in transient rolling: torque and creepage are not built")
+            raise ValueError("drive must be a force in transient rolling; a given speed is a center_way over time")
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
@@ -226,6 +236,8 @@ class RollingHistory:
                 curvature=curvature,
                 friction=as_float("friction", friction),
                 driving_force=drive.force,
+                mass=as_float("mass", mass),
+                center_speed=as_float("center_speed", center_speed),
                 lattices=as_int("lattices", lattices),
                 steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
                 shortest_time=as_float("shortest_time", shortest_time),
@@ -240,7 +252,7 @@ class RollingHistory:
         if state is not None:
             self._history.restore(state.numbers)
 
-    def advance(self, *, time: float, angle: float, load: float) -> Instant:
+    def advance(self, *, time: float, angle: float, load: float, center_way: float | None = None) -> Instant:
         """Turn and load linearly in time.
 
         Parameters
@@ -250,7 +262,9 @@ class RollingHistory:
         angle : float
             ψ [rad].
         load : float
-            P [N], > 0.
+            P [N], ≥ 0; at 0 the ball has lifted off.
+        center_way : float, optional
+            Of the center since the first instant [m], with friction; left out, forces move it.
 
         Returns
         -------
@@ -264,9 +278,10 @@ class RollingHistory:
         ConvergenceError
             Where no contact was found; likewise.
         """
+        way = None if center_way is None else as_float("center_way", center_way)
         motion = {"time": as_float("time", time), "angle": as_float("angle", angle), "load": as_float("load", load)}
         with self._lock:
-            self._history.advance(**motion)
+            self._history.advance(**motion, center_way=way)
             return _instant(self._history.now())
 
     @property

@@ -21,6 +21,7 @@ SERIES = {
     "energy_imbalance": ("J", "work less what was stored and lost"),
     "driving_force": ("N", "driving force Q"),
     "center_way": ("m", "way of the center since the start"),
+    "center_speed": ("m/s", "speed of the center"),
     "slip_energy": ("J", "energy lost by slip since the start"),
     "stick_share": ("1", "share of the nodes in contact that stick"),
     "error_estimate": ("N m", "error estimate of the torque"),

@@ -1,0 +1,80 @@
+#include "transient/history_input.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "influence/coating_sum.hpp"
+#include "parallel.hpp"
+#include "validate.hpp"
+
+namespace viscoroll {
+namespace detail {
+namespace {
+
+constexpr int kMostStepsPerSpacing = 64;
+
+}  // namespace
+
+void validate(const HistoryOptions& options) {
+  if (options.mesh) viscoroll::validate(*options.mesh);
+  require_orders(options.curvature);
+  if (options.lattices < 1 || options.lattices > kMostLattices) {
+    reject("lattices", "in [1, " + std::to_string(kMostLattices) + "]", std::to_string(options.lattices));
+  }
+  if (options.steps_per_spacing &&
+      (*options.steps_per_spacing < 1 || *options.steps_per_spacing > kMostStepsPerSpacing)) {
+    reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
+           std::to_string(*options.steps_per_spacing));
+  }
+  require_nonnegative("friction", options.friction, "");
+  require_finite("driving_force", options.driving_force);
+  require_nonnegative("mass", options.mass, "kg");
+  require_finite("center_speed", options.center_speed);
+  if (options.mass > 0.0 && options.friction == 0.0) {
+    reject("mass", "0 kg without friction, where nothing but a force on the center moves it",
+           text(options.mass) + " kg");
+  }
+  if (options.center_speed != 0.0 && options.mass == 0.0) {
+    reject("center_speed", "0 m/s for a center without mass", text(options.center_speed) + " m/s");
+  }
+  require_positive("shortest_time", options.shortest_time, "s");
+  if (!(std::isfinite(options.longest_time) && options.longest_time > options.shortest_time)) {
+    reject("longest_time", "> shortest_time = " + text(options.shortest_time) + " s", options.longest_time);
+  }
+  if (!(options.spectrum_tolerance > 0.0 && options.spectrum_tolerance < 1.0)) {
+    reject("spectrum_tolerance", "in (0, 1)", options.spectrum_tolerance);
+  }
+  require_thread_count(options.threads);
+}
+
+}  // namespace detail
+
+void validate(const Motion& motion) {
+  const auto require_length = [&](const char* name, std::size_t length) {
+    if (length != motion.time.size()) {
+      detail::reject(name, "as long as time (" + std::to_string(motion.time.size()) + ")", std::to_string(length));
+    }
+  };
+  if (motion.time.empty()) detail::reject("time", "of one knot at least", "none");
+  require_length("angle", motion.angle.size());
+  require_length("load", motion.load.size());
+  if (!motion.center_way.empty()) require_length("center_way", motion.center_way.size());
+  for (std::size_t k = 0; k < motion.time.size(); ++k) {
+    const std::string index = "[" + std::to_string(k) + "]";
+    detail::require_finite("time" + index, motion.time[k]);
+    detail::require_finite("angle" + index, motion.angle[k]);
+    detail::require_nonnegative("load" + index, motion.load[k], "N");
+    if (!motion.center_way.empty()) detail::require_finite("center_way" + index, motion.center_way[k]);
+    if (k > 0 && motion.time[k] < motion.time[k - 1]) {
+      detail::reject("time" + index,
+                     ">= time[" + std::to_string(k - 1) + "] = " + detail::text(motion.time[k - 1]) + " s",
+                     detail::text(motion.time[k]) + " s");
+    }
+  }
+  if (!motion.center_way.empty() && motion.center_way.front() != 0.0) {
+    detail::reject("center_way[0]", "0 m, for the way is counted from the first instant",
+                   detail::text(motion.center_way.front()) + " m");
+  }
+}
+
+}  // namespace viscoroll
