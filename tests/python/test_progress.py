@@ -19,7 +19,8 @@ CASE = {"load": 50.0, "angular_speed": 2.5, "mesh": MESH}
 SMALL = CASE | {"mesh": vr.Mesh(nodes_per_revolution=150)}
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": 293.15}
 SHIFT = vr.Arrhenius(activation_energy=60e3, reference_temperature=293.15)
-MOTION = {"time": [0.0, 0.2], "angle": [0.0, 0.5], "load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=100)}
+#: Long enough for a report every 20 ms.
+MOTION = {"time": [0.0, 0.8], "angle": [0.0, 2.0], "load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=300)}
 
 
 @pytest.fixture(scope="module")
