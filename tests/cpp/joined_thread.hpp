@@ -2,6 +2,7 @@
 /// @brief std::jthread, which the standard library of Apple's Clang keeps from programs.
 #pragma once
 
+#include <functional>
 #include <thread>
 #include <utility>
 
@@ -9,8 +10,7 @@ namespace viscoroll::detail {
 
 class JoinedThread {
  public:
-  template <class Work>
-  explicit JoinedThread(Work&& work) : thread_(std::forward<Work>(work)) {}
+  explicit JoinedThread(std::function<void()> work) : thread_(std::move(work)) {}
   ~JoinedThread() {
     if (thread_.joinable()) thread_.join();
   }

@@ -49,8 +49,10 @@ void SurfaceWindow::flatten() {
   const double r = grid_.radius;
   const Eigen::Index columns = shape().theta_nodes;
   for (Eigen::Index node = 0; node < x_.size(); ++node) {
-    x_[node] = -r * grid_.phi_spacing * (static_cast<double>(window_.phi.first + node / columns) + shift_);
-    z_[node] = -r * grid_.theta_spacing * static_cast<double>(window_.theta.first + node % columns);
+    const Eigen::Index row = window_.phi.first + node / columns;
+    const Eigen::Index column = window_.theta.first + node % columns;
+    x_[node] = -r * grid_.phi_spacing * (static_cast<double>(row) + shift_);
+    z_[node] = -r * grid_.theta_spacing * static_cast<double>(column);
   }
   height_ = (x_.square() + z_.square()) / (2.0 * r);
   y_ = r - height_;
