@@ -11,6 +11,7 @@
 #include "influence/gauss_legendre.hpp"
 #include "influence/legendre.hpp"
 #include "influence/patch.hpp"
+#include "modal/chebyshev_panels.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -146,10 +147,8 @@ struct ChebyshevNodes {
   [[nodiscard]] MatrixXd interpolation(const Eigen::ArrayXd& places) const {
     const auto count = static_cast<double>(angle.size());
     const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
-    const MatrixXd there = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
-    MatrixXd here = (angle.matrix() * degrees).array().cos() * (2.0 / count);
-    here.col(0) *= 0.5;
-    return there * here.transpose();
+    const MatrixXd terms = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
+    return terms * chebyshev_transform(static_cast<int>(angle.size())).transpose();
   }
 };
 
