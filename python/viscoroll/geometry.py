@@ -266,7 +266,7 @@ class Groove(ParameterTable):
         Of curvature across the path [m]: at least 1.02 times the ball's where it is hollow, < 0 where it bulges;
         straight without it.
     path_radius : float, optional
-        The same along the path: a dish, or the race of a bearing; without friction.
+        The same along the path: a dish, or the race of a bearing.
     layers : sequence of Layer
         From the base outwards; none: rigid.
     base : HalfSpace, optional

@@ -49,7 +49,7 @@ def solve(
         What rolls: rigid core and layers.
     on : CoatedPlane, Groove or CoatedCylinder, optional
         What it rolls on; without it the rigid plane. A ball rolls on a plane or in a groove, a cylinder on a plane or
-        another cylinder, without friction where that deforms. One of the two may be rigid, without layers. The
+        another cylinder. One of the two may be rigid, without layers. The
         material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.

@@ -25,11 +25,12 @@ namespace viscoroll {
 /// @throws Cancelled where the observer stopped the solve
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
-/// @brief The same on something that deforms, without friction: a roller on a coated plane, a half-space or another
-/// roller (theory.md section 14).
-/// @param[in] body a cylinder, rigid if it has no layers, unless `on` is a rigid plane
+/// @brief The same on something that deforms or is curved: on a coated plane, a half-space, in a groove or on another
+/// roller (theory.md sections 14 and 15).
+/// @param[in] body what rolls, rigid if it has no layers, unless `on` is a rigid plane
 /// @param[in] on what it rolls on; not both may be rigid
-/// @param[in] load_case without friction; the surface of both passes the contact at Omega times the outer radius
+/// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the
+/// outer radius
 /// @param[in] options how to solve
 [[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
                            const Options& options = {});

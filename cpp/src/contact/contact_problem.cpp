@@ -21,6 +21,7 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
     Friction& friction = *result.friction;
     const LeverArms& arms = problem.friction->arms;
     friction.arms = {.x = picked(arms.x, nodes), .y = picked(arms.y, nodes), .radius = arms.radius};
+    if (arms.slope.size() > 0) friction.arms.slope = picked(arms.slope, nodes);
     for (const auto slip : {&Friction::rigid_slip, &Friction::guided_slip}) {
       (friction.*slip) = picked((*problem.friction).*slip, nodes);
       (friction.*slip).topRows(result.surface->shape().theta_nodes).setZero();

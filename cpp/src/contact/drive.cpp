@@ -5,23 +5,19 @@
 namespace viscoroll::detail {
 
 Pushback pushback(const ContactState& state) {
-  switch (state.surface.bodies()) {
-    case Bodies::rolling:
-      return {.force = 0.0, .on_force = {}};
-    case Bodies::counterpart: {
-      VectorField on_force = VectorField::Zero(state.force.rows(), 3);
-      on_force.col(kDown) = -state.arms.x / state.arms.radius;
-      return {.force = (on_force * state.force).sum(), .on_force = std::move(on_force)};
-    }
-    default:
-      return {.force = state.surface.pushback(state.force), .on_force = {}};
-  }
+  const auto& [surface, arms, force, displacement] = state;
+  const bool is_rigid = surface.bodies() == Bodies::counterpart;
+  Pushback result{.force = is_rigid ? 0.0 : surface.pushback(force), .on_force = {}};
+  if (!is_rigid && arms.slope.size() == 0) return result;
+  result.on_force = VectorField::Zero(force.rows(), 3);
+  result.on_force.col(kDown) = is_rigid ? Eigen::ArrayXd(-arms.x / arms.radius) : Eigen::ArrayXd(-arms.slope);
+  result.force += (result.on_force * force).sum();
+  return result;
 }
 
 double moment_about_center(const ContactState& state, double pressure_share) {
   const auto& [surface, arms, force, displacement] = state;
-  if (surface.bodies() == Bodies::rolling) return moment(displaced(arms, displacement, pressure_share), force);
-  const VectorField own = surface.rolling_displacement(force);
+  const VectorField own = surface.bodies() == Bodies::rolling ? displacement : surface.rolling_displacement(force);
   return moment(displaced(arms, own, pressure_share), force) - arms.radius * pushback(state).force;
 }
 
@@ -31,17 +27,26 @@ double DriveRow::of(const VectorField& force, const VectorField& displacement, d
   return sum;
 }
 
+namespace {
+
+/// Count the pushback, `factor` times, in what must balance the forces of a row.
+DriveRow with_pushback(DriveRow row, const ContactState& state, double factor) {
+  const auto [pushed_back, on_force] = pushback(state);
+  row.value += factor * pushed_back;
+  if (on_force.rows() > 0) {
+    row.on_force -= factor * on_force;
+    row.value -= factor * (on_force * state.force).sum();
+  }
+  return row;
+}
+
+}  // namespace
+
 DriveRow GivenForce::row(const ContactState& state, double) const {
   DriveRow row{
       .on_force = VectorField::Zero(state.force.rows(), 3), .on_displacement = {}, .on_speed = 0.0, .value = -force_};
   row.on_force.col(kForward).setOnes();
-  const auto [pushed_back, on_force] = pushback(state);
-  row.value += pushed_back;
-  if (on_force.rows() > 0) {
-    row.on_force -= on_force;
-    row.value -= (on_force * state.force).sum();
-  }
-  return row;
+  return with_pushback(std::move(row), state, 1.0);
 }
 
 DriveRow GivenMoment::row(const ContactState& state, double) const {
@@ -57,23 +62,18 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   row.on_force.col(kDown) = -at.x / arm;
   row.on_displacement.col(kDown) = force.col(kForward) / arm;
   row.on_displacement.col(kForward) = -pressure_share_ * force.col(kDown) / arm;
-  return row;
+  return with_pushback(std::move(row), state, arms.radius / arm);
 }
 
 /// The body's own displacement, of the lever arms, is taken as it is: it hardly changes in a step.
 DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
-  const auto [pushed_back, on_force] = pushback(state);
   DriveRow row{.on_force = VectorField::Zero(state.force.rows(), 3),
                .on_displacement = {},
                .on_speed = 0.0,
-               .value = (moment_ + state.arms.radius * pushed_back) / arm};
+               .value = moment_ / arm};
   row.on_force.col(kForward) = (state.arms.y + state.surface.rolling_displacement(state.force).col(kDown)) / arm;
   row.on_force.col(kDown) = -state.arms.x / arm;
-  if (on_force.rows() > 0) {
-    row.on_force -= state.arms.radius / arm * on_force;
-    row.value -= state.arms.radius / arm * (on_force * state.force).sum();
-  }
-  return row;
+  return with_pushback(std::move(row), state, state.arms.radius / arm);
 }
 
 DriveRow GivenSpeed::row(const ContactState& state, double speed_force) const {

@@ -19,14 +19,17 @@ struct ContactState {
   const VectorField& displacement;  ///< of what rolls over what it rolls on [m]
 };
 
-/// @brief The force D with which pressure pushes what rolls back, see `SurfaceOperator::pushback`, linearized.
+/// @brief The force with which pressure pushes what rolls back, along the deformed surface that it stands on,
+/// linearized.
 struct Pushback {
-  double force;          ///< D [N]
-  VectorField on_force;  ///< its derivative [-]; no rows where D is taken as it is
+  double force;  ///< [N]
+  VectorField
+      on_force;  ///< its derivative [-], but for `SurfaceOperator::pushback`, which is taken as it is; or no rows
 };
 
-/// @brief Of a rigid body on one that deforms the moment of the pressure per radius, for there the pressure itself has
-/// no moment: it stands on a sphere.
+/// @brief The sum of `SurfaceOperator::pushback` and of what the slope of the undeformed surface makes of the pressure.
+/// Under a rigid body the moment of the pressure per radius, for there the pressure itself has no moment: it stands on
+/// a sphere.
 [[nodiscard]] Pushback pushback(const ContactState& state);
 
 /// @brief Moment of the contact forces about the center of what rolls, at displaced points:

@@ -8,7 +8,7 @@ LeverArms added_arms(const VectorField& displacement, double pressure_share) {
 
 LeverArms displaced(const LeverArms& arms, const VectorField& displacement, double pressure_share) {
   const LeverArms added = added_arms(displacement, pressure_share);
-  return {.x = arms.x + added.x, .y = arms.y + added.y, .radius = arms.radius};
+  return {.x = arms.x + added.x, .y = arms.y + added.y, .radius = arms.radius, .slope = arms.slope};
 }
 
 double moment(const LeverArms& arms, const VectorField& force) {

@@ -13,6 +13,8 @@ struct LeverArms {
   Eigen::ArrayXd x;  ///< forward
   Eigen::ArrayXd y;  ///< down
   double radius;     ///< of the undeformed body that turns
+  /// Of the undeformed surface that it rolls on, downwards along the way of the material; no rows where it has none
+  Eigen::ArrayXd slope = {};
 };
 
 /// @brief What displacements add to lever arms.

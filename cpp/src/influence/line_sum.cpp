@@ -31,8 +31,13 @@ cplx value(const LineCompliance<cplx>& compliance, Entry entry) {
 
 }  // namespace
 
-LineSum::LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing)
-    : bands_(std::move(bands)), spectrum_(std::move(spectrum)), radius_(radius), spacing_(spacing) {}
+LineSum::LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing,
+                 double turning_radius)
+    : bands_(std::move(bands)),
+      spectrum_(std::move(spectrum)),
+      radius_(radius),
+      spacing_(spacing),
+      turning_radius_(turning_radius) {}
 
 std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int /*theta_reach*/,
                                    int threads, Watch& watch) const {
@@ -49,6 +54,7 @@ std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, in
 
 Table LineSum::table(const TableRequest& request, int phi_reach, const std::vector<Waves>& waves) const {
   const double scale = 1.0 / (2.0 * std::numbers::pi * radius_);
+  const double turns = turning_radius_ / radius_;
   Eigen::VectorXd even = Eigen::VectorXd::Zero(phi_reach + 1);
   Eigen::VectorXd odd = Eigen::VectorXd::Zero(phi_reach + 1);
   std::size_t order = 0;
@@ -58,7 +64,8 @@ Table LineSum::table(const TableRequest& request, int phi_reach, const std::vect
     for (Index i = 0; i < band.orders.size(); ++i, ++order) {
       const double m = band.orders[i];
       const double patch = sinc(0.5 * m * spacing_);
-      const cplx received = request.power ? cplx(0.0, m) * patch : std::polar(1.0, m * spacing_ * request.phi_shift);
+      const cplx received =
+          request.power ? cplx(0.0, turns * m) * patch : std::polar(1.0, m * spacing_ * request.phi_shift);
       summand[i] = scale * band.weights[i] * patch * received * value(spectrum_[order], request.entry);
     }
     // Re[(cos + i sin)(a + i b)]

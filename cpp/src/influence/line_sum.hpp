@@ -19,7 +19,8 @@ class LineSum : public TableSum {
   /// @param[in] spectrum compliance at the orders of all bands, one band after the other
   /// @param[in] radius that makes wave numbers orders [m]
   /// @param[in] spacing of the nodes [rad]
-  LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing);
+  /// @param[in] turning_radius of the body per whose radian the work of power tables is done [m]
+  LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing, double turning_radius);
 
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override;
@@ -31,6 +32,7 @@ class LineSum : public TableSum {
   LineSpectrum spectrum_;
   double radius_;
   double spacing_;
+  double turning_radius_;
 };
 
 }  // namespace viscoroll::detail

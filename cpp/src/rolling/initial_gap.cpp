@@ -33,6 +33,10 @@ ArrayXd counterpart_drop(const SurfaceWindow& points, const Counterpart& on) {
   return -rise_of_circle(points.x(), track.along) - rise_of_circle(points.z(), track.across);
 }
 
+ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair) {
+  return counterpart_curvature(pair) * counterpart_drop(points, pair.on);
+}
+
 ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
   if (!std::holds_alternative<CoatedCylinder>(pair.on)) return points.x();
   const double radius = radius_of(pair.on);

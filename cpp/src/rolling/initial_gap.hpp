@@ -16,6 +16,11 @@ namespace viscoroll::detail {
 /// @return at every node [m]
 [[nodiscard]] Eigen::ArrayXd counterpart_drop(const SurfaceWindow& points, const Counterpart& on);
 
+/// @brief By which share of the speed the surface that a body rolls on lags, where it turns too and is nearer to its
+/// own axis: 0 of a straight one.
+/// @return at every node [-]
+[[nodiscard]] Eigen::ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair);
+
 /// @brief What the moment of the pressure is made of: the relative radius times the slope of the undeformed gap along
 /// the nodes.
 /// @param[in] points nodes of what rolls

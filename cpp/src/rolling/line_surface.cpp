@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <string>
@@ -23,8 +24,8 @@ using cplx = std::complex<double>;
 /// Nodes per revolution of another circumference, for the choice of bands.
 Mesh mesh_around(double circumference, double arc, const Mesh& mesh) {
   Mesh other = mesh;
-  other.nodes_per_revolution =
-      static_cast<int>(std::clamp<double>(std::round(circumference / arc), 16.0, kMostNodesPerRevolution));
+  constexpr double kLargestInt = std::numeric_limits<int>::max();
+  other.nodes_per_revolution = static_cast<int>(std::clamp(std::round(circumference / arc), 16.0, kLargestInt));
   return other;
 }
 
@@ -62,7 +63,8 @@ LineSurface roller_surface(const CoatedCylinder& cylinder, double surface_speed,
     surface.stiffest_modulus = std::max(surface.stiffest_modulus, std::abs(moduli.back()));
   }
   surface.centrifugal = cylinder_centrifugal_displacement(cylinder_media(cylinder, at_rest, angular_speed));
-  surface.sum = std::make_unique<const LineSum>(std::move(bands), std::move(spectrum), radius, arc / radius);
+  surface.sum = std::make_unique<const LineSum>(std::move(bands), std::move(spectrum), radius, arc / radius,
+                                                arc / phi_spacing(mesh));
   return surface;
 }
 
@@ -84,7 +86,8 @@ LineSurface plane_surface(const CoatedPlane& plane, double surface_speed, double
   for (std::size_t layer = 0; layer < few.layers().size(); ++layer) {
     surface.stiffest_modulus = std::max(surface.stiffest_modulus, std::abs(few.modulus(layer, 1)));
   }
-  surface.sum = std::make_unique<const LineSum>(std::move(bands), plane_spectrum(harmonics), radius, phi_spacing(mesh));
+  surface.sum =
+      std::make_unique<const LineSum>(std::move(bands), plane_spectrum(harmonics), radius, phi_spacing(mesh), radius);
   return surface;
 }
 

@@ -115,6 +115,7 @@ class Summary {
     const double counterpart = counterpart_force(r);
     double work = r.driving_torque * load_case.angular_speed +
                   (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
+    work += work_of_turning_counterpart(r) * load_case.angular_speed * radius();
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
@@ -156,7 +157,14 @@ class Summary {
 
   /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
   [[nodiscard]] double counterpart_force(const Result& r) const {
-    return given_.drag - r.resisting_torque * (1.0 / given_.relative_radius - 1.0 / radius());
+    return given_.drag - r.resisting_torque * given_.counterpart_curvature;
+  }
+
+  /// Of tractions, per way: the common surface lags where it is nearer to the counterpart's axis than the summit was.
+  [[nodiscard]] double work_of_turning_counterpart(const Result& r) const {
+    if (given_.counterpart_curvature == 0.0 || !r.center_height) return 0.0;
+    const ArrayXd depth = given_.arms.y - *r.center_height;
+    return given_.counterpart_curvature * (depth * contact_.force.col(kForward)).sum();
   }
 
   /// Power that the counterpart takes from what drives the two.

@@ -26,8 +26,8 @@ struct ContactConditions {
   Eigen::ArrayXd height;    ///< above the lowest point of where displacements are taken, undeformed [m]
   Losses losses;            ///< in the layers of each body, per radian [N m]
   Eigen::ArrayXd lever;     ///< of the pressure: relative radius times slope of the undeformed gap [m]
-  double relative_radius;   ///< R, 1/R = 1/R_1 + 1/R_2 [m]
-  double drag;              ///< of the pressure along the deformed surface of the counterpart, D_2 [N]
+  double counterpart_curvature;  ///< along the path [1/m]
+  double drag;                   ///< of the pressure along the deformed surface of the counterpart, D_2 [N]
 };
 
 /// @brief Torques, powers and fields of a solved contact.

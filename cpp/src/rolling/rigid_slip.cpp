@@ -1,8 +1,10 @@
 #include "rolling/rigid_slip.hpp"
 
+#include "rolling/initial_gap.hpp"
+
 namespace viscoroll::detail {
 
-RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
+RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics, const RollingPair& pair,
                      const GivenMotion& given) {
   using Eigen::ArrayX2d;
   const double step = points.grid().radius * points.grid().phi_spacing;
@@ -15,6 +17,8 @@ RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematic
   } else {
     slip.own.col(0).tail(rest).setConstant(-step);
   }
+  const Eigen::ArrayXd delay = counterpart_delay(points, pair);
+  slip.own.col(0).tail(rest) -= 0.5 * step * (delay.tail(rest) + delay.head(rest));
   slip.guided.col(0).tail(rest) = given.spin * step * points.z().tail(rest);
   slip.guided.col(1).tail(rest) = given.lateral_creepage * step - given.spin * step * points.x().tail(rest);
   return slip;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "rolling/drives.hpp"
+#include "rolling/rolling_body.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
 
@@ -19,8 +20,9 @@ struct RigidSlip {
 /// @param[in] points where displacements are taken
 /// @param[in] swelling of the free surface, by the turning
 /// @param[in] kinematics with Heathcote slip or without
+/// @param[in] pair both bodies
 /// @param[in] given lateral creepage and spin
 [[nodiscard]] RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
-                                   const GivenMotion& given);
+                                   const RollingPair& pair, const GivenMotion& given);
 
 }  // namespace viscoroll::detail

@@ -65,6 +65,10 @@ double relative_radius(const RollingPair& pair) {
   return radius / (1.0 + radius / radius_of(pair.on) - radius * track_curvature(pair.on).along);
 }
 
+double counterpart_curvature(const RollingPair& pair) {
+  return 1.0 / radius_of(pair.on) - track_curvature(pair.on).along;
+}
+
 std::vector<NamedLayer> layers(const RollingPair& pair) {
   std::vector<NamedLayer> named;
   append(named, layers_of(pair.body), "");

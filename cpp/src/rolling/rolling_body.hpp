@@ -42,6 +42,9 @@ struct NamedLayer {
 /// @return R of 1/R = 1/R_1 + 1/R_2 [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);
 
+/// @return curvature of the counterpart along the path [1/m]: > 0 of a roller, < 0 where the path is hollow
+[[nodiscard]] double counterpart_curvature(const RollingPair& pair);
+
 /// @return the plane, or the groove's surface, that a ball rolls on
 [[nodiscard]] const CoatedPlane& plane_of(const Counterpart& on);
 

@@ -58,12 +58,6 @@ class LoadCaseSolver {
       reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
     }
     if (model_.track() != nullptr) require_plain_formulation();
-    if (std::holds_alternative<CoatedCylinder>(model_.pair().on) && load_case_.friction > 0.0) {
-      reject("friction", "0 between two cylinders", text(load_case_.friction));
-    }
-    if (track_curvature(model_.pair().on).along != 0.0 && load_case_.friction > 0.0) {
-      reject("friction", "0 where the path is curved (on.path_radius)", text(load_case_.friction));
-    }
     if (load_case_.load > unbearable_load(model_.pair(), model_.stiffest_modulus())) {
       reject_load("would be pressed through any such coating");
     }
@@ -164,6 +158,7 @@ class LoadCaseSolver {
     if (model_.track() == nullptr) return own;
     Formulation formulation = formulation_;
     formulation.is_counterpart = true;
+    formulation.counterpart_curvature = counterpart_curvature(model_.pair());
     auto track = operator_of(*model_.track(), formulation, nodes);
     return own ? std::make_shared<SumOperator>(std::move(own), std::move(track)) : track;
   }
@@ -208,8 +203,8 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] Friction make_friction(const SurfaceWindow& nodes) const {
-    const RigidSlip slip =
-        rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, given_motion(load_case_.drive));
+    const RigidSlip slip = rigid_slip(displaced_points(nodes), swelling_, options_.slip_kinematics, model_.pair(),
+                                      given_motion(load_case_.drive));
     return {.coefficient = load_case_.friction,
             .rigid_slip = slip.own + slip.guided,
             .guided_slip = slip.guided,
@@ -226,10 +221,15 @@ class LoadCaseSolver {
       case Bodies::rolling:
         return 0.0;
       case Bodies::counterpart:
-        return (pressing_force(contact) * pressure_lever(nodes, model_.pair())).sum() / relative_radius(model_.pair());
+        return (pressing_force(contact) * (nodes.x() / grid_.radius - slope_of_counterpart(nodes))).sum();
       default:
         return problem.surface->pushback(contact.force);
     }
+  }
+
+  /// Undeformed, downwards along the way of the material.
+  [[nodiscard]] Eigen::ArrayXd slope_of_counterpart(const SurfaceWindow& nodes) const {
+    return -counterpart_curvature(model_.pair()) * pressure_lever(nodes, model_.pair());
   }
 
   /// What the tables of a counterpart are made for.
@@ -251,7 +251,9 @@ class LoadCaseSolver {
   }
 
   [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& nodes) const {
-    return {.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
+    LeverArms arms{.x = swelling_ * nodes.x(), .y = swelling_ * nodes.y(), .radius = grid_.radius};
+    if (counterpart_curvature(model_.pair()) != 0.0) arms.slope = slope_of_counterpart(nodes);
+    return arms;
   }
 
   /// Where displacements are taken.
@@ -283,7 +285,7 @@ class LoadCaseSolver {
                         .height = points.height() + counterpart_drop(points, model_.pair().on),
                         .losses = losses,
                         .lever = pressure_lever(nodes, model_.pair()),
-                        .relative_radius = relative_radius(model_.pair()),
+                        .counterpart_curvature = counterpart_curvature(model_.pair()),
                         .drag = drag(nodes, problem, contact)});
   }
 

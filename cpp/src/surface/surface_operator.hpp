@@ -25,7 +25,7 @@ enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
 /// @brief Which of two bodies deform.
 enum class Bodies { rolling, counterpart, both };
 
-/// @brief Work lost in each of two bodies.
+/// @brief Work lost in each of two bodies, per radian of the one that rolls [N m].
 struct Losses {
   double rolling = 0.0;
   double counterpart = 0.0;
