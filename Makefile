@@ -73,7 +73,7 @@ test-clang: deps-clang
 	ctest --preset clang --parallel $(JOBS)
 	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
 	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet --config-settings=build-dir=build/clang/wheel '.[test]'
-	build/clang/venv/bin/python -m pytest
+	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile
 
 # The header comes out of a Python package.
 build/headers: | $(VENV)/bin/pip
@@ -156,9 +156,11 @@ hooks: $(VENV)/lint.stamp
 stubs: $(VENV)/lint.stamp
 	$(BIN)/python python/bindings/make_stub.py
 
-bench: deps-bench $(VENV)/bench.stamp
+bench: deps-bench build/headers $(VENV)/bench.stamp
 	cmake --preset bench
 	cmake --build --preset bench --parallel $(JOBS)
+	cmake --preset bench-pocketfft
+	cmake --build --preset bench-pocketfft --parallel $(JOBS) --target bench_transforms
 	$(BIN)/python bench/run.py
 
 bench-compare:

@@ -23,6 +23,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build" / "bench" / "bench" / "bench_solve"
+TRANSFORMS = [ROOT / "build" / build / "bench" / "bench_transforms" for build in ("bench", "bench-pocketfft")]
 RESULTS = Path(__file__).with_name("results.csv")
 COLUMNS = ["date", "commit", "cpu", "threads", "case", "runs", "clock", "median_s", "min_s", "max_s", "error"]
 COLUMNS += ["contact_nodes", "peak_mb", "details"]
@@ -70,6 +71,26 @@ def row(case: str, clock: str, seconds: list[float], error: float, peak: float, 
     } | rest
 
 
+def transform_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
+    """Cases of bench_transforms, built with one library for the transforms or the other: wall time on one core."""
+    for program in TRANSFORMS:
+        if not program.exists():
+            print(f"{program.relative_to(ROOT)} left out: not built")
+            continue
+        names = subprocess.run([program, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
+        for name in filter(only.search, names.splitlines()):
+            done, peak = repetitions(program, name, runs)
+            seconds = [repetition["real_time"] * 1e-3 for repetition in done]
+            yield row(name.removesuffix("/real_time"), "wall", seconds, done[0]["error"], peak) | {"threads": 1}
+
+
+def repetitions(program: Path, name: str, runs: int) -> tuple[list[dict[str, Any]], float]:
+    """Return what a benchmark says of each run, and its peak memory [MB]."""
+    several = [f"--benchmark_repetitions={runs}", "--benchmark_min_warmup_time=0.1"]
+    output, peak = run(program, f"--benchmark_filter=^{name}$", *several, "--benchmark_format=json")
+    return [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"], peak
+
+
 def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
     """Cases of bench_solve: wall time on all cores."""
     names = subprocess.run([PROGRAM, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
@@ -77,10 +98,7 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
         case = name.removesuffix("/real_time").replace("/iterations:1", "")
         if not only.search(case):
             continue
-        repetitions = [f"--benchmark_repetitions={runs}", "--benchmark_min_warmup_time=0.1"]
-        arguments = [f"--benchmark_filter=^{name}$", *repetitions, "--benchmark_format=json"]
-        output, peak = run(PROGRAM, *arguments)
-        done = [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"]
+        done, peak = repetitions(PROGRAM, name, runs)
         details: dict[str, object] = {
             key: int(done[0][key])
             for key in ("iterations", "operator_applications", "window", "steps")
@@ -129,7 +147,7 @@ def main() -> None:
     options = parser.parse_args()
 
     rows = []
-    for cases in (library_cases, script_cases):
+    for cases in (library_cases, transform_cases, script_cases):
         for done in cases(options.runs, options.only):
             print(f"{done['case']:<40} {done['median_s']:>8} s  [{done['min_s']}, {done['max_s']}]", end="  ")
             print(f"error {done['error']}  {done['peak_mb']} MB  {done['details']}", flush=True)
