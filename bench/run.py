@@ -81,7 +81,7 @@ def transform_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, obje
         for name in filter(only.search, names.splitlines()):
             done, peak = repetitions(program, name, runs)
             seconds = [repetition["real_time"] * 1e-3 for repetition in done]
-            yield row(name.removesuffix("/real_time"), "wall", seconds, done[0]["error"], peak) | {"threads": 1}
+            yield row(name.removesuffix("/real_time"), "wall", seconds, done[0]["error"], peak, threads=1, details="")
 
 
 def repetitions(program: Path, name: str, runs: int) -> tuple[list[dict[str, Any]], float]:

@@ -11,7 +11,7 @@
 All quantities are in SI units; angles are in radians and all moduli are shear moduli.
 """
 
-from . import analytic
+from . import analytic, paper
 from ._core import (
     Compliance,
     ConvergenceError,
@@ -130,6 +130,7 @@ __all__ = [
     "influence_tables",
     "load_material",
     "loss_spectrum",
+    "paper",
     "plane_cooling",
     "read_rheology",
     "roll",

@@ -12,7 +12,9 @@ import numpy.typing
 import typing
 
 class ConvergenceError(RuntimeError):
-    pass
+    """
+    An iteration ended without a usable answer; the message says how far it came.
+    """
 
 class Extrapolation(enum.Enum):
     """What a master curve does outside its table."""

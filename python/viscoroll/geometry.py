@@ -145,7 +145,7 @@ class CoatedCylinder(ParameterTable):
     core_radius : float
         Radius of the core [m], > 0.
     layers : sequence of Layer
-        From the core outwards.
+        From the core outwards; none: rigid.
 
     Examples
     --------
@@ -157,7 +157,7 @@ class CoatedCylinder(ParameterTable):
     """
 
     core_radius: float
-    layers: Sequence[Layer]
+    layers: Sequence[Layer] = ()
 
     def __post_init__(self) -> None:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""

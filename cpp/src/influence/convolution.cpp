@@ -25,6 +25,7 @@ Convolution::Convolution(WindowShape shape, const std::vector<Table>& tables, co
     };
     if (spectrum.empty()) spectrum = product_.spectrum(value, threads, watch);
     terms_.push_back({term.result, &spectrum, term.operand, term.sign});
+    fields_ = std::max(fields_, term.operand + 1);
     results_ = std::max(results_, term.result + 1);
   }
 }

@@ -45,10 +45,14 @@ class Convolution {
     product_.apply(fields, fill, terms_, results_, take, threads, watch);
   }
 
+  /// @return floating-point operations of a product, roughly
+  [[nodiscard]] double operations() const { return product_.operations(fields_, terms_.size(), results_); }
+
  private:
   SpectralProduct product_;
   std::vector<ComplexBuffer> spectra_;  // of the tables that occur in terms; others stay empty
   std::vector<SpectralTerm> terms_;     // which point to them
+  std::size_t fields_ = 0;
   std::size_t results_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "influence/spectral_product.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 
 #include "instruction_sets.hpp"
@@ -107,6 +108,12 @@ Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const st
       },
       threads, watch);
   return values;
+}
+
+double SpectralProduct::operations(std::size_t fields, std::size_t terms, std::size_t results) const {
+  const double points = static_cast<double>(period_.phi_nodes) * period_.theta_nodes;
+  const double transform = 2.5 * points * std::log2(points);
+  return static_cast<double>(fields + results) * transform + static_cast<double>(terms) * 4.0 * points;
 }
 
 void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms,

@@ -75,6 +75,9 @@ class SpectralProduct {
   void apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms, std::size_t results,
              const Take& take, int threads, Watch& watch) const;
 
+  /// @return floating-point operations of a product, roughly
+  [[nodiscard]] double operations(std::size_t fields, std::size_t terms, std::size_t results) const;
+
   /// @param[in] operands one column for each field, rows being nodes
   /// @param[in] terms,results,threads,watch as above
   /// @return one column for each result

@@ -113,6 +113,11 @@ Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, 
   return result;
 }
 
+double SphereProduct::operations() const {
+  const auto lines = static_cast<double>(components_ * loaded_.cols());
+  return 8.0 * static_cast<double>(spectrum_.size()) * lines * lines + (local_ ? local_->operations() : 0.0);
+}
+
 void SphereProduct::add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const {
   const auto powers = static_cast<Index>(metric_.size());
   Eigen::ArrayXXd weighted(loads.rows(), powers * components_);

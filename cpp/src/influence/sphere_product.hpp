@@ -29,6 +29,9 @@ class SphereProduct {
   /// @return the same of what they cause
   [[nodiscard]] Eigen::ArrayXXd apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const;
 
+  /// @return floating-point operations of it, roughly
+  [[nodiscard]] double operations() const;
+
  private:
   void add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const;
 

@@ -77,57 +77,104 @@ struct Patches {
 };
 
 /// What displaces along P under a load along Q, at one order m: the sum over the degrees, [k, k'].
+///
+/// Thetas lie in pairs about the equator, where harmonics of every other degree are even and the rest are odd. So sums
+/// over either, between the thetas of one side, are enough for all.
 class OrderTables {
  public:
+  /// @param[in] seen,loaded at the first of `thetas` thetas, up to the equator
   OrderTables(const Harmonics& seen, const Harmonics& loaded, const std::vector<DegreeCompliance>& compliances,
-              const Eigen::ArrayXd& degree_weights)
-      : seen_(seen), loaded_(loaded) {
-    const auto count = static_cast<Index>(compliances.size());
-    for (Eigen::ArrayXcd* values : {&radial_, &mixed_, &along_, &across_}) values->resize(count);
-    for (Index l = 0; l < count; ++l) {
-      const DegreeCompliance& c = compliances[static_cast<std::size_t>(l)];
-      radial_[l] = degree_weights[l] * c.radial;
-      mixed_[l] = degree_weights[l] * c.mixed;
-      along_[l] = degree_weights[l] * c.along;
-      across_[l] = degree_weights[l] * c.across;
+              const Eigen::ArrayXd& degree_weights, Index thetas)
+      : thetas_(thetas) {
+    for (Index parity = 0; parity < 2; ++parity) {
+      Degrees& own = degrees_[static_cast<std::size_t>(parity)];
+      own = {.seen = every_other(seen, parity), .loaded = every_other(loaded, parity)};
+      const Index count = own.seen.p.rows();
+      for (Eigen::ArrayXcd* values : {&own.radial, &own.mixed, &own.along, &own.across}) values->resize(count);
+      for (Index row = 0; row < count; ++row) {
+        const Index l = 2 * row + parity;
+        const DegreeCompliance& c = compliances[static_cast<std::size_t>(l)];
+        own.radial[row] = degree_weights[l] * c.radial;
+        own.mixed[row] = degree_weights[l] * c.mixed;
+        own.along[row] = degree_weights[l] * c.along;
+        own.across[row] = degree_weights[l] * c.across;
+      }
     }
   }
 
   [[nodiscard]] Eigen::MatrixXcd operator()(int p, int q) const {
     const cplx i(0.0, 1.0);
+    constexpr auto kP = &Harmonics::p;
+    constexpr auto kD = &Harmonics::d;
+    constexpr auto kE = &Harmonics::e;
     switch (3 * p + q) {
       case 0:
-        return sum(seen_.p, radial_, loaded_.p);
+        return sum(kP, &Degrees::radial, kP);
       case 1:
-        return -i * sum(seen_.p, mixed_, loaded_.e);
+        return -i * sum(kP, &Degrees::mixed, kE);
       case 2:
-        return sum(seen_.p, mixed_, loaded_.d);
+        return sum(kP, &Degrees::mixed, kD);
       case 3:
-        return i * sum(seen_.e, mixed_, loaded_.p);
+        return i * sum(kE, &Degrees::mixed, kP);
       case 4:
-        return sum(seen_.e, along_, loaded_.e) + sum(seen_.d, across_, loaded_.d);
+        return sum(kE, &Degrees::along, kE) + sum(kD, &Degrees::across, kD);
       case 5:
-        return i * (sum(seen_.e, along_, loaded_.d) + sum(seen_.d, across_, loaded_.e));
+        return i * (sum(kE, &Degrees::along, kD) + sum(kD, &Degrees::across, kE));
       case 6:
-        return sum(seen_.d, mixed_, loaded_.p);
+        return sum(kD, &Degrees::mixed, kP);
       case 7:
-        return -i * (sum(seen_.d, along_, loaded_.e) + sum(seen_.e, across_, loaded_.d));
+        return -i * (sum(kD, &Degrees::along, kE) + sum(kE, &Degrees::across, kD));
       default:
-        return sum(seen_.d, along_, loaded_.d) + sum(seen_.e, across_, loaded_.e);
+        return sum(kD, &Degrees::along, kD) + sum(kE, &Degrees::across, kE);
     }
   }
 
  private:
-  static Eigen::MatrixXcd sum(const MatrixXd& left, const Eigen::ArrayXcd& middle, const MatrixXd& right) {
-    Eigen::MatrixXcd result(left.cols(), right.cols());
-    result.real() = left.transpose() * (middle.real().matrix().asDiagonal() * right);
-    result.imag() = left.transpose() * (middle.imag().matrix().asDiagonal() * right);
-    return result;
+  /// Every other degree.
+  struct Degrees {
+    Harmonics seen;
+    Harmonics loaded;
+    Eigen::ArrayXcd radial = {}, mixed = {}, along = {}, across = {};
+  };
+
+  static Harmonics every_other(const Harmonics& all, Index first) {
+    const auto rows = Eigen::seq(first, Eigen::last, Eigen::fix<2>);
+    return {.p = all.p(rows, Eigen::all), .d = all.d(rows, Eigen::all), .e = all.e(rows, Eigen::all)};
   }
 
-  const Harmonics& seen_;
-  const Harmonics& loaded_;
-  Eigen::ArrayXcd radial_, mixed_, along_, across_;
+  using Harmonic = MatrixXd Harmonics::*;
+
+  [[nodiscard]] Eigen::MatrixXcd sum(Harmonic seen, Eigen::ArrayXcd Degrees::* middle, Harmonic loaded) const {
+    std::array<Eigen::MatrixXcd, 2> sums;
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+      const Degrees& own = degrees_[parity];
+      const Eigen::ArrayXcd& factor = own.*middle;
+      const MatrixXd& right = own.loaded.*loaded;
+      const MatrixXd& left = own.seen.*seen;
+      sums[parity].resize(left.cols(), right.cols());
+      sums[parity].real() = left.transpose() * (factor.real().matrix().asDiagonal() * right);
+      sums[parity].imag() = left.transpose() * (factor.imag().matrix().asDiagonal() * right);
+    }
+    // Of the first degrees, P and E are even about the equator and D is odd.
+    const auto sign = [](Harmonic harmonic) { return harmonic == &Harmonics::d ? -1.0 : 1.0; };
+    return unfolded(sums[0] + sums[1], sums[0] - sums[1], sign(seen), sign(loaded));
+  }
+
+  /// From between thetas on one side, `same`, and between those and the other side, to all.
+  [[nodiscard]] Eigen::MatrixXcd unfolded(const Eigen::MatrixXcd& same, const Eigen::MatrixXcd& opposite,
+                                          double seen_sign, double loaded_sign) const {
+    const Index half = same.rows();
+    const Index rest = thetas_ - half;
+    Eigen::MatrixXcd all(thetas_, thetas_);
+    all.topLeftCorner(half, half) = same;
+    all.topRightCorner(half, rest) = loaded_sign * opposite.leftCols(rest).rowwise().reverse();
+    all.bottomLeftCorner(rest, half) = seen_sign * opposite.topRows(rest).colwise().reverse();
+    all.bottomRightCorner(rest, rest) = seen_sign * loaded_sign * same.topLeftCorner(rest, rest).reverse();
+    return all;
+  }
+
+  Index thetas_;
+  std::array<Degrees, 2> degrees_;
 };
 
 Eigen::ArrayXd node_thetas(int nodes, double spacing) {
@@ -259,7 +306,8 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
   for (std::size_t m = 0; m < orders.size(); ++m) orders[m] = static_cast<double>(m);
   const HarmonicCoating coating(sphere_, angular_speed_, orders, measured_order(mesh_), Curvature::sphere);
   const auto spectrum = make_spectrum(coating, highest_degree_ + 1.0, threads, watch);
-  const Patches patches(thetas, theta_spacing(mesh_), request.patch_load, highest_degree_);
+  const Eigen::ArrayXd to_equator = thetas.head((thetas.size() + 1) / 2);
+  const Patches patches(to_equator, theta_spacing(mesh_), request.patch_load, highest_degree_);
   const double scale = 1.0 / (2.0 * std::numbers::pi * coating.outer_radius() * coating.outer_radius());
 
   // [table][m], then summed along phi row by row.
@@ -269,12 +317,12 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
     const auto compliances = degree_compliances(coating, *spectrum, i, highest_degree_);
     worker.checkpoint();
     const Harmonics loaded = patches.harmonics(m, highest_degree_);
-    const Harmonics seen = request.power ? loaded : harmonics_at(m, highest_degree_, thetas);
+    const Harmonics seen = request.power ? loaded : harmonics_at(m, highest_degree_, to_equator);
     Eigen::ArrayXd weights(highest_degree_ - m + 1);
     for (Index l = 0; l < weights.size(); ++l) {
       weights[l] = exact_share(static_cast<double>(m + l) + 0.5, exact_degree_);
     }
-    const OrderTables order(seen, loaded, compliances, weights);
+    const OrderTables order(seen, loaded, compliances, weights, thetas.size());
     const double patch = sinc(0.5 * m * phi_spacing(mesh_));
     // Derivatives are averages over patches, displacements are taken somewhat downstream of the nodes.
     const cplx seen_from =

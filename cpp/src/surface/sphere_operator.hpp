@@ -29,6 +29,7 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] const Window& window() const override { return nearby_->window(); }
   [[nodiscard]] const Execution& execution() const override { return nearby_->execution(); }
   [[nodiscard]] double collocation() const override { return nearby_->collocation(); }
+  [[nodiscard]] double operations() const override { return product_.operations(); }
   [[nodiscard]] const LocalCompliance& local() const override { return nearby_->local(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
   using SurfaceOperator::normal_displacement;

@@ -43,6 +43,8 @@ class SumOperator : public SurfaceOperator {
             .counterpart = counterpart_->dissipation(force).counterpart};
   }
 
+  [[nodiscard]] double operations() const override { return rolling_->operations() + counterpart_->operations(); }
+
  private:
   std::shared_ptr<const SurfaceOperator> rolling_;
   std::shared_ptr<const SurfaceOperator> counterpart_;

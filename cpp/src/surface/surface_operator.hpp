@@ -101,6 +101,9 @@ class SurfaceOperator {
   /// @return work lost per radian of turning [N m], which uses neither the contact nor the displacements
   [[nodiscard]] virtual Losses dissipation(const VectorField& force) const = 0;
 
+  /// @return floating-point operations of one displacement, roughly
+  [[nodiscard]] virtual double operations() const = 0;
+
   [[nodiscard]] WindowShape shape() const { return window().shape(); }
 
   /// @return upward displacement of every node [m] by pressing forces on every node [N]

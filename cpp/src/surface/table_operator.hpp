@@ -78,6 +78,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
   [[nodiscard]] double collocation() const override { return formulation_.collocation; }
+  [[nodiscard]] double operations() const override { return displacements_.operations(); }
   /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
