@@ -330,6 +330,16 @@ def test_equal_rollers_do_not_slip():
     assert r.driving_torque * r.angular_speed == pytest.approx(r.rolling_bulk_power, rel=1e-3)
 
 
+def _carters_traction(s, share: float):
+    """Return t / (μ p₀) at x = s a, what sticks being of half width 1 - share and beginning at the leading edge."""
+
+    def hertz(s):
+        return np.sqrt(np.maximum(1.0 - s**2, 0.0))
+
+    stick = 1.0 - share
+    return hertz(s) - stick * hertz((s - share) / stick)
+
+
 def _error_of_carters_traction(share: float, across: int):
     """Return x / a, the error of the traction per largest one, and that of its sum, at `share` of full sliding."""
     a, radius = 1e-4, 0.1
@@ -339,14 +349,16 @@ def _error_of_carters_traction(share: float, across: int):
     model = vr.RollingModel(vr.CoatedCylinder(core_radius=40e-3, layers=[layer]), angular_speed=1.0, mesh=mesh)
     free = model.solve(load=load, friction=0.3)
     r = model.solve(load=load, friction=0.3, drive=vr.Drive(creepage=free.creepage + share * 0.3 * a / radius))
-
-    def hertz(s):
-        return np.sqrt(np.maximum(1.0 - s**2, 0.0))
-
     x, most = r.x.ravel() / a, 0.3 * 2.0 * load / (np.pi * a)
-    stick = 1.0 - share  # half width of what sticks, which begins at the leading edge
-    carter = hertz(x) - stick * hertz((x - share) / stick)
-    return x, np.abs(-r.shear_traction[0].ravel() / most - carter), r.driving_force / (0.3 * load) - (1.0 - stick**2)
+    error = np.abs(-r.shear_traction[0].ravel() / most - _carters_traction(x, share))
+    return x, error, r.driving_force / (0.3 * load) - (1.0 - (1.0 - share) ** 2)
+
+
+@pytest.mark.parametrize("share", [0.25, 0.5, 0.75])
+def test_traction_of_a_fine_mesh_is_carters_within_a_percent(share):
+    # In the mean square.
+    x, error, _ = _error_of_carters_traction(share, 200)
+    assert np.linalg.norm(error) < 0.01 * np.linalg.norm(_carters_traction(x, share))
 
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.75])
