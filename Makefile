@@ -39,6 +39,7 @@ help:
 
 demo: $(VENV)/demo.stamp
 	$(BIN)/viscoroll demo
+	@echo "for python and viscoroll of this environment: . $(BIN)/activate"
 
 test: test-cpp test-package test-python
 
@@ -195,10 +196,12 @@ $(VENV)/bin/pip: | $(DEPS)
 	$(PYTHON) -m venv $(VENV)
 
 $(VENV)/demo.stamp: $(SOURCES) | $(VENV)/bin/pip
-	$(BIN)/pip install --quiet '.[cli,plot]'
+	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV) with all that the README uses"
+	$(BIN)/pip install --quiet '.[cli,plot,files,studies]'
 	touch $@
 
 $(VENV)/test.stamp: $(SOURCES) | $(VENV)/bin/pip
+	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV)"
 	$(BIN)/pip install --quiet '.[test]'
 	touch $@ $(VENV)/demo.stamp
 

@@ -300,12 +300,18 @@ def test_two_rollers_do_not_care_which_is_called_the_first(creepage):
         ROLLER, on=OTHER, angular_speed=speed / 60e-3, drive=vr.Drive(creepage=creepage), mesh=meshes[0], **given
     )
     other = vr.solve(
-        OTHER, on=ROLLER, angular_speed=speed / 100e-3, drive=vr.Drive(creepage=back), mesh=meshes[1], **given
+        OTHER,
+        on=ROLLER,
+        angular_speed=(1.0 + creepage) * speed / 100e-3,
+        drive=vr.Drive(creepage=back),
+        mesh=meshes[1],
+        **given,
     )
     traction = [-r.shear_traction[0].sum() * np.ptp(r.x) / (len(r.x) - 1) for r in (first, other)]
     assert traction[0] == pytest.approx(-traction[1], abs=2e-3 * 0.2 * 5e3)
-    assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-3)
-    assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3)
+    # The loss per way is that at the speed of the first one's surface.
+    assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-3 + abs(creepage))
+    assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-3 + abs(creepage))
     assert first.slip_power == pytest.approx(other.slip_power, rel=1e-2)
     assert max(first.power_balance_error, other.power_balance_error) < 5e-4
 

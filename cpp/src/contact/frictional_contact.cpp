@@ -39,8 +39,8 @@ constexpr double kSmallestRatio = 1.05;  // of one share to the next
 constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
 constexpr Index kSmallContact = 300;  // nodes up to which every step is exact, which takes fewer of them
-constexpr double kMostEffort = 5e9;   // operations in operator applications on a mesh: some seconds ...
-constexpr int kLeastEffort = 500;     // ... or so many applications, five times what a state usually takes
+constexpr double kMostEffort = 1e10;  // operations in operator applications on a mesh: some seconds ...
+constexpr int kLeastEffort = 800;     // ... or so many applications, eight times what a state usually takes
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
 /// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.

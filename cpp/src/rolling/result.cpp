@@ -102,20 +102,18 @@ class Summary {
       r.creepage = *speed_ratio - 1.0;
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
+    const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
-    r.counterpart_bulk_power = load_case.angular_speed * given_.losses.counterpart;
+    r.counterpart_bulk_power = speed / radius() * given_.losses.counterpart;
     r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
     }
     r.dissipated_power = r.bulk_power + r.slip_power;
-    const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_resistance_coefficient =
         r.dissipated_power == 0.0 ? 0.0 : r.dissipated_power / (load_case.load * std::abs(speed));
-    const double counterpart = counterpart_force(r);
-    double work = r.driving_torque * load_case.angular_speed +
-                  (r.driving_force - counterpart) * r.linear_speed.value_or(0.0) + counterpart_power();
-    work += work_of_turning_counterpart(r) * load_case.angular_speed * radius();
+    double work =
+        r.driving_torque * load_case.angular_speed + (r.driving_force + force_of_turning_counterpart(r)) * speed;
     const double guided = r.lateral_force * motion.lateral_creepage + r.spin_moment * motion.spin;
     work -= guided * load_case.angular_speed * radius();
     // Below this share of the largest torque that the load could exert, both are round-off of a lossless coating.
@@ -160,15 +158,14 @@ class Summary {
     return given_.drag - r.resisting_torque * given_.counterpart_curvature;
   }
 
-  /// Of tractions, per way: the common surface lags where it is nearer to the counterpart's axis than the summit was.
-  [[nodiscard]] double work_of_turning_counterpart(const Result& r) const {
-    if (given_.counterpart_curvature == 0.0 || !r.center_height) return 0.0;
-    const ArrayXd depth = given_.arms.y - *r.center_height;
-    return given_.counterpart_curvature * (depth * contact_.force.col(kForward)).sum();
+  /// Its work per way, beside that of the force on the center: the moment about the counterpart's axis, which turns as
+  /// well, per its radius.
+  [[nodiscard]] double force_of_turning_counterpart(const Result& r) const {
+    if (given_.counterpart_curvature == 0.0) return 0.0;
+    double moment = r.resisting_torque;
+    if (r.center_height) moment += ((given_.arms.y - *r.center_height) * contact_.force.col(kForward)).sum();
+    return given_.counterpart_curvature * moment;
   }
-
-  /// Power that the counterpart takes from what drives the two.
-  [[nodiscard]] double counterpart_power() const { return given_.drag * given_.load_case.angular_speed * radius(); }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
   [[nodiscard]] ArrayX2d slip_velocity() const {
