@@ -191,30 +191,30 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
-# One environment; each stamp says that the package is installed as it stands, with the extras of that name.
+# One environment, in which the package is compiled once, with all that the README uses. Each other stamp says that the
+# extra of its name stands beside it.
 $(VENV)/bin/pip: | $(DEPS)
 	$(PYTHON) -m venv $(VENV)
 
 $(VENV)/demo.stamp: $(SOURCES) | $(VENV)/bin/pip
-	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV) with all that the README uses"
+	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV)"
 	$(BIN)/pip install --quiet '.[cli,plot,files,studies]'
 	touch $@
 
-$(VENV)/test.stamp: $(SOURCES) | $(VENV)/bin/pip
-	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV)"
-	$(BIN)/pip install --quiet '.[test]'
-	touch $@ $(VENV)/demo.stamp
+REQUIREMENTS = import tomllib; extras = tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]; \
+  print(*(line for line in extras["$(1)"] if not line.startswith("viscoroll[")), sep="\n")
+
+$(VENV)/%.stamp: $(VENV)/demo.stamp
+	$(BIN)/python -c '$(call REQUIREMENTS,$*)' > $(VENV)/$*.txt
+	$(BIN)/pip install --quiet --requirement $(VENV)/$*.txt
+	touch $@
 
 $(VENV)/lint.stamp: $(VENV)/test.stamp
-	$(BIN)/pip install --quiet '.[test,lint]'
-	touch $@
 
-$(VENV)/bench.stamp: $(SOURCES) | $(VENV)/bin/pip
-	$(BIN)/pip install --quiet '.[bench]' || $(BIN)/pip install --quiet .  # the peers come where they can be had
-	touch $@
-
-$(VENV)/docs.stamp: $(SOURCES) | $(VENV)/bin/pip
-	$(BIN)/pip install --quiet '.[docs]'
+# The peers come where they can be had.
+$(VENV)/bench.stamp: $(VENV)/demo.stamp
+	$(BIN)/python -c '$(call REQUIREMENTS,bench)' > $(VENV)/bench.txt
+	$(BIN)/pip install --quiet --requirement $(VENV)/bench.txt || true
 	touch $@
 
 clean:

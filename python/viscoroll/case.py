@@ -29,6 +29,7 @@ from .shift import Arrhenius, WilliamsLandelFerry
 
 with extra("cli"):
     from pydantic import BaseModel, ConfigDict, ValidationError
+    from pydantic_core import ErrorDetails
 
 __all__ = [
     "BallTable",
@@ -454,20 +455,42 @@ def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice
     return choices[value]
 
 
+#: Which command reads a file with such a table.
+_COMMANDS = {"sweep": "viscoroll sweep", "motion": "viscoroll roll"}
+
+#: Errors beside the first that are told one by one.
+_MOST_TOLD = 3
+
+
 def first_line(error: ValidationError) -> str:
-    """Return what is wrong first, with its place in the file."""
+    """Return what is wrong first, with its place in the file, and what else."""
     errors = error.errors()
     missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
+    unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
     meant = {  # a name that is misspelled is missing as well
-        number: match
-        for number, one in enumerate(errors)
-        for match in get_close_matches(str(one["loc"][-1]), missing, 1)
-        if one["type"] == "extra_forbidden"
+        number: match for number in unknown for match in get_close_matches(str(errors[number]["loc"][-1]), missing, 1)
     }
-    chosen = next(iter(meant), 0)
-    first = errors[chosen]
-    place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in first["loc"]).lstrip(".")
-    more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
-    got = "" if first["type"] == "missing" else f", got {shown(first['input'])}"  # without it, the whole table
-    got += f"; did you mean {meant[chosen]}?" if chosen in meant else ""
-    return f"{place}: {first['msg'][0].lower()}{first['msg'][1:]}{got}{more}"
+    tables = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
+    instead = [number for number in unknown if errors[number]["loc"][:-1] in tables]
+    chosen = next(iter([*meant, *instead]), 0)
+    name = str(errors[chosen]["loc"][-1])
+    told = _told(errors[chosen])
+    if chosen in meant:
+        told += f"; did you mean {meant[chosen]}?"
+    elif chosen in unknown and name in _COMMANDS and len(errors[chosen]["loc"]) == 1:
+        told += f"; such a file is for `{_COMMANDS[name]}`"
+    others = [
+        _told(one, with_value=False)
+        for number, one in enumerate(errors)
+        if number != chosen and not (chosen in meant and one["type"] == "missing" and one["loc"][-1] == meant[chosen])
+    ]
+    if len(others) > _MOST_TOLD:
+        return f"{told} (and {len(others)} more)"
+    return "; ".join([told, *others])
+
+
+def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
+    place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in error["loc"]).lstrip(".")
+    is_whole_table = error["type"] == "missing"
+    got = f", got {shown(error['input'])}" if with_value and not is_whole_table else ""
+    return f"{place}: {error['msg'][0].lower()}{error['msg'][1:]}{got}"

@@ -65,7 +65,7 @@ def solve(
         Coulomb's coefficient μ between coating and plane [-], ≥ 0.
     drive : Drive, default Drive(force=0.0)
         What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
-        of 0 or a creepage.
+        of 0 or a creepage; torque and force then follow from who loses what.
     compliance : Compliance or str, default Compliance.RADIAL
         In the contact condition: C_RR, pressure along the radius, which is nearer to finite strain, or C_WW, pressure
         on the normals of the undeformed ball. Their difference is of the order of the strain: a measure of what linear

@@ -145,7 +145,7 @@ def test_contacts_of_slow_materials_are_sized_by_what_rolls():
 
 def test_a_study_counts_warnings(paper_ball):
     mesh = vr.Mesh(nodes_per_revolution=60)
-    message = r"of 2 points: 2 COARSE_MESH, 1 LARGE_STRAIN; see status, warnings and error"
+    message = r"of 2 points: 2 COARSE_MESH, 1 LARGE_STRAIN; see warnings"
     with pytest.warns(vr.ResultWarning, match=message) as caught:
         study = vr.sweep(paper_ball, load=[100.0, 300.0], angular_speed=2.5, mesh=mesh, progress=False)
     assert len(caught) == 1

@@ -85,6 +85,11 @@ def test_files_of_another_kind(tmp_path):
     assert run("roll", case) == f"{case}: motion: field required (and 4 more)"
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
     told = "extra inputs are not permitted, got 2.5; did you mean angular_speed?"
-    assert run("solve", case) == f"{case}: rolling.angularspeed: {told} (and 1 more)"
+    assert run("solve", case) == f"{case}: rolling.angularspeed: {told}"
+    case.write_text(example_text().replace("angular_speed", "speed"), encoding="utf-8")
+    told = "rolling.speed: extra inputs are not permitted, got 2.5; rolling.angular_speed: field required"
+    assert run("solve", case) == f"{case}: {told}"
+    case.write_text(example_text() + example_text("sweep"), encoding="utf-8")
+    assert run("solve", case).endswith("; such a file is for `viscoroll sweep`")
     assert run("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
     assert "in the shell --columns frequency=name:unit,storage=name:unit" in run("material", unknown)

@@ -128,7 +128,9 @@ def doubts(study: xarray.Dataset) -> list[str]:
     if failed := int((study.status == "FAILED").sum()):
         found["FAILED"] = failed
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
-    return [f"of {study.status.size} points: {counted}; see status, warnings and error"] if found else []
+    others = len(found) > bool(failed)
+    where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
+    return [f"of {study.status.size} points: {counted}; see {where}"] if found else []
 
 
 def run_plan(
