@@ -201,6 +201,7 @@ $(VENV)/demo.stamp: $(SOURCES) | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet '.[cli,plot,files,studies]'
 	touch $@
 
+# Prints what an extra asks for, but for the package itself.
 REQUIREMENTS = import tomllib; extras = tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]; \
   print(*(line for line in extras["$(1)"] if not line.startswith("viscoroll[")), sep="\n")
 

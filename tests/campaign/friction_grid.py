@@ -1,8 +1,7 @@
 """Friction over a regular grid, from a cold start on every mesh: ``python -m tests.campaign.friction_grid``.
 
-The paper's ball and rubber, driven without a force on the center; 324 coatings, speeds and
-coefficients on five meshes each. A case fails without a state of stick and slip, or where the residual is more than
-1e-10 of the load.
+The paper's ball and rubber, driven without a force on the center; 324 coatings, speeds and coefficients on five meshes
+each. A case fails without a state of stick and slip, or where the residual is more than 1e-10 of the load.
 """
 
 from __future__ import annotations

@@ -217,6 +217,24 @@ def test_dish_with_friction(drive, layers):
             assert abs(value) < 1e-8 * r.resisting_torque
 
 
+@pytest.mark.parametrize("ball", [RIGID, SOFT])
+def test_what_a_towed_ball_loses_is_what_tows_it(ball):
+    # The mat passes at the speed of the center, not at that of the ball's surface.
+    r = rolled(ball, MAT, load=200.0, friction=0.4, drive=Drive(torque=0.0))
+    assert r.creepage < -1e-3
+    assert r.driving_force / 200.0 == pytest.approx(r.rolling_resistance_coefficient, rel=3e-3)
+
+
+def test_power_is_lost_whichever_way_the_mat_passes():
+    # All slides, and the center moves as fast either way.
+    forth, back = (
+        rolled(SOFT, MAT, friction=0.3, drive=Drive(creepage=creepage), mesh=Mesh(nodes_per_revolution=600))
+        for creepage in (-0.5, -1.5)
+    )
+    assert back.counterpart_bulk_power > 0.0
+    assert back.counterpart_bulk_power == pytest.approx(forth.counterpart_bulk_power, rel=2e-2)
+
+
 def test_elastic_ground_loses_nothing():
     ground = CoatedPlane(base=HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.3))
     r = rolled(RIGID, ground, mesh=Mesh(nodes_per_revolution=600))

@@ -104,7 +104,7 @@ class Summary {
     }
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
-    r.counterpart_bulk_power = speed / radius() * given_.losses.counterpart;
+    r.counterpart_bulk_power = std::abs(speed) / radius() * given_.losses.counterpart;
     r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
