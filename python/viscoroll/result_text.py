@@ -106,6 +106,6 @@ def _friction_rows(result: Result) -> list[tuple[str, str]]:
     sticking = int(result.stick.sum()) / int(result.contact.sum())
     return [
         ("friction", f"{result.friction:g}, {sticking:.0%} of the nodes in contact stick"),
-        ("creepage", f"{result.creepage:.6g}"),
+        ("creepage, speed of the center V_s", f"{result.creepage:.6g}, {_quantity(result, 'linear_speed')}"),
         ("power lost by slip", _quantity(result, "slip_power")),
     ]

@@ -333,8 +333,16 @@ def test_accuracy_is_reached_with_friction(paper_ball):
 def test_plot_shows_stick_and_slip(paper_ball, tmp_path):
     figure = roll(paper_ball, drive=DRIVES["pulled"]).plot()
     legends = [axes.get_legend() for axes in figure.axes if axes.get_legend()]
-    assert {"stick", "slip"} <= {text.get_text() for legend in legends for text in legend.get_texts()}
+    assert {"stick", "slip", "traction along x", "bound ±$μp$"} <= {
+        text.get_text() for legend in legends for text in legend.get_texts()
+    }
     figure.savefig(tmp_path / "friction.png")
+
+
+def test_the_summary_tells_the_speed_of_the_center(paper_ball):
+    r = roll(paper_ball, drive=DRIVES["skidding"])
+    line = next(line for line in repr(r).splitlines() if "creepage" in line)
+    assert line.split("V_s")[1].strip() == f"-0.5, {0.5 * SLOW * paper_ball.outer_radius:.6g} m/s"
 
 
 @pytest.mark.slow
