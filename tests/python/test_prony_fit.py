@@ -193,3 +193,14 @@ def test_hardness():
         vr.hardness_to_modulus(95.0)
     with pytest.raises(ValueError, match="scale must be 'A' or 'D', got 'B'"):
         vr.hardness_to_modulus(50.0, scale="B")
+
+
+def test_hardness_as_data_sheets_write_it():
+    assert vr.hardness_to_modulus(60.0, scale="a") == vr.hardness_to_modulus(60.0)
+    assert vr.hardness_to_modulus(40.0, scale="d") == vr.hardness_to_modulus(40.0, scale="D")
+    with pytest.raises(TypeError, match=r"^hardness must be a real number, got str '60 A'; its scale is given apart"):
+        vr.hardness_to_modulus("60 A")
+    with pytest.raises(ValueError, match=r"^scale must be 'A' or 'D', got 'Shore A'$"):
+        vr.hardness_to_modulus(60.0, scale="Shore A")
+    with pytest.raises(ValueError, match=r"^scale must be 'A' or 'D', got None$"):
+        vr.hardness_to_modulus(60.0, scale=None)

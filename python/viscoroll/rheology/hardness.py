@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from .._arrays import as_float
+from .._text import shown
 from ..studies.least_squares import Parameter
 
 __all__ = ["hardness_to_modulus"]
@@ -28,7 +29,7 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     hardness : float
         Shore A in [20, 90], or Shore D in [30, 85].
     scale : {"A", "D"}
-        Which of the two.
+        Which of the two, in either case.
 
     Returns
     -------
@@ -38,6 +39,8 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
 
     Raises
     ------
+    TypeError
+        Where the hardness is not a number.
     ValueError
         For another scale, and hardness outside the range of the relations.
 
@@ -54,13 +57,17 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
     1.54 MPa in [1.11, 2.19]
     """
     ranges = {"A": (20.0, 90.0), "D": (30.0, 85.0)}
-    if scale not in ranges:
-        raise ValueError(f"scale must be 'A' or 'D', got {scale!r}")
-    shore = as_float("hardness", hardness)
-    low, high = ranges[scale]
+    shore_scale = scale.upper() if isinstance(scale, str) else scale
+    if shore_scale not in ranges:
+        raise ValueError(f"scale must be 'A' or 'D', got {shown(scale)}")
+    try:
+        shore = as_float("hardness", hardness)
+    except TypeError as error:
+        raise TypeError(f"{error}; its scale is given apart, as scale='A' or scale='D'") from None
+    low, high = ranges[shore_scale]
     if not low <= shore <= high:
-        raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {scale}, got {shore:g}")
-    if scale == "D":
+        raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}")
+    if shore_scale == "D":
         value = _qi(shore + 50.0)
         return Parameter(value=value, lower=0.5 * value, upper=2.0 * value, unit="Pa")
     bounds = [law(shore + change) for law in (_gent, _qi) for change in (-_REPRODUCIBILITY, _REPRODUCIBILITY)]
