@@ -79,9 +79,9 @@ class Comparison:
     def draw(self) -> Figure: ...
 
     @overload
-    def draw(self, *, ax: Axes) -> Axes: ...
+    def draw(self, ax: Axes) -> Axes: ...
 
-    def draw(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def draw(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw all torques, into `ax` or a new figure; closed forms are dashed where they do not hold."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
 

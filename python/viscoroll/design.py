@@ -95,9 +95,9 @@ class Design:
     def plot(self) -> Figure: ...
 
     @overload
-    def plot(self, *, ax: Axes) -> Axes: ...
+    def plot(self, ax: Axes) -> Axes: ...
 
-    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`).
 
         Parameters

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from io import BytesIO
+from os import PathLike, fspath
 
 from ._extras import extra
 from ._text import shown
@@ -52,6 +53,13 @@ def drawn(draw: Callable[[Axes], object], ax: Axes | None, *, figsize: tuple[flo
         draw(picture.subplots())
         return picture
     if not isinstance(ax, Axes):
-        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}")
+        raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}{_way_to_a_file(ax)}")
     draw(ax)
     return ax
+
+
+def _way_to_a_file(target: object) -> str:
+    """Say how a picture gets to the file that was given in place of axes."""
+    if not isinstance(target, str | PathLike):
+        return ""
+    return f"; without ax there is a figure, whose savefig({shown(fspath(target))}) writes a file"

@@ -422,9 +422,9 @@ class Result(ScalarFields):
     def plot(self) -> Figure: ...
 
     @overload
-    def plot(self, *, ax: Axes) -> Axes: ...
+    def plot(self, ax: Axes) -> Axes: ...
 
-    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
 
         With friction also where the contact sticks and slips, with arrows for the traction on the coating.

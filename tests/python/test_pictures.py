@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 import matplotlib.figure
 import pytest
@@ -74,5 +75,13 @@ def test_pictures_go_where_the_caller_wants_them(result, plot, label):
     own = plot(result)
     assert isinstance(own, Picture)
     assert own._repr_png_().startswith(b"\x89PNG")
-    with pytest.raises(TypeError, match=r"ax must be a matplotlib.axes.Axes or None, got"):
+    with pytest.raises(TypeError, match=r"ax must be a matplotlib.axes.Axes or None, got .*>$"):
         plot(result, ax=figure)
+
+
+@pytest.mark.parametrize("path", ["c.png", Path("c.png")])
+def test_a_file_in_place_of_axes(result, path):
+    with pytest.raises(
+        TypeError, match=r"ax must be .*; without ax there is a figure, whose savefig\('c.png'\) writes"
+    ):
+        result.plot(path)

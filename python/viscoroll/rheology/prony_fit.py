@@ -169,9 +169,9 @@ class PronyFit:
     def plot(self) -> Figure: ...
 
     @overload
-    def plot(self, *, ax: Axes) -> Axes: ...
+    def plot(self, ax: Axes) -> Axes: ...
 
-    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw data, fit and residual (the extra `viscoroll[plot]`).
 
         Parameters

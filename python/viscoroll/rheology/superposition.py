@@ -168,9 +168,9 @@ class Superposition:
     def plot(self) -> Figure: ...
 
     @overload
-    def plot(self, *, ax: Axes) -> Axes: ...
+    def plot(self, ax: Axes) -> Axes: ...
 
-    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the master curve and its shift factors, or the curve alone into `ax` (the extra `viscoroll[plot]`)."""
         from .picture import draw_sweeps, plot_superposition
 

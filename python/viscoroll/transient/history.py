@@ -275,9 +275,9 @@ class History:
     def plot(self) -> Figure: ...
 
     @overload
-    def plot(self, *, ax: Axes) -> Axes: ...
+    def plot(self, ax: Axes) -> Axes: ...
 
-    def plot(self, *, ax: Axes | None = None) -> Figure | Axes:
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy.
 
         Parameters
