@@ -1,4 +1,4 @@
-"""Rolling resistance of rigid spheres with viscoelastic coatings.
+"""Rolling resistance of balls and rollers with viscoelastic layers.
 
     >>> import viscoroll as vr
     >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)

@@ -296,6 +296,8 @@ def test_missing_files_and_unknown_commands_exit_with_2(tmp_path):
 def test_help_explains_every_command():
     done = run("--help")
     assert done.returncode == 0
+    told = " ".join(done.stdout.split())
+    assert "balls and rollers with soft viscoelastic layers: on a plane or in a groove" in told
     for command in ("solve", "sweep", "plot", "demo", "example"):
         assert command in done.stdout
         assert run(command, "--help").returncode == 0
