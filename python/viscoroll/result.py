@@ -165,7 +165,7 @@ class Result(ScalarFields):
         values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
         for name in ("contact", "stick", "slip"):
             values[name] = getattr(solution, name).view(np.bool_)
-        return cls(**inputs, **values)
+        return cls(**inputs, **values | _as_given(values, **inputs))
 
     def __repr__(self) -> str:
         """Return a summary of one screen."""
@@ -447,6 +447,28 @@ class Result(ScalarFields):
         from .plot import draw_contact, plot_contact
 
         return plot_contact(self) if ax is None else draw_contact(self, ax)
+
+
+#: Share of the load up to which iterations leave what a drive prescribes: they end at some 1e-11 of it.
+_ROUND_OFF = 1e-9
+
+
+def _as_given(
+    found: dict[str, Any], *, ball: RollingBody, load: float, friction: float, drive: Drive, **_: object
+) -> dict[str, float]:
+    """Return what the drive prescribes by the names of results, where nothing but round-off is between the two."""
+    if friction == 0.0:
+        return {}
+    given = {
+        "driving_force": (drive.force, load),
+        "driving_torque": (drive.torque, load * ball.outer_radius),
+        "creepage": (drive.creepage, 1.0),
+    }
+    return {
+        name: value
+        for name, (value, scale) in given.items()
+        if value is not None and abs(found[name] - value) <= _ROUND_OFF * scale
+    }
 
 
 def _rebuilt(kind: type[Result], values: dict[str, Any]) -> Result:

@@ -36,14 +36,19 @@ def save_result(result: Result, path: Path) -> None:
 
 
 def _write_csv(result: Result, path: Path) -> None:
-    columns = {f"{name} [{unit}]": getattr(result, name).ravel() for name, (unit, _) in FIELDS.items()}
+    columns = {f"{name} [{unit}]": getattr(result, name) for name, (unit, _) in FIELDS.items()}
     for name, (unit, _) in VECTOR_FIELDS.items():
         for direction, values in zip("xz", getattr(result, name), strict=True):
-            columns[f"{name}_{direction} [{unit}]"] = values.ravel()
+            columns[f"{name}_{direction} [{unit}]"] = values
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(columns)
-        writer.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
+        writer.writerows(zip(*map(_entries, columns.values()), strict=True))
+
+
+def _entries(field: NDArray[Any]) -> list[Any]:
+    """Return the values of a field one after the other; zeros lose their sign."""
+    return (field if field.dtype == bool else field + 0.0).ravel().tolist()
 
 
 def _write_vtk(result: Result, path: Path) -> None:

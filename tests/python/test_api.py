@@ -166,6 +166,7 @@ def test_fields_can_be_saved(result, tmp_path):
         rows = list(csv.DictReader(file))
     np.testing.assert_array_equal([float(row["pressure [Pa]"]) for row in rows], result.pressure.ravel())
 
+    assert "-0.0," not in (tmp_path / "fields.csv").read_text()
     result.save(tmp_path / "fields.vtu")
     mesh = meshio.read(tmp_path / "fields.vtu")
     np.testing.assert_array_equal(mesh.point_data["pressure"], result.pressure.ravel())

@@ -124,6 +124,21 @@ def test_two_soft_bodies_with_friction():
         assert abs(given) < 1e-8 * r.resisting_torque
 
 
+@pytest.mark.parametrize(
+    ("drive", "name", "given"),
+    [
+        (Drive(torque=0.0), "driving_torque", 0.0),
+        (Drive(torque=1e-3), "driving_torque", 1e-3),
+        (Drive(force=0.0), "driving_force", 0.0),
+        (Drive(force=0.5), "driving_force", 0.5),
+        (Drive(creepage=0.03), "creepage", 0.03),
+    ],
+)
+def test_what_a_drive_prescribes_comes_back_without_round_off(drive, name, given):
+    r = rolled(SOFT, MAT, friction=0.05, drive=drive, mesh=Mesh(nodes_per_revolution=600))
+    assert getattr(r, name) == r.scalars()[name] == given
+
+
 def test_creepage_of_free_rolling_has_the_sign_of_what_deforms():
     # An incompressible coating lengthens in contact and drives ahead; under a rigid ball the layer does.
     free = {"friction": 1.0, "mesh": Mesh(nodes_per_revolution=600)}
