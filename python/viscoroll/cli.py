@@ -20,8 +20,9 @@ from .case import example_text, load_case
 from .commands import add_commands
 from .interior.temperature import QUANTITIES
 from .result_files import SUFFIXES
-from .result_text import result_rows, result_title
+from .result_text import result_lines, result_title, with_unit
 from .rolling import solve as solve_rolling
+from .tables import handy
 
 with extra("cli"):
     import typer
@@ -129,7 +130,7 @@ def solve(
             scalars["thermal"] = _thermal_scalars(temperatures, heated)  # type: ignore[assignment]
         typer.echo(_json(scalars))
     else:
-        _output.print(_result_table(result))
+        _print_result(result)
         if temperatures:
             _output.print(_thermal_table(_thermal_scalars(temperatures, heated)))
     said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
@@ -330,7 +331,7 @@ def demo(
     _output.print(_table_2(torques))
     worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
     _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
-    _output.print(_result_table(chosen))
+    _print_result(chosen)
     chosen.plot().savefig(plot, dpi=150)
     _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
 
@@ -374,14 +375,14 @@ def _progress_bar() -> Iterator[Report]:
         yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
 
 
-def _result_table(result: Result) -> Table:
-    table = Table(title=result_title(result), title_justify="left", show_header=False)
-    table.add_column("quantity")
-    table.add_column("value", justify="right")
-    table.add_column("unit")
-    for row in result_rows(result):
-        table.add_row(*map(escape, row))
-    return table
+def _print_result(result: Result) -> None:
+    """Print what was given, and a table of what was found, which is narrower than 80 columns."""
+    _write_line(result_title(result))
+    _write_line(f"{result.mesh}, {result.status.name}")
+    table = Table(show_header=False)
+    for line in result_lines(result):
+        table.add_row(*map(escape, line))
+    _output.print(table)
 
 
 def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
@@ -401,15 +402,18 @@ def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | 
 
 
 def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
-    text = {name: f"{what} [{unit}]" for name, (unit, what) in QUANTITIES.items()} | {
-        "mean_temperature": "temperature of the moduli [K]",
-        "resisting_torque": "resisting torque T_r [N m]",
-        "stability": "steady state",
+    quantities = QUANTITIES | {
+        "mean_temperature": ("K", "temperature of the moduli"),
+        "resisting_torque": ("N m", "resisting torque T_r"),
     }
     title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
     table = Table(title=title, title_justify="left", show_header=False)
-    for name in scalars[0]:
-        table.add_row(escape(text[name]), *(v if isinstance(v := row[name], str) else f"{v:.6g}" for row in scalars))
+    for name, (unit, what) in quantities.items():
+        if name in scalars[0]:
+            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
+            table.add_row(escape(with_unit(what, handy_unit)), *texts)
+    if "stability" in scalars[0]:
+        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
     return table
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .scalars import SCALARS
-from .tables import html_table, number_text, unit_text
+from .tables import handy, html_table, number_text, unit_text
 
 if TYPE_CHECKING:
     from .result import Result
 
-__all__ = ["result_html", "result_rows", "result_summary", "result_title"]
+__all__ = ["result_html", "result_lines", "result_summary", "result_title", "with_unit"]
 
 
 def result_summary(result: Result) -> str:
@@ -42,15 +42,18 @@ def result_summary(result: Result) -> str:
     return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
 
-def result_rows(result: Result) -> list[tuple[str, str, str]]:
-    """Return what it is, value and unit of all scalar results, and how far they can be relied on."""
-    rows = [
-        (label, number_text(getattr(result, name)), unit_text(result.unit(name)))
-        for name, (_, label) in SCALARS.items()
-    ]
-    if (share := result.extrapolated_loss()) is not None:
-        rows.append(("share of that loss at harmonics outside the measured table", f"{share:.4g}", ""))
-    return [*rows, ("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
+def result_lines(result: Result) -> list[tuple[str, str]]:
+    """Return what all scalar results are, in a few words and with a handy unit, and their values."""
+    lines = []
+    for label, value, unit in _scalar_rows(result):
+        (text,), handy_unit = handy([value], unit)
+        lines.append((with_unit(label.partition(",")[0], handy_unit), text))
+    return lines
+
+
+def with_unit(label: str, unit: str) -> str:
+    """Return a label with its unit in brackets, if it has one."""
+    return f"{label} [{unit}]" if unit_text(unit) else label
 
 
 def result_title(result: Result) -> str:
@@ -63,8 +66,18 @@ def result_title(result: Result) -> str:
 
 def result_html(result: Result) -> str:
     """Return the table of a notebook."""
-    warnings = [("warning", message, "") for message in result.warnings.values()]
-    return html_table(f"Result of {result_title(result)}", [*result_rows(result), *warnings])
+    rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
+    rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
+    rows += [("warning", message, "") for message in result.warnings.values()]
+    return html_table(f"Result of {result_title(result)}", rows)
+
+
+def _scalar_rows(result: Result) -> list[tuple[str, float | None, str]]:
+    """Return what it is, value and unit of all scalar results [SI]."""
+    rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
+    if (share := result.extrapolated_loss()) is not None:
+        rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
+    return rows
 
 
 def _quantity(result: Result, name: str) -> str:

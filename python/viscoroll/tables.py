@@ -11,10 +11,14 @@ from typing import Any
 from ._text import shown
 from .units import UNITS
 
-__all__ = ["ParameterTable", "html_table", "number_text", "unit_text"]
+__all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
 
 #: Of a long sequence so many entries are shown at its beginning, and one at its end.
 _SHOWN = 4
+
+#: Prefixes of units that people read, and of which units.
+_PREFIXES = {"M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3}
+_PREFIXED = frozenset({"m", "m^2", "m/s", "N", "N m", "N/m", "Pa", "W", "W/m"})
 
 #: Notebooks align text to the right, which suits numbers alone.
 _LEFT = ' style="text-align: left"'
@@ -44,6 +48,30 @@ def number_text(value: object) -> str:
 def unit_text(unit: str) -> str:
     """Return a unit as it is written: nothing for a pure number."""
     return "" if unit == "1" else unit
+
+
+def handy(values: Sequence[float | None], unit: str) -> tuple[list[str], str]:
+    """Return numbers as people read them: five digits, and one unit for all with the prefix that suits the largest.
+
+    Examples
+    --------
+    >>> handy([8.461538e6], "Pa")
+    (['8.4615'], 'MPa')
+    >>> handy([2.27419e-5, None], "m^2")
+    (['22.742', 'undetermined'], 'mm^2')
+    """
+    largest = max((abs(value) for value in values if value is not None), default=0.0)
+    prefix = _prefix(largest, unit) if unit in _PREFIXED and largest > 0.0 else ""
+    factor = _factor(prefix, unit)
+    return ["undetermined" if value is None else f"{value / factor:.5g}" for value in values], prefix + unit
+
+
+def _prefix(largest: float, unit: str) -> str:
+    return next((prefix for prefix in _PREFIXES if largest >= _factor(prefix, unit)), "m")
+
+
+def _factor(prefix: str, unit: str) -> float:
+    return float(_PREFIXES[prefix] ** (2 if unit == "m^2" else 1))
 
 
 class ParameterTable:

@@ -57,6 +57,35 @@ def test_solve_prints_a_table(case_file):
     assert "CONVERGED" in done.stdout
 
 
+def rows_of(table):
+    """Return the cells of a printed table by their labels."""
+    lines = [line.strip("│").split("│") for line in table.splitlines() if line.startswith("│")]
+    return {label.strip(): [cell.strip() for cell in cells] for label, *cells in lines}
+
+
+def test_tables_fit_eighty_columns_in_handy_units(case_file, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    path = case_file(accuracy="0.1")
+    thermal = "\n[thermal]\nconvection = 10.0\nambient = 293.15\nconductivity = 0.2\n"
+    path.write_text(path.read_text() + thermal, encoding="utf-8")
+    done = run("solve", path)
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    rows = rows_of(done.stdout)
+    assert "" not in rows  # no label goes on in the next line
+    scalars = json.loads(run("solve", path, "--json").stdout)
+    for label, name, factor in [
+        ("resisting torque T_r [mN m]", "resisting_torque", 1e3),
+        ("penetration r_o - H [mm]", "penetration", 1e3),
+        ("largest contact pressure [MPa]", "max_pressure", 1e-6),
+        ("contact area [mm^2]", "contact_area", 1e6),
+        ("power lost in the coating [mW]", "bulk_power", 1e3),
+        ("strain", "strain", 1.0),
+    ]:
+        assert rows[label] == [f"{scalars[name] * factor:.5g}"]
+    assert rows["speed of the center V_s [m/s]"] == ["undetermined"]
+    assert rows["heat [mW]"] == [f"{scalars['thermal'][0]['heat'] * 1e3:.5g}"]
+
+
 def test_solve_prints_json_and_writes_files(case_file, tmp_path):
     path = case_file()
     mesh = "nodes_per_revolution = 300\nmax_order = 300"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from viscoroll.scalars import SCALARS
-from viscoroll.tables import html_table, unit_text
+from viscoroll.tables import handy, html_table, unit_text
 
 LAYER = vr.Layer(thickness=1e-3, shear_modulus=3e6, poisson_ratio=0.5, conductivity=0.2)
 
@@ -48,6 +48,24 @@ def test_rollers_are_per_length(rubber):
     assert "P = 5000 N/m" in r._repr_html_()
     found = cells(r._repr_html_())
     assert found[found.index(SCALARS["bulk_power"][1]) + 2] == "W/m"
+
+
+@pytest.mark.parametrize(
+    ("values", "unit", "texts"),
+    [
+        ([0.0], "N m", (["0"], "N m")),
+        ([-1.5e-3, 20e-6], "N m", (["-1.5", "0.02"], "mN m")),
+        ([0.999], "m", (["999"], "mm")),
+        ([5e3, None], "N/m", (["5", "undetermined"], "kN/m")),
+        ([2.5e-9], "Pa", (["2.5e-06"], "mPa")),
+        ([2.3e-5], "m^2", (["23"], "mm^2")),
+        ([1234.5678], "1", (["1234.6"], "1")),
+        ([293.156], "K", (["293.16"], "K")),
+        ([None], "m/s", (["undetermined"], "m/s")),
+    ],
+)
+def test_handy_units(values, unit, texts):
+    assert handy(values, unit) == texts
 
 
 @pytest.mark.parametrize(
