@@ -25,6 +25,7 @@ from ._core import (
     WarningKind,
     __version__,
 )
+from ._keywords import explain_keywords
 from .caution import ResultWarning
 from .drive import Drive
 from .export import dem
@@ -144,3 +145,5 @@ __all__ = [
     "sweep",
     "temperature",
 ]
+
+explain_keywords(globals())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -24,12 +25,21 @@ class ResultWarning(UserWarning):
     """
 
 
-def warn(messages: Iterable[str], *, stacklevel: int) -> None:
-    """Warn of every message, as seen from the function `stacklevel` calls above the caller of this one."""
+def warn(messages: Iterable[str]) -> None:
+    """Warn of every message, as seen from the call into this package."""
     if _SILENT.get():
         return
     for message in messages:
-        warnings.warn(message, ResultWarning, stacklevel=stacklevel + 2)
+        warnings.warn(message, ResultWarning, stacklevel=1 + _calls_within())
+
+
+def _calls_within() -> int:
+    """Return how many calls the caller of this function is away from code outside of this package."""
+    package = __name__.partition(".")[0]
+    frame, calls = sys._getframe(1), 0
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == package:
+        frame, calls = frame.f_back, calls + 1
+    return calls
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from . import _core
 from ._arrays import as_float, as_int, as_member, require_type
 from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
+from ._keywords import explained
 from ._text import shown
 from .caution import warn
 from .drive import Drive
@@ -223,6 +224,7 @@ class RollingModel:
         """Pickle the input; the tables are computed again."""
         return _make_model, (self.ball, self.on, self.angular_speed, self.mesh, self.curvature)
 
+    @explained
     def solve(
         self,
         *,
@@ -291,10 +293,10 @@ def _result(
     curvature: Curvature | str,
     case: dict[str, Any],
 ) -> Result:
-    """Make the result, and warn the caller of the public function that calls this."""
+    """Make the result, and warn of what to know before relying on it."""
     given = {name: case[name] for name in ("load", "friction", "compliance", "patch_load")}
     result = Result._from_core(
         solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
     )
-    warn(result.warnings.values(), stacklevel=2)
+    warn(result.warnings.values())
     return result

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
+import pickle
+
 import numpy as np
 import pytest
 import viscoroll as vr
@@ -65,6 +68,73 @@ def test_misspelled_parameters_of_a_study():
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, acuracy=0.1, progress=False)
     with pytest.raises(TypeError, match=r"a ball has no parameter thickness; .* that returns the ball$"):
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, thickness=1e-3, progress=False)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (
+            lambda: vr.Layer(h=1e-3, E=9e6, nu=0.5),
+            "Layer() got an unexpected keyword argument 'h', 'E', 'nu'; "
+            "did you mean thickness, shear_modulus = E / (2 (1 + nu)), poisson_ratio?",
+        ),
+        (lambda: vr.Elastic(E=9e6), "argument 'E'; did you mean modulus = E / (2 (1 + nu))?"),
+        (lambda: vr.Layer(thicknes=1e-3), "argument 'thicknes'; did you mean thickness?"),
+        (lambda: vr.CoatedSphere(radius=0.02), "; did you mean core_radius = outer radius - thickness of the layers?"),
+        (lambda: vr.solve(paper.ball(), speed=2.5), "argument 'speed'; did you mean angular_speed = V / r_o?"),
+        (lambda: vr.solve(paper.ball(), rpm=60.0), "argument 'rpm'; did you mean angular_speed = 2 pi rpm / 60?"),
+        (
+            lambda: vr.roll(paper.ball(), mu=0.3),
+            "roll() got an unexpected keyword argument 'mu'; did you mean friction?",
+        ),
+        (lambda: vr.Mesh(spacing=0.1), "'spacing'; it has nodes_per_revolution, max_order, theta_nodes_per_revolution"),
+        (lambda: vr.analytic.hertz(P=1.0), "hertz() got an unexpected keyword argument 'P'; did you mean load?"),
+        (
+            lambda: vr.sweep(paper.ball(), load=1.0, speed=1.0),
+            "sweep needs angular_speed; did you mean angular_speed = ",
+        ),
+    ],
+)
+def test_arguments_by_other_names(call, message):
+    with pytest.raises(TypeError) as caught:
+        call()
+    assert message in str(caught.value)
+    assert caught.value.__context__ is None
+
+
+def test_arguments_by_other_names_of_a_model():
+    model = vr.RollingModel(paper.ball(), angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=64))
+    with pytest.raises(TypeError, match=r"^RollingModel.solve\(\) got .* 'F'; did you mean load\?$"):
+        model.solve(F=50.0)
+
+
+def public():
+    """Return all functions and classes of viscoroll that take keyword arguments of their own."""
+    for namespace in (vr, vr.analytic):
+        for value in (getattr(namespace, name) for name in namespace.__all__):
+            own = "__init__" in vars(value) if isinstance(value, type) else inspect.isfunction(value)
+            if own and value is not vr.sweep:  # whose other arguments are parameters of the ball
+                yield value
+
+
+@pytest.mark.parametrize("function", list(public()), ids=lambda f: f.__qualname__)
+def test_every_public_function_explains_its_arguments(function):
+    with pytest.raises(TypeError, match=r"\(\) got an unexpected keyword argument 'qqq'; it has "):
+        function(qqq=1)
+    assert "qqq" not in inspect.signature(function).parameters
+    assert "arguments" not in inspect.signature(function).parameters
+    assert pickle.loads(pickle.dumps(function)) is function
+
+
+def test_errors_within_a_call_stay_as_they_are():
+    with pytest.raises(TypeError, match=r"^solve\(\) missing 1 required keyword-only argument: 'angular_speed'$"):
+        vr.solve(paper.ball(), load=50.0)
+
+    def modulus(omega):
+        return np.ones(len(omega), h=1)
+
+    with pytest.raises(TypeError, match=r"unexpected keyword argument 'h'$"):
+        vr.surface_compliance(vr.CoatedSphere(core_radius=0.02, layers=[layer(modulus)]), 2.5, 1, 1)
 
 
 def test_discrete_elements_need_a_result():

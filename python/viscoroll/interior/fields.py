@@ -276,6 +276,5 @@ def _warn_of_shallow_places(result: Result, radii: NDArray[np.float64], on_nodes
             [
                 f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m: "
                 "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
-            ],
-            stacklevel=3,
+            ]
         )

@@ -245,7 +245,7 @@ def self_heating(
     found = SelfHeating(states=states, angular_speed=search.angular_speed, limit=highest, _search=search)
     if len(states) > 1:
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
-        warn([f"{len(states)} steady states: {temperatures}; the coldest is what a cold start reaches"], stacklevel=1)
+        warn([f"{len(states)} steady states: {temperatures}; the coldest is what a cold start reaches"])
     return found
 
 

@@ -218,8 +218,7 @@ def temperature(
             [
                 f"a point's temperature swings by up to {ripple:.2g} K over a revolution, and the mean rises by "
                 f"{found.maximum:.2g} K: at this speed the peaks are hotter than the mean over a revolution"
-            ],
-            stacklevel=1,
+            ]
         )
     return found
 

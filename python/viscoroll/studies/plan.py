@@ -7,9 +7,9 @@ import itertools
 from collections.abc import Callable, Sequence
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from typing import Any
 
+from .._keywords import meant
 from ..geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
@@ -178,10 +178,10 @@ class _Balls:
     def check(self, names: Sequence[str]) -> None:
         if isinstance(self.source, CoatedSphere | CoatedCylinder):
             if names:
-                meant = [match for name in names for match in get_close_matches(name, sorted(LOAD_CASE), 1)]
+                guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
                 raise TypeError(
                     f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
-                    f"the ball{f'; or did you mean {meant[0]}?' if meant else ''}"
+                    f"the ball{f'; or did you mean {guesses[0]}?' if guesses else ''}"
                 )
             return
         if not callable(self.source):

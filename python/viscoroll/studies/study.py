@@ -11,6 +11,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .._keywords import meant
 from ..caution import warn
 from ..geometry import RollingBody
 from ..progress import ProgressLike, counted
@@ -118,7 +119,7 @@ def sweep(
     _check_names(parameters)
     plan = plan_sweep(ball, parameters, fields=kept)
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
-    warn(doubts(study), stacklevel=1)
+    warn(doubts(study))
     return study
 
 
@@ -191,7 +192,9 @@ def _checked_fields(fields: Iterable[str]) -> tuple[str, ...]:
 
 def _check_names(parameters: dict[str, Any]) -> None:
     if missing := sorted({"load", "angular_speed"} - parameters.keys()):
-        raise TypeError(f"sweep needs {' and '.join(missing)}")
+        guesses = [guess for name in parameters if (guess := meant(name, missing))]
+        told = f"; did you mean {', '.join(guesses)}?" if guesses else ""
+        raise TypeError(f"sweep needs {' and '.join(missing)}{told}")
     if parameters.get("mesh") is not None and parameters.get("accuracy") is not None:
         raise ValueError(f"accuracy must be left out where a mesh is given, got {parameters['accuracy']!r}")
     if taken := sorted(parameters.keys() & RESERVED - LOAD_CASE):

@@ -1,0 +1,116 @@
+"""What was meant by keyword arguments that a function does not have."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from collections.abc import Callable, Collection
+from difflib import get_close_matches
+from types import FunctionType
+from typing import Any, TypeVar
+
+__all__ = ["explain_keywords", "explained", "meant"]
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+_SHEAR = "E / (2 (1 + nu))"
+_YOUNG = "E Y youngs_modulus young_modulus elastic_modulus"
+
+#: Names that users try, in any case, what they are called here, and how that follows where it is another number.
+_SYNONYMS = (
+    ("h t height", "thickness", ""),
+    (f"{_YOUNG} tensile_modulus", "shear_modulus", _SHEAR),
+    (f"{_YOUNG} tensile_modulus", "modulus", _SHEAR),
+    ("E0 E_0", "instantaneous_modulus", "E0 / (2 (1 + nu))"),
+    ("E_inf", "relaxed_modulus", "E_inf / (2 (1 + nu))"),
+    ("G mu modulus material", "shear_modulus", ""),
+    ("G mu shear_modulus", "modulus", ""),
+    ("G0 G_0 mu0 mu_0 glassy_modulus", "instantaneous_modulus", ""),
+    ("G_inf mu_inf rubbery_modulus equilibrium_modulus long_term_modulus", "relaxed_modulus", ""),
+    ("nu poisson poissons_ratio", "poisson_ratio", ""),
+    ("K", "bulk_modulus", ""),
+    ("rho", "density", ""),
+    ("eta", "viscosity", ""),
+    ("tau", "relaxation_time", ""),
+    ("tau taus", "relaxation_times", ""),
+    ("tan_delta tandelta", "loss_factor", ""),
+    ("R radius r_o outer_radius", "core_radius", "outer radius - thickness of the layers"),
+    ("D diameter", "core_radius", "diameter / 2 - thickness of the layers"),
+    ("layer coating coatings", "layers", ""),
+    ("P F W force normal_force normal_load weight", "load", ""),
+    ("V v speed velocity linear_speed", "angular_speed", "V / r_o"),
+    ("omega w angular_velocity", "angular_speed", ""),
+    ("rpm", "angular_speed", "2 pi rpm / 60"),
+    ("mu friction_coefficient coefficient_of_friction", "friction", ""),
+    (
+        "torque creepage driving_force driving_torque",
+        "drive",
+        "Drive(force=...), Drive(torque=...) or Drive(creepage=...)",
+    ),
+    ("plane ground groove counterpart counterface", "on", ""),
+    ("tol rtol tolerance", "accuracy", ""),
+    ("n nodes", "nodes_per_revolution", ""),
+)
+
+
+def meant(name: str, known: Collection[str]) -> str:
+    """Return what may have been meant by a name, as code, or nothing.
+
+    Parameters
+    ----------
+    name : str
+        What was given.
+    known : collection of str
+        Names that there are.
+
+    Examples
+    --------
+    >>> meant("speed", ["load", "angular_speed"]), meant("laod", ["load", "angular_speed"])
+    ('angular_speed = V / r_o', 'load')
+    """
+    for names, parameter, formula in _SYNONYMS:
+        if parameter in known and name.lower() in names.lower().split():
+            return f"{parameter} = {formula}" if formula else parameter
+    return " or ".join(get_close_matches(name.lower(), sorted(known), 2))
+
+
+def explained(function: _Function) -> _Function:
+    """Return a function whose TypeError for unknown keyword arguments says what was meant by them."""
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **keywords: Any) -> Any:
+        try:
+            return function(*arguments, **keywords)
+        except TypeError as error:
+            known = list(inspect.signature(function).parameters)
+            unknown = [name for name in keywords if name not in known]
+            if not unknown or not _is_of_the_call(error):
+                raise
+            message = _message(function.__qualname__.removesuffix(".__init__"), unknown, known)
+        raise TypeError(message)
+
+    return call  # type: ignore[return-value]
+
+
+def explain_keywords(namespace: dict[str, Any]) -> None:
+    """Explain unknown keyword arguments of all functions and classes in ``__all__`` of a module."""
+    for name in namespace["__all__"]:
+        value = namespace[name]
+        if isinstance(value, FunctionType):
+            namespace[name] = explained(value)
+            namespace[name].__module__ = namespace["__name__"]  # by which pickles find it
+        elif isinstance(value, type) and "__init__" in vars(value):
+            value.__init__ = explained(value.__init__)  # type: ignore[misc]
+
+
+def _is_of_the_call(error: TypeError) -> bool:
+    """Whether an error was raised by a call of this module itself: there is no frame below."""
+    return error.__traceback__ is not None and error.__traceback__.tb_next is None
+
+
+def _message(function: str, unknown: list[str], known: list[str]) -> str:
+    guesses = [guess for name in unknown if (guess := meant(name, known))]
+    names = ", ".join(name for name in known if name != "self")
+    told = f"did you mean {', '.join(guesses)}?" if guesses else f"it has {names}"
+    given = ", ".join(map(repr, unknown))
+    return f"{function}() got an unexpected keyword argument {given}; {told}"
