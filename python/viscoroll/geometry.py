@@ -10,6 +10,7 @@ from typing import TypeAlias
 from . import _core
 from ._arrays import as_member, require_type, store_floats
 from ._core import InnerBoundary
+from ._si import si_hint
 from ._text import shown
 from .materials import ShearModulusLike, as_modulus, to_core
 from .tables import ParameterTable
@@ -125,6 +126,10 @@ class CoatedSphere(ParameterTable):
         """Outer radius r_o [m]."""
         return self.core_radius + self.thickness
 
+    def __str__(self) -> str:
+        """Return the parameters, and how they read in SI units where that is implausible."""
+        return "\n".join(filter(None, [repr(self), si_hint(self)]))
+
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
             core_radius=self.core_radius,
@@ -174,6 +179,10 @@ class CoatedCylinder(ParameterTable):
     def outer_radius(self) -> float:
         """Outer radius r_o [m]."""
         return self.core_radius + self.thickness
+
+    def __str__(self) -> str:
+        """Return the parameters, and how they read in SI units where that is implausible."""
+        return "\n".join(filter(None, [repr(self), si_hint(self)]))
 
     def _to_core(self) -> _core.CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])

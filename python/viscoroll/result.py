@@ -11,6 +11,7 @@ import numpy as np
 
 from ._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from ._extras import extra
+from ._si import si_hint
 from .drive import Drive
 from .geometry import CoatedCylinder, Counterpart, RollingBody
 from .loss_spectrum import extrapolated_share
@@ -165,6 +166,9 @@ class Result(ScalarFields):
         values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
         for name in ("contact", "stick", "slip"):
             values[name] = getattr(solution, name).view(np.bool_)
+        hint = si_hint(inputs["ball"], inputs["on"])
+        if hint and WarningKind.LARGE_STRAIN in solution.warnings:
+            values["warnings"][WarningKind.LARGE_STRAIN] += f"; {hint}"
         return cls(**inputs, **values | _as_given(values, **inputs))
 
     def __repr__(self) -> str:

@@ -8,6 +8,7 @@ from . import _core
 from ._arrays import as_float, as_int, as_member, require_type
 from ._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from ._keywords import explained
+from ._si import si_hints
 from ._text import shown
 from .caution import warn
 from .drive import Drive
@@ -131,7 +132,7 @@ def solve(
         raise ValueError(f"accuracy must be left out where a mesh is given, got {shown(accuracy)}")
     speed = as_float("angular_speed", angular_speed)
     case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
-    with reporting(progress) as report:
+    with reporting(progress) as report, si_hints(ball, on, angular_speed=speed):
         solution = _core.solve(
             ball._to_core(),
             _counterpart(on),
@@ -200,7 +201,7 @@ class RollingModel:
         self.angular_speed = as_float("angular_speed", angular_speed)
         self.mesh = mesh
         self.curvature = curvature
-        with reporting(progress) as report:
+        with reporting(progress) as report, si_hints(ball, on, angular_speed=self.angular_speed):
             self._core = _core.RollingModel(
                 ball._to_core(),
                 _counterpart(on),
@@ -240,7 +241,7 @@ class RollingModel:
     ) -> Result:
         """Solve one load case; parameters, result and errors as of `viscoroll.solve`."""
         case = _core_case(load, friction, drive, compliance, patch_load, slip_kinematics, max_iterations, threads)
-        with reporting(progress) as report:
+        with reporting(progress) as report, si_hints(self.ball, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 

@@ -102,6 +102,81 @@ def test_arguments_by_other_names(call, message):
     assert caught.value.__context__ is None
 
 
+MM = 1e3  # m, where a user types millimeters
+IN_MM = (
+    r"; viscoroll takes SI units: outer_radius = 21 m, layers\[0\].thickness = 1 m, "
+    r"layers\[0\].shear_modulus = 3 Pa at rest$"
+)
+
+
+def ball_of(*, length=1.0, modulus=1.0, density=0.0):
+    """Return the paper's ball as someone would give it who counts in other units."""
+    rubber = vr.StandardLinearSolid(
+        instantaneous_modulus=6e6 * modulus, relaxed_modulus=3e6 * modulus, relaxation_time=0.125
+    )
+    return vr.CoatedSphere(
+        core_radius=20e-3 * length,
+        layers=[vr.Layer(thickness=1e-3 * length, shear_modulus=rubber, poisson_ratio=0.5, density=density)],
+    )
+
+
+@pytest.mark.parametrize(
+    ("ball", "case", "message"),
+    [
+        (
+            ball_of(length=MM, modulus=1e-6, density=1000.0),
+            {},
+            "angular_speed must be below the critical speed .*" + IN_MM,
+        ),
+        (ball_of(length=MM, modulus=1e-6), {"load": 2e4}, "load must be small enough.*" + IN_MM),
+        (
+            ball_of(modulus=1e-6),
+            {},
+            r"load must .*\); viscoroll takes SI units: layers\[0\].shear_modulus = 3 Pa at rest$",
+        ),
+        (ball_of(modulus=1e-9), {}, r"pressed through any such coating\); viscoroll takes SI units: layers\[0\]"),
+        (
+            ball_of(density=1000.0),
+            {"angular_speed": 3e4},
+            r"angular_speed must .*, got 30000 rad/s; 30000 rad/s are 286479 revolutions per minute$",
+        ),
+        (ball_of(), {"load": 2e4}, r"load must be small enough .*\)$"),  # nothing tells of other units
+        (ball_of(length=MM), {"friction": -1.0}, r"friction must be >= 0, got -1$"),  # units have no part in it
+    ],
+)
+def test_other_units_are_told(ball, case, message):
+    with pytest.raises(ValueError, match=message):
+        vr.solve(ball, **{"load": 100.0, "angular_speed": 2.5} | case)
+
+
+def test_other_units_are_told_by_models_histories_and_strain():
+    soft = ball_of(modulus=1e-6)
+    told = r"; viscoroll takes SI units: layers\[0\].shear_modulus = 3 Pa at rest$"
+    mesh = vr.Mesh(nodes_per_revolution=100)
+    with pytest.raises(ValueError, match=told):
+        vr.RollingModel(soft, angular_speed=2.5, mesh=mesh).solve(load=100.0)
+    with pytest.raises(ValueError, match=told):
+        vr.roll(soft, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=mesh)
+    with pytest.warns(vr.ResultWarning, match="the strain, .*" + told):
+        result = vr.solve(soft, load=2.5e-4, angular_speed=2.5)
+    assert result.warnings[vr.WarningKind.LARGE_STRAIN].endswith("3 Pa at rest")
+
+
+def test_other_units_are_told_of_what_it_rolls_on():
+    mat = vr.CoatedPlane(layers=ball_of(length=MM).layers, base=vr.HalfSpace(shear_modulus=10.0, poisson_ratio=0.5))
+    told = r"units: on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
+    with pytest.raises(ValueError, match=told):
+        vr.solve(ball_of(), on=mat, load=1e9, angular_speed=2.5)
+
+
+def test_printed_balls_and_rollers_tell_of_other_units():
+    assert str(ball_of()) == repr(ball_of())
+    large = ball_of(length=MM)
+    assert str(large) == f"{large!r}\nviscoroll takes SI units: outer_radius = 21 m, layers[0].thickness = 1 m"
+    roller = vr.CoatedCylinder(core_radius=50.0)
+    assert str(roller).splitlines()[1:] == ["viscoroll takes SI units: outer_radius = 50 m"]
+
+
 def test_arguments_by_other_names_of_a_model():
     model = vr.RollingModel(paper.ball(), angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=64))
     with pytest.raises(TypeError, match=r"^RollingModel.solve\(\) got .* 'F'; did you mean load\?$"):

@@ -9,6 +9,7 @@ import numpy as np
 from .. import _core
 from .._arrays import as_float_array, as_member, require_type
 from .._core import Compliance, Curvature, Start
+from .._si import si_hints
 from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..progress import ProgressLike, Report, reporting
@@ -170,7 +171,8 @@ def _follow(
         for stop in _stops(motion["time"], contact_times):
             if stop < core.now()[0, 0]:
                 continue
-            piece = core.roll(**_until(stop, motion), progress=report)
+            with si_hints(stepper.ball):
+                piece = core.roll(**_until(stop, motion), progress=report)
             pieces.append(piece if not pieces else piece[:, 1:])
             if stop in np.asarray(contact_times):
                 contacts.append(ContactInstant._from_core(stepper.contact))

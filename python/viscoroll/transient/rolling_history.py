@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, Start
+from .._si import si_hints
 from ..drive import Drive
 from ..geometry import CoatedSphere
 from ..mesh import Mesh
@@ -226,7 +227,7 @@ class RollingHistory:
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
-        with reporting(progress) as report:
+        with reporting(progress) as report, si_hints(ball):
             self._history = _core.RollingHistory(
                 ball._to_core(),
                 load=as_float("load", load),
@@ -280,7 +281,7 @@ class RollingHistory:
         """
         way = None if center_way is None else as_float("center_way", center_way)
         motion = {"time": as_float("time", time), "angle": as_float("angle", angle), "load": as_float("load", load)}
-        with self._lock:
+        with self._lock, si_hints(self.ball):
             self._history.advance(**motion, center_way=way)
             return _instant(self._history.now())
 
