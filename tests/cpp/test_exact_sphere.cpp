@@ -135,9 +135,10 @@ TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
   const SphereInfluence all = influence(32.0, request);
   const WindowShape shape{.phi_nodes = 9, .theta_nodes = 5};
   constexpr int kFirst = 4;  // of 13 columns
-  const SphereProduct product(shape, kFirst, all, 2, watch_);
+  const SphereProduct in_factors(shape, kFirst, all, 2, watch_);
+  const SphereProduct in_one = make_sphere_product(shape, kFirst, all, 2, watch_);
+  ASSERT_LT(in_one.operations(), in_factors.operations());
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(shape.size(), 3);
-  const Eigen::ArrayXXd moved = product.apply(loads, 2, watch_);
   Eigen::ArrayXXd sums = Eigen::ArrayXXd::Zero(shape.size(), 3);
   for (std::size_t t = 0; t < 9; ++t) {
     const auto slices = table(all, t);
@@ -151,7 +152,9 @@ TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
       }
     }
   }
-  EXPECT_LT((moved - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
+  for (const SphereProduct* product : {&in_factors, &in_one}) {
+    EXPECT_LT((product->apply(loads, 2, watch_) - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

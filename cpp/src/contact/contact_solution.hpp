@@ -21,6 +21,7 @@ struct ContactSolution {
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
   Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
   std::optional<double> speed_ratio;  ///< of the speed to the undeformed surface's; undetermined without friction
+  bool is_prolonged = false;          ///< from a coarser mesh: gap and slip are smoother than what the forces make
 
   int iterations = 0;             ///< linear systems solved
   int operator_applications = 0;  ///< by which they were solved

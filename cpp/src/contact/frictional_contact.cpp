@@ -24,6 +24,7 @@ constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
 constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
 constexpr double kHopeless = 1e3;        // residual that steps do not come back from in time
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
+constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have a solution
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
 constexpr int kPatience = 14;            // after which those of a continuation must have halved it
@@ -112,7 +113,7 @@ class FrictionalContactSolver {
     if (restart_from(start) && (given ? find_by_less_creepage() : find_by_speed())) return true;
     if (!given && by_friction()) return true;
     restart_from(start);
-    iterate(std::numeric_limits<double>::infinity());
+    stick_fully();
     const double large = 10.0 * std::max(1.0, friction);  // hardly different from full stick
     return approach(large);
   }
@@ -120,8 +121,13 @@ class FrictionalContactSolver {
   /// From full stick or from the contact without friction, at once.
   bool find_directly() {
     const ContactSolution start = state_;
-    iterate(std::numeric_limits<double>::infinity());
+    stick_fully();
     return iterate(friction_.coefficient) || (restart_from(start) && iterate(friction_.coefficient));
+  }
+
+  /// Towards the state of unlimited friction.
+  void stick_fully() {
+    std::ignore = iterate(std::numeric_limits<double>::infinity(), kStepsOfFullStick, kStepsOfFullStick);
   }
 
   /// The same contact at a given speed, with a share of the guided slip. @return whether it was found
@@ -238,7 +244,7 @@ class FrictionalContactSolver {
   }
 
   /// Newton steps at a given friction, from the present state, so many of which must have halved the residual.
-  bool iterate(double friction, int patience = kStepsOfOneFriction) {
+  bool iterate(double friction, int patience = kStepsOfOneFriction, int most_steps = kStepsOfOneFriction) {
     CycleBreaker breaker(problem_.initial_gap.size());
     double first_residual = 0.0;
     for (int step = 0;; ++step) {
@@ -249,11 +255,12 @@ class FrictionalContactSolver {
       last_residual_ = state_.residual;
       if (step == 0) first_residual = state_.residual;
       const bool stalled = state_.residual > 0.5 * before_step;
-      if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
+      const bool is_small = state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff);
+      if (!std::exchange(state_.is_prolonged, false) && is_small) {
         note_sets(sets);
         return true;
       }
-      if (step == kStepsOfOneFriction || is_exhausted()) return false;
+      if (step == most_steps || is_exhausted()) return false;
       if (step >= patience && state_.residual > 0.5 * first_residual) return false;
       ++state_.iterations;
       const ContactSolution before = state_;
@@ -291,6 +298,7 @@ class FrictionalContactSolver {
   void find_displacements() {
     state_.displacement = problem_.surface->displacement(state_.force);
     ++state_.operator_applications;
+    if (state_.is_prolonged) return;
     state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
     state_.slip = slip(friction_, stride_, state_.displacement, *state_.speed_ratio);
   }

@@ -91,9 +91,9 @@ LocatedContact add_friction(LocatedContact start, const ContactOptions& options)
 /// A contact with friction from that of every other node, in a box around it.
 LocatedContact refine(const LocatedContact& coarse, const ContactProblem& problem, const ContactOptions& options) {
   const Window box = box_around(coarse, 2, problem.surface->window());
-  ContactSolution start{.force = prolonged_force(coarse, box), .penetration = coarse.contact.penetration};
-  start.speed_ratio = coarse.contact.speed_ratio;
-  return add_friction({.problem = within(problem, box), .contact = std::move(start)}, options);
+  ContactProblem inside = within(problem, box);
+  ContactSolution start = prolonged(coarse, inside);
+  return add_friction({.problem = std::move(inside), .contact = std::move(start)}, options);
 }
 
 }  // namespace

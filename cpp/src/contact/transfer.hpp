@@ -26,6 +26,10 @@ struct LocatedContact {
 /// @brief Forces of a mesh of twice the spacing, interpolated on the nodes of a window [N].
 [[nodiscard]] VectorField prolonged_force(const LocatedContact& coarse, const Window& fine);
 
+/// @brief State with friction of a mesh of twice the spacing, on the window of a problem: forces, gap and slip, from
+/// which it is known who touches and who sticks. Displacements by the forces are rougher.
+[[nodiscard]] ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fine);
+
 /// @brief Nodes of a window that lie in a contact on a mesh of twice the spacing, ascending: at least half of the
 /// nearest coarse nodes are in contact.
 [[nodiscard]] std::vector<Eigen::Index> prolonged_contact(const LocatedContact& coarse, const Window& fine);

@@ -12,6 +12,12 @@ using Eigen::MatrixXd;
 /// Below so many multiplications threads cost more than they save.
 constexpr double kWorthThreads = 4e6;
 
+/// Of products in one table: 40 MB of matrices.
+constexpr double kMostJointOperations = 2e7;
+
+/// So long that images do not meet.
+int phi_period(WindowShape shape) { return RealFft::fast_length(2 * shape.phi_nodes - 1); }
+
 std::size_t frequencies(int period) { return static_cast<std::size_t>(period / 2 + 1); }
 
 /// Each power of the metric is a convolution of its own.
@@ -33,7 +39,60 @@ std::vector<ConvolutionTerm> local_terms(const SphereInfluence& influence) {
   return terms;
 }
 
+/// Of the products between some thetas, at all frequencies along phi.
+double matrix_operations(WindowShape shape, std::size_t components, Index thetas) {
+  const auto lines = static_cast<double>(components) * static_cast<double>(thetas);
+  return 8.0 * static_cast<double>(frequencies(phi_period(shape))) * lines * lines;
+}
+
+double local_operations(WindowShape shape, const SphereInfluence& influence) {
+  const std::size_t components = influence.components();
+  const std::size_t fields = influence.powers * components;
+  return SpectralProduct(shape, doubled(shape)).operations(fields, fields * components, fields);
+}
+
+/// The influence between the nodes of a window, in one table.
+SphereInfluence joined(const SphereInfluence& influence, WindowShape shape, int first_theta) {
+  const Index thetas = shape.theta_nodes;
+  const std::size_t components = influence.components();
+  const std::size_t tables = influence.local.size() / influence.powers;
+  const MatrixXd displaced = influence.displaced.middleRows(first_theta, thetas);
+  const MatrixXd loaded = influence.loaded.middleRows(first_theta, thetas);
+  const Eigen::ArrayXd root = influence.root.segment(first_theta, thetas);
+  SphereInfluence all{.degrees = std::vector(influence.degrees.size(), SphereTable(shape.phi_nodes - 1, thetas)),
+                      .displaced = MatrixXd::Identity(thetas, thetas),
+                      .loaded = MatrixXd::Identity(thetas, thetas),
+                      .local = {},
+                      .root = root};
+  for (std::size_t t = 0; t < all.degrees.size(); ++t) {
+    const SignedEntry source = entry_of(t / components, t % components);
+    for (int j = 1 - shape.phi_nodes; j < shape.phi_nodes; ++j) {
+      MatrixXd& slice = all.degrees[t].slice(j);
+      slice = displaced * influence.degrees[t].slice(j) * loaded.transpose();
+      for (std::size_t power = 0; power < influence.powers; ++power) {
+        const Table& table = influence.local[power * tables + static_cast<std::size_t>(source.entry)];
+        const Eigen::VectorXd metric = root.pow(static_cast<double>(power) - 1.0);
+        slice += source.sign * MatrixXd::NullaryExpr(thetas, thetas, [&](Index k, Index from) {
+                   return metric[k] * metric[from] * table(j, static_cast<int>(k - from));
+                 });
+      }
+    }
+  }
+  return all;
+}
+
 }  // namespace
+
+SphereProduct make_sphere_product(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads,
+                                  Watch& watch) {
+  const std::size_t components = influence.components();
+  const double joint = matrix_operations(shape, components, shape.theta_nodes);
+  const bool pays =
+      influence.powers > 0 && joint < kMostJointOperations &&
+      joint < matrix_operations(shape, components, influence.loaded.cols()) + local_operations(shape, influence);
+  if (pays) return {shape, 0, joined(influence, shape, first_theta), threads, watch};
+  return {shape, first_theta, influence, threads, watch};
+}
 
 SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads,
                              Watch& watch)
@@ -41,7 +100,7 @@ SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInf
       components_(static_cast<Index>(influence.components())),
       displaced_(influence.displaced.middleRows(first_theta, shape.theta_nodes)),
       loaded_(influence.loaded.middleRows(first_theta, shape.theta_nodes)),
-      period_(RealFft::fast_length(2 * shape.phi_nodes - 1)),
+      period_(phi_period(shape)),
       fft_(period_),
       spectrum_(frequencies(period_)) {
   const Index thetas = loaded_.cols();
@@ -114,8 +173,8 @@ Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, 
 }
 
 double SphereProduct::operations() const {
-  const auto lines = static_cast<double>(components_ * loaded_.cols());
-  return 8.0 * static_cast<double>(spectrum_.size()) * lines * lines + (local_ ? local_->operations() : 0.0);
+  return matrix_operations(shape_, static_cast<std::size_t>(components_), loaded_.cols()) +
+         (local_ ? local_->operations() : 0.0);
 }
 
 void SphereProduct::add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const {

@@ -46,4 +46,9 @@ class SphereProduct {
   std::optional<Convolution> local_;        // fields power * components + component
 };
 
+/// @brief The same, with all of the influence in one table where that takes fewer operations, as it does between few
+/// nodes.
+[[nodiscard]] SphereProduct make_sphere_product(WindowShape shape, int first_theta, const SphereInfluence& influence,
+                                                int threads, Watch& watch);
+
 }  // namespace viscoroll::detail

@@ -199,6 +199,26 @@ struct ChebyshevNodes {
   }
 };
 
+/// Offsets along phi, none of them negative, that orders are summed at, and what their even and odd sums are at those
+/// of the mesh, [offset, summed]: themselves, or polynomials where fewer will do.
+struct Offsets {
+  Eigen::ArrayXd summed;
+  MatrixXd even, odd;
+
+  Offsets(int reach, double spacing, int highest_degree)
+      : summed(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * spacing),
+        even(MatrixXd::Identity(reach + 1, reach + 1)),
+        odd(even) {
+    const int half = (sampled_angles(reach * spacing, highest_degree) + 1) / 2;
+    if (half > reach) return;
+    const ChebyshevNodes places(2 * half);  // the first half of them is positive, the second one its mirror image
+    summed = places.places().head(half) * (reach * spacing);
+    const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
+    even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
+    odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
+  }
+};
+
 /// Coefficients [power, node] of the polynomials that are 1 at one of some nodes and 0 at the others.
 MatrixXd lagrange_coefficients(const Eigen::ArrayXd& nodes) {
   const Index count = nodes.size();
@@ -264,13 +284,13 @@ int highest_degree(double exact_degree) { return static_cast<int>(std::ceil(exac
 
 // As polynomials in theta: coefficients of cos(x t) die out beyond the degree x, within some widths x^(1/3) of the edge
 // of a Bessel function.
-int sampled_thetas(double half_angle, int highest_degree) {
+int sampled_angles(double half_angle, int highest_degree) {
   const double x = half_angle * highest_degree;
   return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
 }
 
 int SphereSum::thetas(int half_theta) const {
-  return std::min(2 * half_theta + 1, sampled_thetas(half_theta * theta_spacing(mesh_), highest_degree_));
+  return std::min(2 * half_theta + 1, sampled_angles(half_theta * theta_spacing(mesh_), highest_degree_));
 }
 
 std::vector<SphereInfluence> SphereSum::influences(const std::vector<SphereRequest>& requests, int phi_reach,
@@ -336,9 +356,9 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
 
   // Re[(cos + i sin)(a + i b)] of all orders, at offsets of either sign, for one loaded theta after another.
   const int reach = tables.front().phi_reach();
-  const Eigen::ArrayXd offsets = Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * phi_spacing(mesh_);
+  const Offsets offsets(reach, phi_spacing(mesh_), highest_degree_);
   const Eigen::Map<const Eigen::VectorXd> m(orders.data(), static_cast<Index>(orders.size()));
-  const MatrixXd phase = offsets.matrix() * m.transpose();
+  const MatrixXd phase = offsets.summed.matrix() * m.transpose();
   const MatrixXd cosines = phase.array().cos();
   const MatrixXd sines = phase.array().sin();
   parallel_for(static_cast<std::size_t>(thetas.size()), threads, watch, "summing orders",
@@ -352,8 +372,8 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
                      real.row(i) = sum.real();
                      imaginary.row(i) = sum.imag();
                    }
-                   const MatrixXd even = cosines * real;
-                   const MatrixXd odd = sines * imaginary;
+                   const MatrixXd even = offsets.even * (cosines * real);
+                   const MatrixXd odd = offsets.odd * (sines * imaginary);
                    worker.checkpoint();
                    for (int j = 0; j <= reach; ++j) {
                      tables[t].slice(j).col(column) += (even.row(j) - odd.row(j)).transpose();

@@ -25,6 +25,7 @@ constexpr int kFewestNodesPerRevolution = 64;
 constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of fields
 constexpr double kInertiaShare = 1e-3;               // of the accuracy, that inertia may miss
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
+constexpr double kMostFurtherEffort = 6e6;           // nodes in contact times operator applications
 
 Mesh make_mesh(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
@@ -46,17 +47,19 @@ double most_nodes_per_revolution(const RollingPair& pair, const LoadCase& load_c
   const int count = SphereRequest{.tangential = tangential, .power = false}.count();
   constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
   const double half_angle = kMargin * contact_radius / outer_radius(pair.body);
-  const int thetas = sampled_thetas(half_angle, highest_degree(SphereSum::kExactDegree));
+  const int thetas = sampled_angles(half_angle, highest_degree(SphereSum::kExactDegree));
   const double nodes_across = 0.5 * kMostTableValues / (count * std::pow(thetas, 2));
   return std::numbers::pi * nodes_across / half_angle;
 }
 
 /// Most nodes in contact of a mesh. One that the accuracy asks for by itself may have many; further ones, where answers
-/// change by more than they should, no more than take some seconds.
-double most_contact_nodes(const LoadCase& load_case, const Options& options, double planned) {
-  const bool costly = load_case.friction > 0.0 || options.curvature == Curvature::exact;
-  const double most = load_case.friction > 0.0 ? kMostFrictionalContactNodes : kMostContactNodes;
-  return std::min(most, std::max(planned, costly ? 5e4 : 1e6));
+/// change by more than they should, no more than take some seconds with the operator applications of the mesh before.
+double most_contact_nodes(const LoadCase& load_case, const Options& options, double planned, int applications) {
+  const bool has_friction = load_case.friction > 0.0;
+  const bool costly = has_friction || options.curvature == Curvature::exact;
+  double cheap = costly ? 5e4 : 1e6;
+  if (has_friction) cheap = std::min(cheap, kMostFurtherEffort / applications);
+  return std::min(has_friction ? kMostFrictionalContactNodes : kMostContactNodes, std::max(planned, cheap));
 }
 
 /// A number that the caller did not give, and the size by which its errors are judged.
@@ -150,7 +153,8 @@ class Refiner {
     const double next = 4.0 * refinements_.back().contact_nodes;
     return mesh_.nodes_per_revolution == kMostNodesPerRevolution ||
            (most_nodes_ < kMostNodesPerRevolution && 2.0 * mesh_.nodes_per_revolution > most_nodes_) ||
-           next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes);
+           next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
+                                     best_->operator_applications);
   }
 
   /// Throw what no mesh has led around, in terms of what the caller gave.

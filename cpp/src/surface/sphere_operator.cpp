@@ -9,7 +9,8 @@ namespace {
 SphereProduct make_product(const SphereInfluence& influence, const SurfaceOperator& surface) {
   const Execution& execution = surface.execution();
   const Window& window = surface.window();
-  return {window.shape(), influence.half_theta() + window.theta.first, influence, execution.threads, execution.watch};
+  return make_sphere_product(window.shape(), influence.half_theta() + window.theta.first, influence, execution.threads,
+                             execution.watch);
 }
 
 }  // namespace
