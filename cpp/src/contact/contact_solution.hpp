@@ -10,6 +10,12 @@
 
 namespace viscoroll::detail {
 
+/// @brief Gap and slip of a coarser mesh, between its nodes.
+struct SmoothFields {
+  Eigen::ArrayXd gap;
+  Eigen::ArrayX2d slip;
+};
+
 /// @brief Forces and where they act.
 struct ContactSolution {
   VectorField force;                  ///< on the surface at every node [N]: the pressing one along y is <= 0
@@ -20,8 +26,8 @@ struct ContactSolution {
 
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
   Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
-  std::optional<double> speed_ratio;  ///< of the speed to the undeformed surface's; undetermined without friction
-  bool is_prolonged = false;          ///< from a coarser mesh: gap and slip are smoother than what the forces make
+  std::optional<double> speed_ratio;      ///< of the speed to the undeformed surface's; undetermined without friction
+  std::optional<SmoothFields> prolonged;  ///< of the coarser mesh that a start is from
 
   int iterations = 0;             ///< linear systems solved
   int operator_applications = 0;  ///< by which they were solved

@@ -27,6 +27,7 @@ constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate 
 constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have a solution
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
+constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
 constexpr int kPatience = 14;            // after which those of a continuation must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
 constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
@@ -39,9 +40,10 @@ constexpr double kSmallShare = 1e-3;     // of creepages, from which they are ra
 constexpr double kSmallestRatio = 1.05;  // of one share to the next
 constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
 constexpr double kExactStep = 1e-6;
-constexpr Index kSmallContact = 300;  // nodes up to which every step is exact, which takes fewer of them
-constexpr double kMostEffort = 1e10;  // operations in operator applications on a mesh: some seconds ...
-constexpr int kLeastEffort = 800;     // ... or so many applications, eight times what a state usually takes
+constexpr Index kSmallContact = 300;       // nodes up to which every step is exact, which takes fewer of them
+constexpr double kMostEffort = 1e10;       // operations in operator applications on a mesh: some seconds ...
+constexpr double kManyApplications = 800;  // ... or eight times what a state usually takes ...
+constexpr double kMuchEffort = 4.0;        // ... within so many times that
 
 /// Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither stick
 /// (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
@@ -250,13 +252,13 @@ class FrictionalContactSolver {
     for (int step = 0;; ++step) {
       const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
-      ContactSets sets = classify(friction);
+      ContactSets sets = classify(friction, state_.gap, state_.slip);
+      if (state_.prolonged) keep_contact(friction, sets);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
       if (step == 0) first_residual = state_.residual;
       const bool stalled = state_.residual > 0.5 * before_step;
-      const bool is_small = state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff);
-      if (!std::exchange(state_.is_prolonged, false) && is_small) {
+      if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;
       }
@@ -272,7 +274,8 @@ class FrictionalContactSolver {
 
   /// Whether enough has been tried.
   [[nodiscard]] bool is_exhausted() const {
-    const double most = std::max<double>(kLeastEffort, kMostEffort / problem_.surface->operations());
+    const double affordable = kMostEffort / problem_.surface->operations();
+    const double most = std::max(affordable, std::min(kManyApplications, kMuchEffort * affordable));
     return state_.iterations >= options_.max_iterations || state_.operator_applications >= most;
   }
 
@@ -290,7 +293,7 @@ class FrictionalContactSolver {
       state_.penetration = before.penetration + share * (full.penetration - before.penetration);
       state_.speed_ratio = *before.speed_ratio + share * (*full.speed_ratio - *before.speed_ratio);
       find_displacements();
-      std::ignore = classify(friction);
+      std::ignore = classify(friction, state_.gap, state_.slip);
       if (state_.residual < before.residual) return;
     }
   }
@@ -298,26 +301,25 @@ class FrictionalContactSolver {
   void find_displacements() {
     state_.displacement = problem_.surface->displacement(state_.force);
     ++state_.operator_applications;
-    if (state_.is_prolonged) return;
     state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
     state_.slip = slip(friction_, stride_, state_.displacement, *state_.speed_ratio);
   }
 
   /// Who touches, sticks and slips next, and how far all conditions are from holding.
-  ContactSets classify(double friction) {
+  ContactSets classify(double friction, const Eigen::ArrayXd& gap, const Eigen::ArrayX2d& slips) {
     ContactSets sets;
     double violation = std::pow(imbalance(), 2);
     for (Index node = 0; node < problem_.initial_gap.size(); ++node) {
       const double pressing = -state_.force(node, kDown);
-      const double predicted = pressing - scales_.normal * state_.gap[node];
+      const double predicted = pressing - scales_.normal * gap[node];
       const bool touches = predicted > 0.0 && node >= stride_;
-      violation += std::pow(touches ? scales_.normal * state_.gap[node] : pressing, 2);
+      violation += std::pow(touches ? scales_.normal * gap[node] : pressing, 2);
       const Eigen::Array2d traction(state_.force(node, kForward), state_.force(node, kSideways));
       if (!touches) {
         violation += traction.square().sum();
         continue;
       }
-      const Eigen::Array2d slip = state_.slip.row(node).transpose();
+      const Eigen::Array2d slip = slips.row(node).transpose();
       const Eigen::Array2d trial = traction - scales_.tangential * slip;
       const double size = trial.matrix().norm();
       const double limit = friction * predicted;
@@ -334,6 +336,17 @@ class FrictionalContactSolver {
     }
     state_.residual = std::sqrt(violation) / problem_.normal_force;
     return sets;
+  }
+
+  /// Forces between those of coarse nodes make a rough gap, by which much of a contact may seem to lift off. Then the
+  /// gap and the slip of the coarse mesh tell better.
+  void keep_contact(double friction, ContactSets& sets) {
+    const SmoothFields fields = *std::exchange(state_.prolonged, std::nullopt);
+    const double residual = state_.residual;
+    ContactSets kept = classify(friction, fields.gap, fields.slip);
+    state_.residual = residual;
+    const auto count = [](const ContactSets& of) { return static_cast<double>(of.contact.size()); };
+    if (count(sets) < kLeastKept * count(kept)) sets = std::move(kept);
   }
 
   /// How far load and drive are from balance [N].

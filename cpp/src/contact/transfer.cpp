@@ -79,17 +79,16 @@ VectorField prolonged_force(const LocatedContact& coarse, const Window& fine) {
 
 ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fine) {
   const Window& window = fine.surface->window();
-  ContactSolution state{.force = prolonged_force(coarse, window),
-                        .gap = fine.initial_gap - coarse.contact.penetration,
-                        .penetration = coarse.contact.penetration,
-                        .slip = Eigen::ArrayX2d::Zero(window.shape().size(), 2),
-                        .speed_ratio = coarse.contact.speed_ratio,
-                        .is_prolonged = true};
+  SmoothFields fields{.gap = fine.initial_gap - coarse.contact.penetration,
+                      .slip = Eigen::ArrayX2d::Zero(window.shape().size(), 2)};
   for_nearest(coarse.window(), window, [&](Index node, const std::vector<Index>& nearest, int count) {
     if (std::ssize(nearest) < count) return;
-    state.gap[node] = coarse.contact.gap(nearest).mean();
-    state.slip.row(node) = 0.5 * coarse.contact.slip(nearest, Eigen::all).colwise().mean();  // over half the way
+    fields.gap[node] = coarse.contact.gap(nearest).mean();
+    fields.slip.row(node) = 0.5 * coarse.contact.slip(nearest, Eigen::all).colwise().mean();  // over half the way
   });
+  ContactSolution state{.force = prolonged_force(coarse, window), .penetration = coarse.contact.penetration};
+  state.speed_ratio = coarse.contact.speed_ratio;
+  state.prolonged = std::move(fields);
   return state;
 }
 
