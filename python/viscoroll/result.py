@@ -169,7 +169,7 @@ class Result(ScalarFields):
         hint = si_hint(inputs["ball"], inputs["on"])
         if hint and WarningKind.LARGE_STRAIN in solution.warnings:
             values["warnings"][WarningKind.LARGE_STRAIN] += f"; {hint}"
-        return cls(**inputs, **values | _as_given(values, **inputs))
+        return cls(**inputs, **values)
 
     def __repr__(self) -> str:
         """Return a summary of one screen."""
@@ -451,28 +451,6 @@ class Result(ScalarFields):
         from .plot import draw_contact, plot_contact
 
         return plot_contact(self) if ax is None else draw_contact(self, ax)
-
-
-#: Share of the load up to which iterations leave what a drive prescribes: they end at some 1e-11 of it.
-_ROUND_OFF = 1e-9
-
-
-def _as_given(
-    found: dict[str, Any], *, ball: RollingBody, load: float, friction: float, drive: Drive, **_: object
-) -> dict[str, float]:
-    """Return what the drive prescribes by the names of results, where nothing but round-off is between the two."""
-    if friction == 0.0:
-        return {}
-    given = {
-        "driving_force": (drive.force, load),
-        "driving_torque": (drive.torque, load * ball.outer_radius),
-        "creepage": (drive.creepage, 1.0),
-    }
-    return {
-        name: value
-        for name, (value, scale) in given.items()
-        if value is not None and abs(found[name] - value) <= _ROUND_OFF * scale
-    }
 
 
 def _rebuilt(kind: type[Result], values: dict[str, Any]) -> Result:

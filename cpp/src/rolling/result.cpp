@@ -30,9 +30,11 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
 /// 1/84, 1/21 and 1/5, Poisson's ratio 0.3 and 1/2 (tests/reference/finite_strain_table.py finds 0.72).
 constexpr double kErrorPerStrain = 0.75;
 
-/// A sum of forces or moments without the round-off of what cancels in it.
-double settled(double sum, double largest_summand) {
+/// A sum of forces or moments without the round-off of what cancels in it, and of steps towards what a drive gives.
+double settled(double sum, double largest_summand, std::optional<double> given = std::nullopt) {
   constexpr double kRoundOff = 1e-12;
+  constexpr double kLeftBySteps = 1e-9;
+  if (given && std::abs(sum - *given) < kLeftBySteps * largest_summand) return *given;
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
@@ -84,13 +86,15 @@ class Summary {
     const ArrayXd forward = contact_.force.col(kForward);
     r.resisting_torque = (given_.lever * pressing_).sum();
     const double load = given_.load_case.load;
-    r.driving_force = settled(-forward.sum() + counterpart_force(r), load);
+    const GivenMotion motion = given_motion(given_.load_case.drive);
+    r.driving_force = settled(-forward.sum() + counterpart_force(r), load, motion.force);
     const ArrayXd sideways = contact_.force.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
     r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
 
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
-    r.driving_torque = settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius());
+    r.driving_torque =
+        settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius(), motion.torque);
   }
 
   void add_powers(Result& r) const {
@@ -99,7 +103,7 @@ class Summary {
     const GivenMotion motion = given_motion(load_case.drive);
     if (motion.creepage) speed_ratio = 1.0 + *motion.creepage;
     if (speed_ratio) {
-      r.creepage = *speed_ratio - 1.0;
+      r.creepage = motion.creepage.value_or(*speed_ratio - 1.0);
       r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
     }
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
