@@ -28,6 +28,7 @@ constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have 
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
 constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
+constexpr int kPatienceNearby = 8;       // after which steps from such a state must have halved the residual
 constexpr int kPatience = 14;            // after which those of a continuation must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
 constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
@@ -107,7 +108,8 @@ class FrictionalContactSolver {
   bool find() {
     const ContactSolution start = state_;
     const double friction = friction_.coefficient;
-    if (has_friction_ && (iterate(friction) || (restart_from(start) && iterate_exactly()))) return true;
+    if (has_friction_ && (iterate(friction, kPatienceNearby) || (restart_from(start) && iterate_exactly())))
+      return true;
     if (restart_from(start) && find_directly()) return true;
     const auto by_friction = [&] { return restart_from(start) && iterate(kEasyFriction) && approach(kEasyFriction); };
     const bool given = friction_.drive->given_speed_ratio().has_value();

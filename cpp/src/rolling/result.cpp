@@ -181,16 +181,18 @@ class Summary {
   }
 
   /// A node's patch reaches half way to both neighbors: it slides half of the way from the one before and half of the
-  /// way to the one after.
+  /// way to the one after. Friction takes work and gives none, where the one after has left the contact and may move
+  /// ahead of the force.
   [[nodiscard]] double slip_power() const {
     const Index stride = window_.shape().theta_nodes;
     const Index rest = size_ - stride;
-    const auto work = [&](Index column, Axis axis) {
+    const auto work = [&](Index column, Axis axis) -> ArrayXd {
       const auto force = contact_.force.col(axis).head(rest);
       const auto slip = contact_.slip.col(column);
-      return 0.5 * (force * (slip.head(rest) + slip.tail(rest))).sum();
+      return -0.5 * force * (slip.head(rest) + slip.tail(rest));
     };
-    return -given_.load_case.angular_speed / window_.grid().phi_spacing * (work(0, kForward) + work(1, kSideways));
+    const ArrayXd taken = (work(0, kForward) + work(1, kSideways)).max(0.0);
+    return given_.load_case.angular_speed / window_.grid().phi_spacing * taken.sum();
   }
 
   const SurfaceWindow& window_;
