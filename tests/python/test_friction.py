@@ -447,6 +447,53 @@ def test_shear_that_is_a_small_part_of_the_load():
     assert r.residual < 1e-10
 
 
+def test_finer_meshes_start_from_who_touches_and_sticks_on_coarser_ones():
+    # Forces between coarse nodes make a third of this contact lift off. It came back row by row, in more steps than
+    # there were: no state was found.
+    def modulus(omega):
+        return 1.217e9 + 2.864e8 * (0.04688j * omega) ** 0.1348
+
+    r = vr.solve(
+        vr.CoatedSphere(
+            core_radius=0.1056, layers=[vr.Layer(thickness=0.0768, shear_modulus=modulus, poisson_ratio=0.5)]
+        ),
+        load=9.405e6,
+        angular_speed=8.504,
+        friction=0.27,
+        drive=vr.Drive(creepage=-3.524e-4, lateral_creepage=1.035e-3),
+        patch_load="SPHERICAL",
+        curvature="PAPER",
+        mesh=vr.Mesh(nodes_per_revolution=1664),
+    )
+    assert r.status is vr.Status.CONVERGED
+    assert r.contact.sum() > 20_000
+    assert r.iterations < 15
+
+
+def test_friction_gives_no_power():
+    # All of this contact sticks but for nodes at its edge; the way of those that leave it counted as work gained.
+    layers = [
+        vr.Layer(
+            thickness=1.172e-5, shear_modulus=vr.KelvinVoigt(modulus=5.342e7, viscosity=222.4), poisson_ratio=-0.577
+        ),
+        vr.Layer(thickness=4.17e-6, shear_modulus=vr.KelvinVoigt(modulus=5.041e7, viscosity=209.9), poisson_ratio=0.5),
+        vr.Layer(
+            thickness=3.317e-5, shear_modulus=vr.KelvinVoigt(modulus=1.954e7, viscosity=81.37), bulk_modulus=5.073e7
+        ),
+    ]
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.01244, layers=layers),
+        load=3.1226e-4,
+        angular_speed=24.21,
+        friction=5.103,
+        drive=vr.Drive(force=0.0),
+        compliance="VERTICAL",
+        mesh=vr.Mesh(nodes_per_revolution=17_571, theta_nodes_per_revolution=27_691),
+    )
+    assert r.stick.sum() > 0.95 * r.contact.sum()
+    assert r.slip_power >= 0.0
+
+
 def test_towed_by_way_of_less_friction():
     # From full stick and from no friction steps go astray; from mu = 0.3 they lead there.
     material = vr.Prony(
