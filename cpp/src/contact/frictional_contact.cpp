@@ -98,7 +98,7 @@ class FrictionalContactSolver {
   [[nodiscard]] ContactSolution solve() {
     if (find()) return finished();
     throw ConvergenceError("no state of stick and slip was found in " + std::to_string(state_.iterations) +
-                               " iterations: the residual is " + text(last_residual_) + " of the load",
+                               " iterations: the residual is " + rounded(last_residual_) + " of the load",
                            state_.iterations, last_residual_);
   }
 

@@ -314,7 +314,7 @@ class LoadCaseSolver {
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject("drive.torque",
-           "between " + text(limits[0]) + " N m and " + text(limits[1]) + " N m, else the sphere slides without end",
+           "between " + rounded(limits[0]) + " N m and " + rounded(limits[1]) + " N m, else the sphere slides without end",
            text(torque) + " N m");
   }
 
@@ -377,7 +377,7 @@ class LoadCaseSolver {
     const double thickness = detail::thickness(model_.pair());
     if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
     if (penetration >= thickness) {
-      reject_load("is pressed " + text(penetration) + " m into a coating of " + text(thickness) + " m");
+      reject_load("is pressed " + rounded(penetration) + " m into a coating of " + text(thickness) + " m");
     }
   }
 
