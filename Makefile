@@ -49,7 +49,7 @@ test-cpp: $(DEPS)
 	ctest --preset release --parallel $(JOBS)
 
 test-python: $(VENV)/test.stamp
-	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile
+	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources.
 # The library configured as the README says must be the optimized one.
@@ -74,7 +74,7 @@ test-clang: deps-clang
 	ctest --preset clang --parallel $(JOBS)
 	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
 	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet --config-settings=build-dir=build/clang/wheel '.[test]'
-	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile
+	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
 # The header comes out of a Python package.
 build/headers: | $(VENV)/bin/pip
@@ -117,7 +117,7 @@ coverage: $(DEPS)
 	  -Ccmake.build-type=Debug -Ccmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
 	find $(COVERED) -name '*.gcda' -delete
 	ctest --preset coverage --parallel $(JOBS)
-	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist loadfile --cov --cov-report= $(TESTS)
+	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal --cov --cov-report= $(TESTS)
 	$(COVERED)/venv/bin/coverage xml --quiet -o $(COVERED)/python.xml
 	$(COVERED)/venv/bin/coverage report --skip-covered --skip-empty --sort=cover
 	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --exclude-throw-branches --gcov-ignore-errors=no_working_dir_found \
