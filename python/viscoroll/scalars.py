@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import textwrap
 from dataclasses import make_dataclass
 from typing import TYPE_CHECKING, TypeVar
@@ -44,7 +45,7 @@ def with_scalars(described: _Class) -> _Class:
     """Fill the scalar results into the docstring of a class, where it says ``%(scalars)s`` among the attributes."""
     if described.__doc__:
         entries = "\n".join(map(_entry, _core.result_scalars()))
-        described.__doc__ = described.__doc__.replace("    %(scalars)s", textwrap.indent(entries, "    "))
+        described.__doc__ = inspect.cleandoc(described.__doc__).replace("%(scalars)s", entries)
     return described
 
 
