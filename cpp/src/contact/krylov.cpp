@@ -11,7 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kMostDirections = 120;  // kept before a restart
+constexpr Index kMostDirections = 120;  // kept before a restart ...
+constexpr Index kSmallSystem = 600;     // ... of more unknowns than these
 constexpr int kMostProducts = 360;      // some ten are enough
 constexpr double kStagnation = 0.5;     // of the residual over a restart
 
@@ -87,6 +88,9 @@ class Arnoldi {
 
 KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
                             const VectorXd& guess, const KrylovTolerance& tolerance) {
+  // What no preconditioner is good for, as with shells that bend, takes as many directions as there are unknowns.
+  const Index most_directions = right.size() > kSmallSystem ? kMostDirections : right.size();
+  const Index most_products = std::max<Index>(kMostProducts, most_directions);
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
   double small = tolerance.absolute;
   for (;;) {
@@ -96,9 +100,9 @@ KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& 
     solution.residual = residual.norm();
     if (solution.products == 1) small = std::max(small, tolerance.relative * solution.residual);
     const bool stagnates = solution.products > 1 && !(solution.residual < kStagnation * before);
-    if (!(solution.residual > small) || stagnates || solution.products >= kMostProducts) return solution;
+    if (!(solution.residual > small) || stagnates || solution.products >= most_products) return solution;
     Arnoldi space(residual);
-    for (bool adds = true; adds && space.residual() > small && space.count() < kMostDirections;) {
+    for (bool adds = true; adds && space.residual() > small && space.count() < most_directions;) {
       adds = space.extend(matrix(preconditioner(space.last())));
       ++solution.products;
     }
