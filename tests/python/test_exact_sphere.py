@@ -271,3 +271,20 @@ def test_strong_memory_of_a_thin_coating(compliance, angular_speed):
     assert exact.driving_torque == pytest.approx(torus.driving_torque, rel=1e-3)
     assert exact.penetration == pytest.approx(torus.penetration, rel=1e-3)
     assert exact.power_balance_error < torus.power_balance_error + 1e-3
+
+
+def test_shell_that_rests_on_a_rim():
+    # Some twenty nodes around a dent carry it, each by bending all of the shell. 120 directions did not do.
+    material = vr.Prony(
+        instantaneous_modulus=3.609e8, weights=[0.3147, 0.68495], relaxation_times=[0.03267702, 0.04400252]
+    )
+    shell = vr.CoatedSphere(
+        core_radius=0.43003391,
+        layers=[vr.Layer(thickness=0.02071857, shear_modulus=material, poisson_ratio=-0.66079)],
+        inner_boundary=vr.InnerBoundary.HOLLOW,
+    )
+    mesh = vr.Mesh(nodes_per_revolution=502, max_order=345)
+    r = vr.solve(shell, load=21.228, angular_speed=9.4e-3, mesh=mesh, curvature=EXACT)
+    assert r.status is vr.Status.CONVERGED
+    assert not r.contact[r.contact.shape[0] // 2, r.contact.shape[1] // 2]
+    assert (r.pressure * r.ball.outer_radius**2 * (2 * math.pi / 502) ** 2).sum() == pytest.approx(21.228, rel=2e-2)

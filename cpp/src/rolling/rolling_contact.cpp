@@ -313,9 +313,10 @@ class LoadCaseSolver {
                                          pressure_share());
     }
     if (torque > limits[0] && torque < limits[1]) return;
-    reject("drive.torque",
-           "between " + rounded(limits[0]) + " N m and " + rounded(limits[1]) + " N m, else the sphere slides without end",
-           text(torque) + " N m");
+    reject(
+        "drive.torque",
+        "between " + rounded(limits[0]) + " N m and " + rounded(limits[1]) + " N m, else the sphere slides without end",
+        text(torque) + " N m");
   }
 
   /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press the sphere
