@@ -24,6 +24,8 @@ constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
 constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
 constexpr double kHopeless = 1e3;        // residual that steps do not come back from in time
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
+constexpr int kMostSteps = 60;           // of them as long as the residual halves ...
+constexpr int kHalving = 12;             // ... in so many of them
 constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have a solution
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
@@ -250,22 +252,24 @@ class FrictionalContactSolver {
   /// Newton steps at a given friction, from the present state, so many of which must have halved the residual.
   bool iterate(double friction, int patience = kStepsOfOneFriction, int most_steps = kStepsOfOneFriction) {
     CycleBreaker breaker(problem_.initial_gap.size());
-    double first_residual = 0.0;
+    std::vector<double> residuals;
     for (int step = 0;; ++step) {
-      const double before_step = step == 0 ? std::numeric_limits<double>::infinity() : last_residual_;
       find_displacements();
       ContactSets sets = classify(friction, state_.gap, state_.slip);
       if (state_.prolonged) keep_contact(friction, sets);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
-      if (step == 0) first_residual = state_.residual;
-      const bool stalled = state_.residual > 0.5 * before_step;
+      const auto is_halved_since = [&](std::size_t before) { return state_.residual <= 0.5 * residuals[before]; };
+      residuals.push_back(state_.residual);
+      const bool stalled = step > 0 && !is_halved_since(residuals.size() - 2);
       if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
         note_sets(sets);
         return true;
       }
-      if (step == most_steps || is_exhausted()) return false;
-      if (step >= patience && state_.residual > 0.5 * first_residual) return false;
+      if (step == kMostSteps || is_exhausted()) return false;
+      const bool progresses = step >= kHalving && is_halved_since(residuals.size() - 1 - kHalving);
+      if (step >= most_steps && !progresses) return false;
+      if (step >= patience && !is_halved_since(0)) return false;
       ++state_.iterations;
       const ContactSolution before = state_;
       const bool freed = breaker.free_undecided(sets);
