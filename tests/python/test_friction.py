@@ -494,6 +494,27 @@ def test_friction_gives_no_power():
     assert r.slip_power >= 0.0
 
 
+def test_steps_go_on_while_they_lead_there():
+    # A soft skin pulled back by 0.8 of the load. Newton steps came ever closer, but there were 25 of them.
+    layers = [
+        vr.Layer(thickness=5.402196e-4, shear_modulus=vr.Elastic(modulus=2942759.7), poisson_ratio=-0.597922),
+        vr.Layer(thickness=2.893813e-4, shear_modulus=vr.Elastic(modulus=56739.365), poisson_ratio=0.49814232),
+    ]
+    r = roll(
+        vr.CoatedSphere(core_radius=0.048514838, layers=layers),
+        load=1.06738,
+        angular_speed=0.874645,
+        mu=7.71875,
+        drive=vr.Drive(force=-0.850685),
+        patch_load="SPHERICAL",
+        mesh=vr.Mesh(nodes_per_revolution=678, theta_nodes_per_revolution=1037),
+    )
+    assert r.status is vr.Status.CONVERGED
+    assert r.residual < 1e-9
+    assert r.driving_force == -0.850685
+    assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
+
+
 def test_towed_by_way_of_less_friction():
     # From full stick and from no friction steps go astray; from mu = 0.3 they lead there.
     material = vr.Prony(
