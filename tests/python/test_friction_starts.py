@@ -1,0 +1,93 @@
+"""States of stick and slip that are hard to find, each of which was missed or took minutes once."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+
+
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # a load that presses the coating to a tenth
+def test_shear_that_is_a_small_part_of_the_load():
+    # 59 862 nodes in contact. Every other node's state, known to 1e-4 of the load, was no start: no end in 100 s.
+    layer = vr.Layer(thickness=5.91e-5, shear_modulus=vr.Elastic(modulus=1.966e6), bulk_modulus=2.089e8)
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.015417, layers=[layer]),
+        load=449.0,
+        angular_speed=0.01266,
+        friction=16.58,
+        drive=vr.Drive(creepage=1.211e-4),
+        curvature=vr.Curvature.PAPER,
+        mesh=vr.Mesh(nodes_per_revolution=9628),
+    )
+    assert r.contact.sum() > 50_000
+    assert r.status is vr.Status.CONVERGED
+    assert r.residual < 1e-10
+
+
+def test_finer_meshes_start_from_who_touches_and_sticks_on_coarser_ones():
+    # Forces between coarse nodes make a third of this contact lift off. It came back row by row, in more steps than
+    # there were: no state was found.
+    def modulus(omega):
+        return 1.217e9 + 2.864e8 * (0.04688j * omega) ** 0.1348
+
+    r = vr.solve(
+        vr.CoatedSphere(
+            core_radius=0.1056, layers=[vr.Layer(thickness=0.0768, shear_modulus=modulus, poisson_ratio=0.5)]
+        ),
+        load=9.405e6,
+        angular_speed=8.504,
+        friction=0.27,
+        drive=vr.Drive(creepage=-3.524e-4, lateral_creepage=1.035e-3),
+        patch_load="SPHERICAL",
+        curvature="PAPER",
+        mesh=vr.Mesh(nodes_per_revolution=1664),
+    )
+    assert r.status is vr.Status.CONVERGED
+    assert r.contact.sum() > 20_000
+    assert r.iterations < 15
+
+
+def test_friction_gives_no_power():
+    # All of this contact sticks but for nodes at its edge; the way of those that leave it counted as work gained.
+    layers = [
+        vr.Layer(
+            thickness=1.172e-5, shear_modulus=vr.KelvinVoigt(modulus=5.342e7, viscosity=222.4), poisson_ratio=-0.577
+        ),
+        vr.Layer(thickness=4.17e-6, shear_modulus=vr.KelvinVoigt(modulus=5.041e7, viscosity=209.9), poisson_ratio=0.5),
+        vr.Layer(
+            thickness=3.317e-5, shear_modulus=vr.KelvinVoigt(modulus=1.954e7, viscosity=81.37), bulk_modulus=5.073e7
+        ),
+    ]
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.01244, layers=layers),
+        load=3.1226e-4,
+        angular_speed=24.21,
+        friction=5.103,
+        drive=vr.Drive(force=0.0),
+        compliance="VERTICAL",
+        mesh=vr.Mesh(nodes_per_revolution=17_571, theta_nodes_per_revolution=27_691),
+    )
+    assert r.stick.sum() > 0.95 * r.contact.sum()
+    assert r.slip_power >= 0.0
+
+
+def test_steps_go_on_while_they_lead_there():
+    # A soft skin pulled back by 0.8 of the load. Newton steps came ever closer, but there were 25 of them.
+    layers = [
+        vr.Layer(thickness=5.402196e-4, shear_modulus=vr.Elastic(modulus=2942759.7), poisson_ratio=-0.597922),
+        vr.Layer(thickness=2.893813e-4, shear_modulus=vr.Elastic(modulus=56739.365), poisson_ratio=0.49814232),
+    ]
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.048514838, layers=layers),
+        load=1.06738,
+        angular_speed=0.874645,
+        friction=7.71875,
+        drive=vr.Drive(force=-0.850685),
+        patch_load="SPHERICAL",
+        mesh=vr.Mesh(nodes_per_revolution=678, theta_nodes_per_revolution=1037),
+    )
+    assert r.status is vr.Status.CONVERGED
+    assert r.residual < 1e-9
+    assert r.driving_force == -0.850685
+    assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
