@@ -300,9 +300,10 @@ class LoadCaseSolver {
 
   /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
   void require_rolling(ContactProblem problem, double likely_depth, double torque) const {
-    // The lever of friction is half of the radius at the least, that of the pressure at the most.
+    // In a contact over 60 degrees the lever of friction is half of the radius; that of the pressure is no larger than
+    // it.
     const double surely_reached =
-        0.5 * (load_case_.friction - 1.0) * load_case_.load * outer_radius(model_.pair().body);
+        (0.5 * load_case_.friction - 1.0) * load_case_.load * outer_radius(model_.pair().body);
     if (std::abs(torque) < surely_reached) return;
     std::array<double, 2> limits{};
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
