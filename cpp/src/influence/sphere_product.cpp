@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dense_products.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -154,7 +156,7 @@ Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, 
   parallel_for(spectrum_.size(), work < kWorthThreads ? 1 : threads, watch, "solving contact",
                [&](std::size_t f, const Worker&) {
                  auto column = transformed.col(static_cast<Index>(f));
-                 column = (spectrum_[f] * column).eval();
+                 column = multiplied(spectrum_[f], column);
                });
 
   Eigen::ArrayXXd result(loads.rows(), components_);

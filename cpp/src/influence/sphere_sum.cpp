@@ -7,11 +7,12 @@
 #include <limits>
 #include <numbers>
 
+#include "dense_products.hpp"
 #include "influence/coating_sum.hpp"
 #include "influence/gauss_legendre.hpp"
 #include "influence/legendre.hpp"
 #include "influence/patch.hpp"
-#include "modal/chebyshev_panels.hpp"
+#include "influence/sampled_angles.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -152,8 +153,10 @@ class OrderTables {
       const MatrixXd& right = own.loaded.*loaded;
       const MatrixXd& left = own.seen.*seen;
       sums[parity].resize(left.cols(), right.cols());
-      sums[parity].real() = left.transpose() * (factor.real().matrix().asDiagonal() * right);
-      sums[parity].imag() = left.transpose() * (factor.imag().matrix().asDiagonal() * right);
+      const MatrixXd real = factor.real().matrix().asDiagonal() * right;
+      const MatrixXd imaginary = factor.imag().matrix().asDiagonal() * right;
+      sums[parity].real() = product(left.transpose(), real);
+      sums[parity].imag() = product(left.transpose(), imaginary);
     }
     // Of the first degrees, P and E are even about the equator and D is odd.
     const auto sign = [](Harmonic harmonic) { return harmonic == &Harmonics::d ? -1.0 : 1.0; };
@@ -181,43 +184,6 @@ Eigen::ArrayXd node_thetas(int nodes, double spacing) {
   const int half = (nodes - 1) / 2;
   return 0.5 * std::numbers::pi + spacing * Eigen::ArrayXd::LinSpaced(nodes, -half, half);
 }
-
-/// Places between -1 and 1, and what polynomials through values there are elsewhere.
-struct ChebyshevNodes {
-  Eigen::ArrayXd angle;
-
-  explicit ChebyshevNodes(int count)
-      : angle(std::numbers::pi * (Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0) + 0.5) / count) {}
-
-  [[nodiscard]] Eigen::ArrayXd places() const { return angle.cos(); }
-  /// @return matrix [place, node]
-  [[nodiscard]] MatrixXd interpolation(const Eigen::ArrayXd& places) const {
-    const auto count = static_cast<double>(angle.size());
-    const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
-    const MatrixXd terms = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
-    return terms * chebyshev_transform(static_cast<int>(angle.size())).transpose();
-  }
-};
-
-/// Offsets along phi, none of them negative, that orders are summed at, and what their even and odd sums are at those
-/// of the mesh, [offset, summed]: themselves, or polynomials where fewer will do.
-struct Offsets {
-  Eigen::ArrayXd summed;
-  MatrixXd even, odd;
-
-  Offsets(int reach, double spacing, int highest_degree)
-      : summed(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * spacing),
-        even(MatrixXd::Identity(reach + 1, reach + 1)),
-        odd(even) {
-    const int half = (sampled_angles(reach * spacing, highest_degree) + 1) / 2;
-    if (half > reach) return;
-    const ChebyshevNodes places(2 * half);  // the first half of them is positive, the second one its mirror image
-    summed = places.places().head(half) * (reach * spacing);
-    const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
-    even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
-    odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
-  }
-};
 
 /// Coefficients [power, node] of the polynomials that are 1 at one of some nodes and 0 at the others.
 MatrixXd lagrange_coefficients(const Eigen::ArrayXd& nodes) {
@@ -281,13 +247,6 @@ SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh
       highest_degree_(mesh.max_order ? *mesh.max_order : highest_degree(exact_degree)) {}
 
 int highest_degree(double exact_degree) { return static_cast<int>(std::ceil(exact_end(exact_degree))); }
-
-// As polynomials in theta: coefficients of cos(x t) die out beyond the degree x, within some widths x^(1/3) of the edge
-// of a Bessel function.
-int sampled_angles(double half_angle, int highest_degree) {
-  const double x = half_angle * highest_degree;
-  return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
-}
 
 int SphereSum::thetas(int half_theta) const {
   return std::min(2 * half_theta + 1, sampled_angles(half_theta * theta_spacing(mesh_), highest_degree_));
@@ -356,9 +315,9 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
 
   // Re[(cos + i sin)(a + i b)] of all orders, at offsets of either sign, for one loaded theta after another.
   const int reach = tables.front().phi_reach();
-  const Offsets offsets(reach, phi_spacing(mesh_), highest_degree_);
+  const SampledOffsets offsets(reach, phi_spacing(mesh_), highest_degree_);
   const Eigen::Map<const Eigen::VectorXd> m(orders.data(), static_cast<Index>(orders.size()));
-  const MatrixXd phase = offsets.summed.matrix() * m.transpose();
+  const MatrixXd phase = offsets.sampled.matrix() * m.transpose();
   const MatrixXd cosines = phase.array().cos();
   const MatrixXd sines = phase.array().sin();
   parallel_for(static_cast<std::size_t>(thetas.size()), threads, watch, "summing orders",
@@ -372,8 +331,8 @@ void SphereSum::add_degrees(const SphereRequest& request, const Eigen::ArrayXd& 
                      real.row(i) = sum.real();
                      imaginary.row(i) = sum.imag();
                    }
-                   const MatrixXd even = offsets.even * (cosines * real);
-                   const MatrixXd odd = offsets.odd * (sines * imaginary);
+                   const MatrixXd even = product(offsets.even, product(cosines, real));
+                   const MatrixXd odd = product(offsets.odd, product(sines, imaginary));
                    worker.checkpoint();
                    for (int j = 0; j <= reach; ++j) {
                      tables[t].slice(j).col(column) += (even.row(j) - odd.row(j)).transpose();

@@ -82,11 +82,6 @@ struct SphereRequest {
 /// @brief Degree up to which all that is summed one by one reaches, by the middle of the step where it ends.
 [[nodiscard]] int highest_degree(double exact_degree);
 
-/// @return number of thetas, or of offsets along phi, between which waves of all degrees vary no further
-/// @param[in] half_angle half of the range of these angles [rad]
-/// @param[in] highest_degree of the waves
-[[nodiscard]] int sampled_angles(double half_angle, int highest_degree);
-
 /// @brief What the influence of a coating on a mesh is summed from.
 class SphereSum {
  public:

@@ -21,4 +21,9 @@ Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach) {
   return waves;
 }
 
+Waves make_waves(const Eigen::ArrayXd& orders, const Eigen::ArrayXd& offsets) {
+  const Eigen::ArrayXXd phase = (orders.matrix() * offsets.matrix().transpose()).array();
+  return {.cosines = phase.cos(), .sines = phase.sin()};
+}
+
 }  // namespace viscoroll::detail

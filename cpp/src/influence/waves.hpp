@@ -1,5 +1,5 @@
 /// @file
-/// @brief Waves of several orders at the offsets of a mesh.
+/// @brief Waves of several orders at offsets, those of a mesh or others.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,8 @@ namespace viscoroll::detail {
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// @brief Cosines and sines of order times offset, a row for each order and a column for each offset from 0.
+/// @brief Cosines and sines of order times offset, a row for each order and a column for each offset, of a
+/// mesh from 0.
 struct Waves {
   RowMajorMatrix cosines;
   RowMajorMatrix sines;
@@ -18,5 +19,9 @@ struct Waves {
 /// @param[in] spacing of the offsets [rad]
 /// @param[in] reach largest offset [spacings]
 [[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, double spacing, int reach);
+
+/// @param[in] orders not necessarily whole
+/// @param[in] offsets anywhere [rad]
+[[nodiscard]] Waves make_waves(const Eigen::ArrayXd& orders, const Eigen::ArrayXd& offsets);
 
 }  // namespace viscoroll::detail

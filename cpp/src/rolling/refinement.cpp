@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "influence/sampled_angles.hpp"
 #include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
@@ -131,7 +132,8 @@ class Refiner {
     try {
       const MeshModel model(pair_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_,
                             kInertiaShare * options_.accuracy);
-      note(solve_load_case(model, load_case_, options_, watch_));
+      const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
+      note(solve_load_case(model, load_case_, options_, watch_, seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
       return !best_ && restart_from(mesh_.nodes_per_revolution / 4.0);

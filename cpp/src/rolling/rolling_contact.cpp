@@ -34,6 +34,9 @@ double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& wi
   return gap.minCoeff();
 }
 
+constexpr double kMarginOfEstimate = 1.1;  // of windows around a contact that was estimated, rather from above ...
+constexpr double kMarginOfSeen = 1.2;      // ... and around one that was seen on a coarser mesh
+
 constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
 
 constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
@@ -53,7 +56,7 @@ class LoadCaseSolver {
         grid_(model.grid()),
         swelling_(1.0 + model.centrifugal() / grid_.radius) {}
 
-  [[nodiscard]] Result solve() const {
+  [[nodiscard]] Result solve(const std::optional<ContactReach>& seen) const {
     if (is_roller(model_.body()) && options_.patch_load != PatchLoad::flat) {
       reject("patch_load", "FLAT with a cylinder", "SPHERICAL");
     }
@@ -66,17 +69,19 @@ class LoadCaseSolver {
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
     const int theta_limit = is_roller(model_.body()) ? 0 : theta_nodes_per_revolution(model_.mesh()) / 6;
-    const auto half_width = [&](double spacing) {
-      return static_cast<int>(std::ceil(1.1 * estimate / (grid_.radius * spacing))) + 2;
+    const ContactReach likely = seen.value_or(ContactReach{.along = estimate, .across = estimate});
+    const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;
+    const auto half_width = [&](double reach, double spacing) {
+      return static_cast<int>(std::ceil(margin * reach / (grid_.radius * spacing))) + 2;
     };
-    int phi = std::min(half_width(grid_.phi_spacing), phi_limit);
-    int theta = std::min(half_width(grid_.theta_spacing), theta_limit);
+    int phi = std::min(half_width(likely.along, grid_.phi_spacing), phi_limit);
+    int theta = std::min(half_width(likely.across, grid_.theta_spacing), theta_limit);
     const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
     const bool cheap = is_roller(model_.body());  // a single row of nodes
-    for (bool is_likely = cheap || shallow;; is_likely = cheap) {
+    for (bool is_likely = cheap || shallow || seen;; is_likely = cheap) {
       const bool widest = phi == phi_limit && theta == theta_limit;
       if (is_likely || holds_rough_contact(phi, theta, estimate, widest)) {
-        if (std::optional<Result> result = solve_in_window(phi, theta, estimate)) return *std::move(result);
+        if (std::optional<Result> result = solve_in_window(phi, theta, estimate, !seen)) return *std::move(result);
       }
       if (widest) reject_load("is in contact over 60 degrees to a side");
       phi = std::min(phi + phi / 2 + 1, phi_limit);
@@ -85,12 +90,15 @@ class LoadCaseSolver {
   }
 
  private:
+  /// @param[in] uncertain whether the contact without friction is to show first that it fits
   /// @return nothing where the contact reaches the edge of the window
-  [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate) const {
+  [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate,
+                                                      bool uncertain) const {
     require_few_nodes(half_phi, half_theta);
     const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
     const ContactProblem problem = make_problem(nodes);
-    if (problem.friction && !holds_pressed_contact(problem, estimated_depth(estimate))) return std::nullopt;
+    if (uncertain && problem.friction && !holds_pressed_contact(problem, estimated_depth(estimate)))
+      return std::nullopt;
     LocatedContact located = solve_contact(problem, swelling_ * estimated_depth(estimate));
     for (;;) {
       const bool boxed = located.window() != nodes.window();
@@ -134,7 +142,7 @@ class LoadCaseSolver {
     const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
     const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
     return LoadCaseSolver(rough, pressed, options_, execution_.watch)
-        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate);
+        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate, true);
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
@@ -399,8 +407,19 @@ MeshTooFine::MeshTooFine(int nodes_per_revolution, const std::string& most, cons
     : std::invalid_argument("mesh.nodes_per_revolution must be coarse enough for " + most + ", got " +
                             std::to_string(nodes_per_revolution) + " (it makes " + made + ")") {}
 
-Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
-  return LoadCaseSolver(model, load_case, options, watch).solve();
+ContactReach contact_reach(const Result& result) {
+  ContactReach reach{.along = 0.0, .across = 0.0};
+  for (std::size_t node = 0; node < result.contact.size(); ++node) {
+    if (result.contact[node] == 0) continue;
+    reach.along = std::max(reach.along, std::abs(result.x[node]));
+    reach.across = std::max(reach.across, std::abs(result.z[node]));
+  }
+  return reach;
+}
+
+Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
+                       const std::optional<ContactReach>& seen) {
+  return LoadCaseSolver(model, load_case, options, watch).solve(seen);
 }
 
 }  // namespace viscoroll::detail

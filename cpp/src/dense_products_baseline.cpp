@@ -1,0 +1,8 @@
+#define VISCOROLL_EIGEN EigenBaseline
+#include "dense_products_for.hpp"
+
+namespace viscoroll::detail {
+
+extern const DenseProducts kBaselineProducts = kProducts;
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,50 @@
+/// @file
+/// @brief The products by Eigen, for the instruction set that the including file is compiled for.
+///
+/// That file names it, and is the only one that includes this. Eigen is compiled under this name, so that the linker
+/// takes none of its functions for those of another set.
+#pragma once
+
+#define Eigen VISCOROLL_EIGEN  // NOLINT(readability-identifier-naming)
+#include <Eigen/Core>
+
+#include "dense_views.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Dynamic;
+using Stride = Eigen::OuterStride<>;
+using RowMajor = Eigen::Matrix<double, Dynamic, Dynamic, Eigen::RowMajor>;
+
+template <class Matrix>
+Eigen::Map<const Matrix, Eigen::Unaligned, Stride> map(const ConstMatrixView& view) {
+  return {view.data, view.rows, view.columns, Stride(view.stride)};
+}
+
+template <class Left, class Right>
+void add_as(const ConstMatrixView& left, const ConstMatrixView& right, const RowMajorView& sum) {
+  Eigen::Map<RowMajor, Eigen::Unaligned, Stride> result(sum.data, sum.rows, sum.columns, Stride(sum.stride));
+  result.noalias() += map<Left>(left) * map<Right>(right);
+}
+
+void add(const ConstMatrixView& left, const ConstMatrixView& right, const RowMajorView& sum) {
+  using ColumnMajor = Eigen::MatrixXd;
+  if (left.row_major) {
+    right.row_major ? add_as<RowMajor, RowMajor>(left, right, sum) : add_as<RowMajor, ColumnMajor>(left, right, sum);
+  } else {
+    right.row_major ? add_as<ColumnMajor, RowMajor>(left, right, sum)
+                    : add_as<ColumnMajor, ColumnMajor>(left, right, sum);
+  }
+}
+
+void multiply(const ConstComplexMatrixView& matrix, const std::complex<double>* vector, std::complex<double>* product) {
+  const Eigen::Map<const Eigen::MatrixXcd> left(matrix.data, matrix.rows, matrix.columns);
+  const Eigen::Map<const Eigen::VectorXcd> right(vector, matrix.columns);
+  Eigen::Map<Eigen::VectorXcd>(product, matrix.rows).noalias() = left * right;
+}
+
+constexpr DenseProducts kProducts{.add = add, .multiply = multiply};
+
+}  // namespace
+}  // namespace viscoroll::detail

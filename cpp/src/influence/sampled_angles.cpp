@@ -1,0 +1,45 @@
+#include "influence/sampled_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "modal/chebyshev_panels.hpp"
+
+namespace viscoroll::detail {
+
+using Eigen::MatrixXd;
+
+int sampled_angles(double half_angle, double highest_order) {
+  const double x = half_angle * highest_order;
+  return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
+}
+
+ChebyshevNodes::ChebyshevNodes(int count)
+    : angle(std::numbers::pi * (Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0) + 0.5) / count) {}
+
+MatrixXd ChebyshevNodes::interpolation(const Eigen::ArrayXd& places) const {
+  const auto count = static_cast<double>(angle.size());
+  const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
+  const MatrixXd terms = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
+  return terms * chebyshev_transform(static_cast<int>(angle.size())).transpose();
+}
+
+int SampledOffsets::count(int reach, double spacing, double highest_order) {
+  return std::min((sampled_angles(reach * spacing, highest_order) + 1) / 2, reach + 1);
+}
+
+SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order)
+    : sampled(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, reach) * spacing),
+      even(MatrixXd::Identity(reach + 1, reach + 1)),
+      odd(even) {
+  const int half = count(reach, spacing, highest_order);
+  if (half > reach) return;
+  const ChebyshevNodes places(2 * half);  // the first half of them is positive, the second one its mirror image
+  sampled = places.places().head(half) * (reach * spacing);
+  const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
+  even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
+  odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,90 @@
+// Products by each instruction set that this processor has, against sums one by one.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <type_traits>
+
+#include "dense_products.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+using ColumnMajor = Eigen::MatrixXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// No two elements alike.
+template <class Matrix>
+Matrix filled(Index rows, Index columns, double phase) {
+  Matrix matrix(rows, columns);
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < columns; ++j) matrix(i, j) = std::cos(phase + 1.3 * static_cast<double>(i * columns + j));
+  }
+  return matrix;
+}
+
+/// What is missing of sum += left right, with neighbors that must stay.
+template <class Left, class Right>
+double error_of(const DenseProducts& products, Index rows, Index depth, Index columns) {
+  const Left left = filled<Left>(rows, depth, 0.1);
+  const Right right = filled<Right>(depth, columns, 0.7);
+  RowMajor sum = filled<RowMajor>(rows + 1, columns + 2, 0.3);
+  RowMajor expected = sum;
+  for (Index i = 0; i < rows; ++i) {
+    for (Index j = 0; j < columns; ++j) {
+      for (Index k = 0; k < depth; ++k) expected(i, j) += left(i, k) * right(k, j);
+    }
+  }
+  const auto view = [](const auto& matrix) {
+    return ConstMatrixView{.data = matrix.data(),
+                           .rows = matrix.rows(),
+                           .columns = matrix.cols(),
+                           .stride = matrix.outerStride(),
+                           .row_major = std::remove_cvref_t<decltype(matrix)>::IsRowMajor};
+  };
+  products.add(view(left), view(right),
+               {.data = sum.data(), .rows = rows, .columns = columns, .stride = sum.outerStride()});
+  return (sum - expected).cwiseAbs().maxCoeff();
+}
+
+TEST(DenseProductsTest, AreSumsOfProducts) {
+  for (const DenseProducts& products : usable_products()) {
+    for (const Index columns : {1, 7, 64, 250}) {
+      EXPECT_LT((error_of<RowMajor, RowMajor>(products, 32, 66, columns)), 1e-13);
+      EXPECT_LT((error_of<RowMajor, ColumnMajor>(products, 3, 66, columns)), 1e-13);
+      EXPECT_LT((error_of<ColumnMajor, RowMajor>(products, 91, 17, columns)), 1e-13);
+      EXPECT_LT((error_of<ColumnMajor, ColumnMajor>(products, 1, 66, columns)), 1e-13);
+    }
+  }
+}
+
+TEST(DenseProductsTest, ComplexMatricesTimesVectors) {
+  const std::complex<double> i(0.0, 1.0);
+  const Eigen::MatrixXcd matrix = filled<ColumnMajor>(45, 31, 0.2) + i * filled<ColumnMajor>(45, 31, 0.9);
+  const Eigen::VectorXcd vector = filled<ColumnMajor>(31, 1, 0.4) + i * filled<ColumnMajor>(31, 1, 0.5);
+  for (const DenseProducts& products : usable_products()) {
+    Eigen::VectorXcd product = Eigen::VectorXcd::Constant(45, 7.0);
+    products.multiply({.data = matrix.data(), .rows = 45, .columns = 31}, vector.data(), product.data());
+    for (Index row = 0; row < 45; ++row) {
+      std::complex<double> expected = 0.0;
+      for (Index k = 0; k < 31; ++k) expected += matrix(row, k) * vector[k];
+      EXPECT_LT(std::abs(product[row] - expected), 1e-13);
+    }
+  }
+}
+
+TEST(DenseProductsTest, BlocksAndTransposes) {
+  const RowMajor left = filled<RowMajor>(20, 9, 0.1);
+  const ColumnMajor right = filled<ColumnMajor>(20, 30, 0.8);
+  const ColumnMajor expected = left.transpose() * right;
+  EXPECT_LT((product(left.transpose(), right) - expected).cwiseAbs().maxCoeff(), 1e-13);
+  ColumnMajor sum = ColumnMajor::Zero(12, 30);
+  add_product(left.transpose(), right, sum.middleRows(2, 9));
+  EXPECT_LT((sum.middleRows(2, 9) - expected).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_EQ(sum.topRows(2).cwiseAbs().maxCoeff() + sum.bottomRows(1).cwiseAbs().maxCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail
