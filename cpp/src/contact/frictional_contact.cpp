@@ -21,7 +21,7 @@ using Eigen::Index;
 
 constexpr double kTolerance = 1e-10;     // residual of a converged state, per load, or per largest friction force ...
 constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
-constexpr double kRoundOff = 1e-8;       // residual of one that Newton steps no longer improve
+constexpr double kRoundOff = 1e-8;       // the same of one that Newton steps no longer improve
 constexpr double kHopeless = 1e3;        // residual that steps do not come back from in time
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
 constexpr int kMostSteps = 60;           // of them as long as the residual halves ...
@@ -29,6 +29,7 @@ constexpr int kHalving = 12;             // ... in so many of them
 constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have a solution
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
+constexpr double kAstray = 2.0;          // of the least residual, from which they are taken back
 constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
 constexpr int kPatienceNearby = 8;       // after which steps from such a state must have halved the residual
 constexpr int kPatience = 14;            // after which those of a continuation must have halved it
@@ -91,7 +92,8 @@ class FrictionalContactSolver {
         state_(start),
         has_friction_(start.speed_ratio.has_value()),
         free_steps_(has_friction_ ? kFreeStepsNearby : kFreeSteps),
-        tolerance_(std::max(kTolerance * std::clamp(friction_.coefficient, kLeastFriction, 1.0), options.tolerance)) {
+        friction_share_(std::clamp(friction_.coefficient, kLeastFriction, 1.0)),
+        tolerance_(std::max(kTolerance * friction_share_, options.tolerance)) {
     if (has_friction_) return;
     state_.speed_ratio = friction_.drive->given_speed_ratio().value_or(1.0);
     state_.converged = false;
@@ -253,6 +255,7 @@ class FrictionalContactSolver {
   bool iterate(double friction, int patience = kStepsOfOneFriction, int most_steps = kStepsOfOneFriction) {
     CycleBreaker breaker(problem_.initial_gap.size());
     std::vector<double> residuals;
+    ContactSolution best = state_;
     for (int step = 0;; ++step) {
       find_displacements();
       ContactSets sets = classify(friction, state_.gap, state_.slip);
@@ -262,7 +265,7 @@ class FrictionalContactSolver {
       const auto is_halved_since = [&](std::size_t before) { return state_.residual <= 0.5 * residuals[before]; };
       residuals.push_back(state_.residual);
       const bool stalled = step > 0 && !is_halved_since(residuals.size() - 2);
-      if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff)) {
+      if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff * friction_share_)) {
         note_sets(sets);
         return true;
       }
@@ -270,6 +273,11 @@ class FrictionalContactSolver {
       const bool progresses = step >= kHalving && is_halved_since(residuals.size() - 1 - kHalving);
       if (step >= most_steps && !progresses) return false;
       if (step >= patience && !is_halved_since(0)) return false;
+      if (step == 0 || state_.residual < best.residual) best = state_;
+      if (step == free_steps_ && state_.residual > kAstray * best.residual) {
+        restart_from(best);
+        sets = classify(friction, state_.gap, state_.slip);
+      }
       ++state_.iterations;
       const ContactSolution before = state_;
       const bool freed = breaker.free_undecided(sets);
@@ -384,7 +392,8 @@ class FrictionalContactSolver {
   ContactSolution state_;
   bool has_friction_;
   int free_steps_;
-  double tolerance_;  // residual of a converged state
+  double friction_share_;  // of the load, by which residuals are judged
+  double tolerance_;       // residual of a converged state
   double step_tolerance_ = kRoughStep;
   double last_residual_ = 1.0;  // the last finite one, for the message of a failure
 };

@@ -66,6 +66,18 @@ class LoadCaseSolver {
     }
     const double estimate = estimate_contact_radius(model_.pair(), load_case_.angular_speed, load_case_.load);
     require_lasting_stiffness(estimate);
+    try {
+      return solve_in_windows(estimate, seen);
+    } catch (const ConvergenceError&) {
+      // Estimates are from above, if not by so much.
+      if (estimated_depth(estimate) > 10.0 * thickness(model_.pair())) reject_load("would be pressed through it");
+      throw;
+    }
+  }
+
+ private:
+  /// In larger and larger windows.
+  [[nodiscard]] Result solve_in_windows(double estimate, const std::optional<ContactReach>& seen) const {
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
     const int theta_limit = is_roller(model_.body()) ? 0 : theta_nodes_per_revolution(model_.mesh()) / 6;
@@ -89,7 +101,6 @@ class LoadCaseSolver {
     }
   }
 
- private:
   /// @param[in] uncertain whether the contact without friction is to show first that it fits
   /// @return nothing where the contact reaches the edge of the window
   [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate,
