@@ -28,9 +28,9 @@ Matrix filled(Index rows, Index columns, double phase) {
 /// What is missing of sum += left right, with neighbors that must stay.
 template <class Left, class Right>
 double error_of(const DenseProducts& products, Index rows, Index depth, Index columns) {
-  const Left left = filled<Left>(rows, depth, 0.1);
-  const Right right = filled<Right>(depth, columns, 0.7);
-  RowMajor sum = filled<RowMajor>(rows + 1, columns + 2, 0.3);
+  const auto left = filled<Left>(rows, depth, 0.1);
+  const auto right = filled<Right>(depth, columns, 0.7);
+  auto sum = filled<RowMajor>(rows + 1, columns + 2, 0.3);
   RowMajor expected = sum;
   for (Index i = 0; i < rows; ++i) {
     for (Index j = 0; j < columns; ++j) {
@@ -76,8 +76,8 @@ TEST(DenseProductsTest, ComplexMatricesTimesVectors) {
 }
 
 TEST(DenseProductsTest, BlocksAndTransposes) {
-  const RowMajor left = filled<RowMajor>(20, 9, 0.1);
-  const ColumnMajor right = filled<ColumnMajor>(20, 30, 0.8);
+  const auto left = filled<RowMajor>(20, 9, 0.1);
+  const auto right = filled<ColumnMajor>(20, 30, 0.8);
   const ColumnMajor expected = left.transpose() * right;
   EXPECT_LT((product(left.transpose(), right) - expected).cwiseAbs().maxCoeff(), 1e-13);
   ColumnMajor sum = ColumnMajor::Zero(12, 30);

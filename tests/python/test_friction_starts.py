@@ -94,8 +94,8 @@ def test_steps_go_on_while_they_lead_there():
 
 
 def test_steps_that_shorten_are_not_at_their_end():
-    # With little friction a residual of 1e-8 of the load is 1e-6 of what friction bears: steps that were shortened there
-    # were taken for the last ones, and nodes that stick crept by 2 % of the fastest slip.
+    # With little friction a residual of 1e-8 of the load is 1e-6 of what friction bears: steps that were shortened
+    # there were taken for the last ones, and nodes that stick crept by 2 % of the fastest slip.
     layers = [
         vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
         for thickness, modulus in ((1.128e-4, 1.358e9), (3.698e-5, 2.269e9), (7.376e-5, 1.389e9))
