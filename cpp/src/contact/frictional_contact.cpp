@@ -256,6 +256,7 @@ class FrictionalContactSolver {
     CycleBreaker breaker(problem_.initial_gap.size());
     std::vector<double> residuals;
     ContactSolution best = state_;
+    ContactSets best_sets;
     for (int step = 0;; ++step) {
       find_displacements();
       ContactSets sets = classify(friction, state_.gap, state_.slip);
@@ -273,10 +274,15 @@ class FrictionalContactSolver {
       const bool progresses = step >= kHalving && is_halved_since(residuals.size() - 1 - kHalving);
       if (step >= most_steps && !progresses) return false;
       if (step >= patience && !is_halved_since(0)) return false;
-      if (step == 0 || state_.residual < best.residual) best = state_;
+      if (step == 0 || state_.residual < best.residual) {
+        best = state_;
+        best_sets = sets;
+      }
       if (step == free_steps_ && state_.residual > kAstray * best.residual) {
         restart_from(best);
-        sets = classify(friction, state_.gap, state_.slip);
+        sets = best_sets;
+        residuals.back() = last_residual_ = best.residual;
+        breaker = CycleBreaker(problem_.initial_gap.size());
       }
       ++state_.iterations;
       const ContactSolution before = state_;

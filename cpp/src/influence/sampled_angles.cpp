@@ -40,6 +40,7 @@ SampledOffsets::SampledOffsets(int reach, double spacing, double highest_order)
   const MatrixXd basis = places.interpolation(Eigen::ArrayXd::LinSpaced(reach + 1, 0.0, 1.0));
   even = basis.leftCols(half) + basis.rightCols(half).rowwise().reverse();
   odd = basis.leftCols(half) - basis.rightCols(half).rowwise().reverse();
+  odd.row(0).setZero();  // to the last digit
 }
 
 }  // namespace viscoroll::detail

@@ -66,18 +66,6 @@ class LoadCaseSolver {
     }
     const double estimate = estimate_contact_radius(model_.pair(), load_case_.angular_speed, load_case_.load);
     require_lasting_stiffness(estimate);
-    try {
-      return solve_in_windows(estimate, seen);
-    } catch (const ConvergenceError&) {
-      // Estimates are from above, if not by so much.
-      if (estimated_depth(estimate) > 10.0 * thickness(model_.pair())) reject_load("would be pressed through it");
-      throw;
-    }
-  }
-
- private:
-  /// In larger and larger windows.
-  [[nodiscard]] Result solve_in_windows(double estimate, const std::optional<ContactReach>& seen) const {
     // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
     const int phi_limit = model_.mesh().nodes_per_revolution / 6;
     const int theta_limit = is_roller(model_.body()) ? 0 : theta_nodes_per_revolution(model_.mesh()) / 6;
@@ -90,17 +78,20 @@ class LoadCaseSolver {
     int theta = std::min(half_width(likely.across, grid_.theta_spacing), theta_limit);
     const bool shallow = estimated_depth(estimate) < 0.5 * thickness(model_.pair());
     const bool cheap = is_roller(model_.body());  // a single row of nodes
-    for (bool is_likely = cheap || shallow || seen;; is_likely = cheap) {
+    bool is_seen = seen.has_value();
+    for (bool is_likely = cheap || shallow || is_seen;; is_likely = cheap) {
       const bool widest = phi == phi_limit && theta == theta_limit;
       if (is_likely || holds_rough_contact(phi, theta, estimate, widest)) {
-        if (std::optional<Result> result = solve_in_window(phi, theta, estimate, !seen)) return *std::move(result);
+        if (std::optional<Result> result = solve_in_window(phi, theta, estimate, !is_seen)) return *std::move(result);
       }
+      is_seen = false;
       if (widest) reject_load("is in contact over 60 degrees to a side");
       phi = std::min(phi + phi / 2 + 1, phi_limit);
       theta = std::min(theta + theta / 2 + 1, theta_limit);
     }
   }
 
+ private:
   /// @param[in] uncertain whether the contact without friction is to show first that it fits
   /// @return nothing where the contact reaches the edge of the window
   [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate,
@@ -138,7 +129,13 @@ class LoadCaseSolver {
     // A larger window costs little where the torus says that it is needed and the sphere does not; a refused load does.
     const bool torus_will_do = model_.curvature() == Curvature::exact && !widest;
     const Curvature curvature = torus_will_do ? Curvature::sphere : model_.curvature();
-    return rough_contact(half_phi, half_theta, estimate, curvature).has_value();
+    try {
+      return rough_contact(half_phi, half_theta, estimate, curvature).has_value();
+    } catch (const ConvergenceError&) {
+      // Estimates are from above, if not by so much.
+      if (estimated_depth(estimate) > 10.0 * thickness(model_.pair())) reject_load("would be pressed through it");
+      throw;
+    }
   }
 
   /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the contact reaches
