@@ -108,6 +108,15 @@ void to_accuracy(benchmark::State& state, double accuracy, Compliance compliance
   state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
 }
 
+/// A strong memory, refined to 0.1 %; the error is the power balance.
+void kelvin_voigt(benchmark::State& state, double viscosity, const LoadCase& rolling, Compliance compliance) {
+  const CoatedSphere sphere = cases::kelvin_voigt(viscosity);
+  Result result;
+  for (auto _ : state) result = solve(sphere, rolling, {.accuracy = 1e-3, .compliance = compliance});
+  state.counters["error"] = result.power_balance_error;
+  count(result, state);
+}
+
 /// Friction from a cold start at Omega = 0.2 rad/s (section 14.3 of the paper), one coefficient; the error is the power
 /// balance.
 void friction(benchmark::State& state, double coefficient, int nodes) {
@@ -289,6 +298,13 @@ BENCHMARK_CAPTURE(to_accuracy, one_thousandth, 1e-3, Compliance::vertical, kVert
 BENCHMARK_CAPTURE(to_accuracy, one_thousandth_radial, 1e-3, Compliance::radial, kRadialTorque)
     ->Unit(kUnit)
     ->UseRealTime();
+const LoadCase kSlowRolling{.load = 50.0, .angular_speed = 1.0};
+BENCHMARK_CAPTURE(kelvin_voigt, 50_ms_radial, 1.5e5, cases::kRolling, Compliance::radial)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(kelvin_voigt, 50_ms_vertical, 1.5e5, cases::kRolling, Compliance::vertical)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(kelvin_voigt, 10_ms_radial, 3e4, kSlowRolling, Compliance::radial)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(kelvin_voigt, 10_ms_vertical, 3e4, kSlowRolling, Compliance::vertical)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(fine_rolling, 512, 7332, Compliance::radial, kRadialTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(fine_rolling, 1024, 14684, Compliance::radial, kRadialTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(fine_rolling, 2048, 29460, Compliance::radial, kRadialTorque)->Unit(kUnit)->UseRealTime();

@@ -35,6 +35,13 @@ inline viscoroll::CoatedSphere unlike_layers() {
                       .poisson_ratio = 0.49}}};
 }
 
+/// A coating whose memory lasts for `viscosity` [Pa s] over 3 MPa.
+inline viscoroll::CoatedSphere kelvin_voigt(double viscosity) {
+  return {
+      .core_radius = 20e-3,
+      .layers = {{.thickness = 1e-3, .shear_modulus = viscoroll::KelvinVoigt{3e6, viscosity}, .poisson_ratio = 0.5}}};
+}
+
 /// A stiff fractional skin over soft rubber.
 inline viscoroll::CoatedSphere stiff_skin() {
   return {
