@@ -116,8 +116,8 @@ class Coating:
         pressures = self.basis.get_dofs(elements=True).all(["u^2"])
         self.moving = ~np.isin(np.append(self.free, self.touching), pressures)
 
-    def _equations(self, state):
-        """Return nodal forces and their slope."""
+    def equations(self, state):
+        """Return nodal forces and their slope, a sparse matrix."""
         dofs, n = self.basis.element_dofs, self.basis.N
         y = self.rest + np.einsum("aieq,ae->ieq", self.entries, state[dofs])
         gradient, hessian = energy_derivatives(y, self.softness)
@@ -141,7 +141,7 @@ class Coating:
         state = np.zeros(self.basis.N) if guess is None else guess.copy()
         theta, radius = self.basis.doflocs[:, touching]
         for _ in range(10):
-            force, slope = self._equations(state)
+            force, slope = self.equations(state)
             slope = slope[self.rows]
             height = state[touching] + radius * np.cos(theta)  # of the nodes that are to lie on the plane
             plane = csc_array(slope[:, touching].sum(axis=1)[:, None])
@@ -151,7 +151,7 @@ class Coating:
             state[free] += step[: free.size]
             state[touching] += step[free.size :]
             if np.abs(step[self.moving]).max() < 1e-8 * self.thickness:
-                return state, self.outer_radius - solution[-1], -self._equations(state)[0][touching].sum()
+                return state, self.outer_radius - solution[-1], -self.equations(state)[0][touching].sum()
         raise RuntimeError(f"no convergence with contact up to {self.edge} rad")
 
     def surface(self, state):
@@ -160,7 +160,7 @@ class Coating:
         dofs = dofs[np.argsort(self.basis.doflocs[0, dofs])]
         theta, radius = self.basis.doflocs[:, dofs]
         height = state[dofs] + radius * np.cos(theta)
-        return theta, height[0] - height, -self._equations(state)[0][dofs]
+        return theta, height[0] - height, -self.equations(state)[0][dofs]
 
     def guess_from(self, other, state):
         """Return the state of another edge, stretched along theta and scaled to this one's depth."""
