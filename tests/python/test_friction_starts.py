@@ -150,3 +150,68 @@ def test_a_load_that_is_far_beyond_the_coating_is_refused_as_such():
             curvature="EXACT",
             mesh=vr.Mesh(nodes_per_revolution=2095, theta_nodes_per_revolution=2369),
         )
+
+
+def test_a_path_that_turns_back_to_less_friction():
+    # From a friction of 0.3 to 5.2 no steps of friction alone led: 185 in vain.
+    modulus = vr.Prony(
+        instantaneous_modulus=904371004.070464,
+        weights=[0.28625034958712753, 0.30180048382485763, 0.0918902540495217, 0.1424543116239465],
+        relaxation_times=[1.2499564441540212, 37.479238947267426, 83.13557608642967, 1.9871162996488172],
+    )
+    layer = vr.Layer(
+        thickness=0.15264416208613413,
+        shear_modulus=modulus,
+        poisson_ratio=0.06957122702668034,
+        density=1197.660963155148,
+    )
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.06411096514823905, layers=[layer], inner_boundary="HOLLOW"),
+        load=2348906.924483077,
+        angular_speed=0.0334120318758935,
+        friction=5.178106834836993,
+        drive=vr.Drive(creepage=-0.0003657313647978389, lateral_creepage=-0.0007012716902450234),
+        patch_load="SPHERICAL",
+        mesh=vr.Mesh(nodes_per_revolution=132),
+    )
+    assert r.status is vr.Status.CONVERGED
+    assert r.residual < 1e-10
+    assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
+
+
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
+def test_nodes_that_stick_rest_on_meshes_of_a_million_nodes():
+    # A residual of 1e-10 of the load left them 1e-4 of the slip that the ball's curvature asks for.
+    layers = [
+        vr.Layer(
+            thickness=2.3405e-5,
+            shear_modulus=vr.Prony(
+                instantaneous_modulus=2.3453e7,
+                weights=[0.24119, 0.19221, 0.405, 0.0047675],
+                relaxation_times=[5.3196e-4, 2.0781e-3, 2.0231e-3, 5.6985e-6],
+            ),
+            bulk_modulus=2.3915e6,
+            density=563.47,
+        ),
+        vr.Layer(
+            thickness=4.8504e-5,
+            shear_modulus=vr.FractionalZener(
+                instantaneous_modulus=8.8409e9, relaxed_modulus=2.0795e9, relaxation_time=2.3213e-3, order=0.73216
+            ),
+            poisson_ratio=0.5,
+            density=316.7,
+        ),
+    ]
+    r = vr.solve(
+        vr.CoatedSphere(core_radius=0.013426, layers=layers, inner_boundary="HOLLOW"),
+        load=1.2677e-5,
+        angular_speed=66.348,
+        friction=1.3514,
+        drive=vr.Drive(force=0.0),
+        compliance="VERTICAL",
+        curvature="PAPER",
+        accuracy=0.040518,
+    )
+    curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
+    assert r.stick.any()
+    assert np.hypot(*r.slip_velocity)[r.stick].max() < 1e-6 * curving

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/friction_path.hpp"
 #include "contact/newton_step.hpp"
 #include "contact/stick_slip_preconditioner.hpp"
 #include "validate.hpp"
@@ -22,6 +23,8 @@ using Eigen::Index;
 constexpr double kTolerance = 1e-10;     // residual of a converged state, per load, or per largest friction force ...
 constexpr double kLeastFriction = 0.01;  // ... from this coefficient on
 constexpr double kRoundOff = 1e-8;       // the same of one that Newton steps no longer improve
+constexpr double kLargestCreep = 2e-7;   // of nodes that stick, per spread of the strain, ...
+constexpr int kStepsOfRest = 3;          // ... which so many steps may mend
 constexpr double kHopeless = 1e3;        // residual that steps do not come back from in time
 constexpr int kStepsOfOneFriction = 25;  // Newton steps before an intermediate friction is tried
 constexpr int kMostSteps = 60;           // of them as long as the residual halves ...
@@ -32,13 +35,18 @@ constexpr int kFreeStepsNearby = 3;      // and from a state with friction that 
 constexpr double kAstray = 2.0;          // of the least residual, from which they are taken back
 constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
 constexpr int kPatienceNearby = 8;       // after which steps from such a state must have halved the residual
-constexpr int kPatience = 14;            // after which those of a continuation must have halved it
+constexpr int kPatience = 14;            // after which those from the end of a path must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
-constexpr double kSmallestStep = 0.05;   // of the logarithm of friction in a continuation
-constexpr double kStride = 1.5;          // growth of such steps that succeed
-constexpr double kEasyFriction = 0.3;    // second start
-constexpr double kSmallCreepage = 1e-5;  // below which the scale of a search for the speed is linear
-constexpr double kFirstStride = 0.1;     // on that scale, from -1 to 1
+constexpr double kLongestStride = 1.0;   // along a path of states, in e-folds of friction and relative changes of force
+constexpr double kShortestStride = 1e-4;
+constexpr double kStride = 1.5;           // growth of such strides that are easy: that take so many ...
+constexpr int kEasySteps = 8;             // ... linear systems, two per Newton step
+constexpr int kMostStepsAhead = 12;       // Newton steps of a stride
+constexpr int kPatienceAhead = 4;         // after which they must not have raised the residual
+constexpr double kNearbyFriction = 0.01;  // step of the logarithm of friction for its derivative
+constexpr double kEasyFriction = 0.3;     // second start
+constexpr double kSmallCreepage = 1e-5;   // below which the scale of a search for the speed is linear
+constexpr double kFirstStride = 0.1;      // on that scale, from -1 to 1
 constexpr double kSmallestStride = 1e-6;
 constexpr double kSmallShare = 1e-3;     // of creepages, from which they are raised
 constexpr double kSmallestRatio = 1.05;  // of one share to the next
@@ -123,7 +131,7 @@ class FrictionalContactSolver {
     restart_from(start);
     stick_fully();
     const double large = 10.0 * std::max(1.0, friction);  // hardly different from full stick
-    return approach(large);
+    return iterate(large) && approach(large);
   }
 
   /// From full stick or from the contact without friction, at once.
@@ -208,6 +216,10 @@ class FrictionalContactSolver {
   }
 
   [[nodiscard]] ContactSolution finished() {
+    ContactSets sets = sets_at(friction_.coefficient);
+    const bool is_a_start = options_.tolerance == tolerance_;  // for a finer mesh
+    if (!is_a_start) rest(sets);
+    note_sets(sets);
     state_.converged = true;
     return state_;
   }
@@ -220,25 +232,86 @@ class FrictionalContactSolver {
     return found;
   }
 
-  /// Go from the present state, at the friction `reached`, to the one wanted, by steps that are halved where they fail
-  /// and grow where they do not.
+  /// Follow the states from the present one, at the friction `reached`, to the one wanted. On the way friction may have
+  /// to fall again, so the steps are those of the path's length: halved where they fail, grown where they are easy.
   bool approach(double reached) {
-    double stride = std::abs(std::log(friction_.coefficient / reached));
-    while (reached != friction_.coefficient) {
-      const ContactSolution before = state_;
-      const double left = std::log(friction_.coefficient / reached);
-      const double next =
-          stride < std::abs(left) ? reached * std::exp(std::copysign(stride, left)) : friction_.coefficient;
-      if (iterate(next, kPatience)) {
-        reached = next;
-        stride *= kStride;
-      } else {
-        restart_from(before);
+    if (reached == friction_.coefficient) return true;
+    const double goal = std::log(friction_.coefficient);
+    PathPoint here = path_point(std::log(reached));
+    const double side = std::copysign(1.0, goal - here.log_friction);
+    const PathMetric metric(here.force);
+    PathPoint way = tangent(here, metric);
+    if (side * way.log_friction < 0.0) way = -1.0 * way;
+    const double start = here.log_friction;
+    double stride = std::min(std::abs(goal - start) / std::abs(way.log_friction), kLongestStride);
+    while (stride > kShortestStride && !is_exhausted() && side * (here.log_friction - start) >= 0.0) {
+      const int before = state_.iterations;
+      const std::optional<PathPoint> next = follow(here, way, stride, metric);
+      if (!next) {
         stride *= 0.5;
-        if (stride < kSmallestStep || is_exhausted()) return false;
+        continue;
       }
+      const PathPoint step = *next - here;
+      if (side * (next->log_friction - goal) >= 0.0) {
+        take(here + (goal - here.log_friction) / step.log_friction * step);
+        if (iterate(friction_.coefficient, kPatience)) return true;
+      }
+      if (state_.iterations - before <= kEasySteps) stride = std::min(kStride * stride, kLongestStride);
+      way = metric.unit(step);
+      here = *next;
     }
-    return true;
+    return false;
+  }
+
+  /// @return the state of the path so far ahead along `way`: Newton steps on the plane across it there
+  std::optional<PathPoint> follow(const PathPoint& from, const PathPoint& way, double stride,
+                                  const PathMetric& metric) {
+    PathPoint point = from + stride * way;
+    double first = 0.0;
+    for (int step = 0; step < kMostStepsAhead; ++step) {
+      const ContactSets sets = move_to(point);
+      if (!(state_.residual < kHopeless) || sets.contact.empty()) return std::nullopt;
+      if (state_.residual < tolerance_) return point;
+      if (step == 0) first = state_.residual;
+      if (step >= kPatienceAhead && state_.residual > first) return std::nullopt;
+      const LinearPath path = linearized(point, sets);
+      const double left = stride - metric.dot(way, path.point - from);
+      point = path.point + left / metric.dot(way, path.slope) * path.slope;
+      if (!(std::abs(point.log_friction - from.log_friction) < 2.0 * kLongestStride)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] PathPoint tangent(const PathPoint& at, const PathMetric& metric) {
+    return metric.unit(linearized(at, move_to(at)).slope);
+  }
+
+  /// The states that the sets at a point ask for, in the neighborhood of its friction.
+  [[nodiscard]] LinearPath linearized(const PathPoint& at, const ContactSets& sets) {
+    const auto solved = [&](double log_friction) {
+      take(at);
+      ++state_.iterations;
+      take_newton_step(problem_, std::exp(log_friction), scales_, sets, preconditioner_, kExactStep, state_);
+      return path_point(log_friction);
+    };
+    const PathPoint here = solved(at.log_friction);
+    return {here, 1.0 / kNearbyFriction * (solved(at.log_friction + kNearbyFriction) - here)};
+  }
+
+  ContactSets move_to(const PathPoint& point) {
+    take(point);
+    find_displacements();
+    return sets_at(std::exp(point.log_friction));
+  }
+
+  [[nodiscard]] PathPoint path_point(double log_friction) const {
+    return {state_.force, state_.penetration, *state_.speed_ratio, log_friction};
+  }
+
+  void take(const PathPoint& point) {
+    state_.force = point.force;
+    state_.penetration = point.penetration;
+    state_.speed_ratio = point.speed_ratio;
   }
 
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
@@ -259,7 +332,7 @@ class FrictionalContactSolver {
     ContactSets best_sets;
     for (int step = 0;; ++step) {
       find_displacements();
-      ContactSets sets = classify(friction, state_.gap, state_.slip);
+      ContactSets sets = sets_at(friction);
       if (state_.prolonged) keep_contact(friction, sets);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
@@ -267,7 +340,6 @@ class FrictionalContactSolver {
       residuals.push_back(state_.residual);
       const bool stalled = step > 0 && !is_halved_since(residuals.size() - 2);
       if (state_.residual < tolerance_ || (stalled && state_.residual < kRoundOff * friction_share_)) {
-        note_sets(sets);
         return true;
       }
       if (step == kMostSteps || is_exhausted()) return false;
@@ -292,6 +364,42 @@ class FrictionalContactSolver {
     }
   }
 
+  /// A residual that is small beside the load may leave creep that is not small beside the way that sticking nodes are
+  /// carried by the strain of the surface: further steps as long as they help.
+  void rest(ContactSets& sets) {
+    for (int step = 0; step < kStepsOfRest && creep(sets) > kLargestCreep; ++step) {
+      const ContactSolution before = state_;
+      take_newton_step(problem_, friction_.coefficient, scales_, sets, preconditioner_, kExactStep, state_);
+      ++state_.iterations;
+      find_displacements();
+      ContactSets next = sets_at(friction_.coefficient);
+      if (!(state_.residual < before.residual)) {
+        restart_from(before);
+        return;
+      }
+      sets = std::move(next);
+    }
+  }
+
+  /// @return largest slip of the nodes that stick, per spread of the ways by which strain moves nodes in contact from
+  /// their upstream neighbors
+  [[nodiscard]] double creep(const ContactSets& sets) const {
+    const auto upstream = [&](Index node) { return node - stride_; };
+    std::vector<Index> from(sets.contact.size());
+    std::ranges::transform(sets.contact, from.begin(), upstream);
+    const auto& moved = state_.displacement;
+    Eigen::ArrayX2d ways(static_cast<Index>(from.size()), 2);
+    ways.col(0) = moved.col(kForward)(sets.contact) - moved.col(kForward)(from);
+    ways.col(1) = moved.col(kSideways)(sets.contact) - moved.col(kSideways)(from);
+    const double spread =
+        std::hypot(ways.col(0).maxCoeff() - ways.col(0).minCoeff(), ways.col(1).maxCoeff() - ways.col(1).minCoeff());
+    double slip = 0.0;
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      if (sets.states[i].stick) slip = std::max(slip, state_.slip.row(sets.contact[i]).matrix().norm());
+    }
+    return spread > 0.0 ? slip / spread : 0.0;
+  }
+
   /// Whether enough has been tried.
   [[nodiscard]] bool is_exhausted() const {
     const double affordable = kMostEffort / problem_.surface->operations();
@@ -313,7 +421,7 @@ class FrictionalContactSolver {
       state_.penetration = before.penetration + share * (full.penetration - before.penetration);
       state_.speed_ratio = *before.speed_ratio + share * (*full.speed_ratio - *before.speed_ratio);
       find_displacements();
-      std::ignore = classify(friction, state_.gap, state_.slip);
+      std::ignore = sets_at(friction);
       if (state_.residual < before.residual) return;
     }
   }
@@ -324,6 +432,9 @@ class FrictionalContactSolver {
     state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
     state_.slip = slip(friction_, stride_, state_.displacement, *state_.speed_ratio);
   }
+
+  /// Who touches, sticks and slips after the present state.
+  ContactSets sets_at(double friction) { return classify(friction, state_.gap, state_.slip); }
 
   /// Who touches, sticks and slips next, and how far all conditions are from holding.
   ContactSets classify(double friction, const Eigen::ArrayXd& gap, const Eigen::ArrayX2d& slips) {
