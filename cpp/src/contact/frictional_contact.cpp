@@ -268,7 +268,7 @@ class FrictionalContactSolver {
                                   const PathMetric& metric) {
     PathPoint point = from + stride * way;
     double first = 0.0;
-    for (int step = 0; step < kMostStepsAhead; ++step) {
+    for (int step = 0; step < kMostStepsAhead && !is_exhausted(); ++step) {
       const ContactSets sets = move_to(point);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return std::nullopt;
       if (state_.residual < tolerance_) return point;
