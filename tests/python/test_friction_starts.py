@@ -215,3 +215,21 @@ def test_nodes_that_stick_rest_on_meshes_of_a_million_nodes():
     curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
     assert r.stick.any()
     assert np.hypot(*r.slip_velocity)[r.stick].max() < 1e-6 * curving
+
+
+def test_a_load_that_flattens_a_shell_is_refused_as_such():
+    # 37 kN on a shell of 13 um and a ball of 1.7 mm: 364 products did not solve a system of 1006 forces, which "the
+    # contact equations were not solved" told nobody.
+    modulus = vr.StandardLinearSolid(
+        instantaneous_modulus=4937432452.587377, relaxed_modulus=4597820.530129998, relaxation_time=1.0144709103164116
+    )
+    layer = vr.Layer(
+        thickness=1.2930987169406665e-05, shear_modulus=modulus, poisson_ratio=0.5, density=204.66434559242396
+    )
+    with pytest.raises(ValueError, match="load must be small enough for the coating, got 37088"):
+        vr.solve(
+            vr.CoatedSphere(core_radius=0.0016848279278736148, layers=[layer], inner_boundary="HOLLOW"),
+            load=37088.96930900707,
+            angular_speed=0.0402996034497067,
+            mesh=vr.Mesh(nodes_per_revolution=1865),
+        )

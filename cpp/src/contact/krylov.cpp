@@ -11,8 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kMostDirections = 120;  // kept before a restart ...
-constexpr Index kSmallSystem = 600;     // ... of more unknowns than these
+constexpr Index kMostDirections = 120;  // kept before a restart, of large systems
 constexpr int kMostProducts = 360;      // some ten are enough
 constexpr double kStagnation = 0.5;     // of the residual over a restart
 
@@ -89,7 +88,7 @@ class Arnoldi {
 KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& preconditioner, const VectorXd& right,
                             const VectorXd& guess, const KrylovTolerance& tolerance) {
   // What no preconditioner is good for, as with shells that bend, takes as many directions as there are unknowns.
-  const Index most_directions = right.size() > kSmallSystem ? kMostDirections : right.size();
+  const Index most_directions = right.size() > tolerance.small_system ? kMostDirections : right.size();
   const Index most_products = std::max<Index>(kMostProducts, most_directions);
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
   double small = tolerance.absolute;

@@ -17,10 +17,11 @@ struct KrylovSolution {
   double residual;  ///< norm of b - A x
 };
 
-/// @brief When a residual is small enough: as soon as its norm is below one of the two.
+/// @brief When a residual is small enough: as soon as its norm is below one of the two. And what that may cost.
 struct KrylovTolerance {
   double absolute = 0.0;
-  double relative = 0.0;  ///< to the residual of the guess
+  double relative = 0.0;            ///< to the residual of the guess
+  Eigen::Index small_system = 600;  ///< unknowns up to which all directions may be taken, where few do not do
 };
 
 /// @brief Solve A x = b by GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869), preconditioned from

@@ -23,6 +23,7 @@ constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too man
 constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
 constexpr int kExchanges = 8;                 // passes in which nodes leave and join at once
 constexpr double kFailure = 1e-8;             // relative residual that no answer can be built on
+constexpr Index kSmallContact = 1300;         // nodes: those of the rough mesh on which windows are tried
 
 /// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
 struct FlatPressing {
@@ -153,10 +154,10 @@ class NormalContactSolver {
     }
     const FlatEquations equations(problem_, *inverse_, state_.contact);
     const VectorXd right_side = equations.right_side();
-    const KrylovSolution solution =
-        solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
-                     [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side,
-                     equations.unknowns(state_), {.absolute = tolerance_ * right_side.norm()});
+    const KrylovSolution solution = solve_krylov(
+        [&](const VectorXd& vector) { return equations.times(vector); },
+        [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side, equations.unknowns(state_),
+        {.absolute = tolerance_ * right_side.norm(), .small_system = kSmallContact});
     state_.operator_applications += solution.products;
     const double error = solution.residual / right_side.norm();
     if (!(error < std::max(kFailure, 2.0 * tolerance_))) {

@@ -39,6 +39,8 @@ constexpr double kMarginOfSeen = 1.2;      // ... and around one that was seen o
 
 constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
 
+constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
+
 constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
 
 class LoadCaseSolver {
@@ -129,13 +131,17 @@ class LoadCaseSolver {
     // A larger window costs little where the torus says that it is needed and the sphere does not; a refused load does.
     const bool torus_will_do = model_.curvature() == Curvature::exact && !widest;
     const Curvature curvature = torus_will_do ? Curvature::sphere : model_.curvature();
+    const double bearable_depth = kPressedThrough * thickness(model_.pair());
     try {
-      return rough_contact(half_phi, half_theta, estimate, curvature).has_value();
+      if (rough_contact(half_phi, half_theta, estimate, curvature)) return true;
     } catch (const ConvergenceError&) {
       // Estimates are from above, if not by so much.
-      if (estimated_depth(estimate) > 10.0 * thickness(model_.pair())) reject_load("would be pressed through it");
+      if (estimated_depth(estimate) > bearable_depth) reject_load("would be pressed through it");
       throw;
     }
+    const double angle = std::min(half_phi * grid_.phi_spacing, half_theta * grid_.theta_spacing);
+    if (grid_.radius * (1.0 - std::cos(angle)) > bearable_depth) reject_load("would be pressed through it");
+    return false;
   }
 
   /// Without friction, on a mesh that leaves a window kRoughNodes to a side. @return nothing where the contact reaches
