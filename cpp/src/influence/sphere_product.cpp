@@ -108,23 +108,24 @@ SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInf
   const Index thetas = loaded_.cols();
   const Index lines = components_ * thetas;
   for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(lines, lines);
-  parallel_for(
-      static_cast<std::size_t>(lines), threads, watch, "transforming tables", [&](std::size_t i, const Worker& worker) {
-        RealBuffer line(static_cast<std::size_t>(period_));
-        ComplexBuffer transformed(spectrum_.size());
-        const auto row = static_cast<Index>(i);
-        for (Index column = 0; column < lines; ++column) {
-          const Index table = components_ * (row / thetas) + column / thetas;
-          std::ranges::fill(line, 0.0);
-          for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
-            line[static_cast<std::size_t>((j + period_) % period_)] =
-                influence.degrees[static_cast<std::size_t>(table)].slice(j)(row % thetas, column % thetas) / period_;
-          }
-          fft_.forward(line.data(), transformed.data());
-          for (std::size_t f = 0; f < spectrum_.size(); ++f) spectrum_[f](row, column) = transformed[f];
-        }
-        worker.checkpoint();
-      });
+  parallel_for(static_cast<std::size_t>(lines), threads, watch, "transforming tables",
+               [&](std::size_t i, const Worker& worker) {
+                 RealBuffer line(static_cast<std::size_t>(period_));
+                 ComplexBuffer transformed(spectrum_.size());
+                 const auto column = static_cast<Index>(i);  // matrices are stored by columns, tables, too
+                 for (Index row = 0; row < lines; ++row) {
+                   const Index table = components_ * (row / thetas) + column / thetas;
+                   const SphereTable& degrees = influence.degrees[static_cast<std::size_t>(table)];
+                   std::ranges::fill(line, 0.0);
+                   for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
+                     line[static_cast<std::size_t>((j + period_) % period_)] =
+                         degrees.slice(j)(row % thetas, column % thetas) / period_;
+                   }
+                   fft_.forward(line.data(), transformed.data());
+                   for (std::size_t f = 0; f < spectrum_.size(); ++f) spectrum_[f](row, column) = transformed[f];
+                 }
+                 worker.checkpoint();
+               });
   if (influence.local.empty()) return;
   const Eigen::ArrayXd root = influence.root.segment(first_theta, shape.theta_nodes);
   for (std::size_t power = 0; power < influence.powers; ++power) {

@@ -266,7 +266,9 @@ std::vector<SphereInfluence> SphereSum::influences(const std::vector<SphereReque
   }
   std::vector<SphereInfluence> influences;
   for (const SphereRequest& request : requests) {
-    std::vector<SphereTable> degrees(static_cast<std::size_t>(request.count()), SphereTable(phi_reach, count));
+    std::vector<SphereTable> degrees;
+    degrees.reserve(static_cast<std::size_t>(request.count()));
+    for (int table = 0; table < request.count(); ++table) degrees.emplace_back(phi_reach, count);
     add_degrees(request, few, degrees, threads, watch);
     influences.push_back({.degrees = std::move(degrees),
                           .displaced = basis,
