@@ -71,7 +71,6 @@ def _friction(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     slip, stick = result.slip, result.stick
     peak = float(limit.max())
     speed = np.hypot(*result.slip_velocity)
-    speed[speed < 16.0 * np.finfo(float).eps * result.angular_speed * result.ball.outer_radius] = 0.0  # round-off of V
     fastest = max(float(speed.max()), _slip_of_the_shape(result))
     against = np.sum(result.shear_traction * result.slip_velocity, axis=0) / fastest
     # Of a slow slip the direction is lost in round-off, and counts as little: |t| |S| + t . S, which is 0 if opposite.

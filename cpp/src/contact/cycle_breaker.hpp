@@ -1,0 +1,46 @@
+/// @file
+/// @brief An end to steps of frictional contact that go back and forth between two states of a node.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "contact/newton_step.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither
+/// stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
+class CycleBreaker {
+ public:
+  explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}
+
+  /// Take nodes out of contact for one step that changed their minds twice, if all others kept to theirs.
+  bool free_undecided(ContactSets& sets) {
+    before_last_.swap(last_);
+    last_.swap(now_);
+    std::ranges::fill(now_, kApart);
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      now_[static_cast<std::size_t>(sets.contact[i])] = sets.states[i].stick ? kStick : kSlip;
+    }
+    if (now_ != before_last_ || now_ == last_) return false;
+    ContactSets kept;
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      const auto node = static_cast<std::size_t>(sets.contact[i]);
+      if (now_[node] != last_[node]) continue;
+      kept.contact.push_back(sets.contact[i]);
+      kept.states.push_back(sets.states[i]);
+    }
+    sets = std::move(kept);
+    return true;
+  }
+
+ private:
+  enum State : unsigned char { kApart, kStick, kSlip };
+  std::vector<State> now_, last_, before_last_;
+};
+
+}  // namespace viscoroll::detail
