@@ -41,7 +41,7 @@ inline Eigen::VectorXd press_flat(const detail::ContactProblem& problem, const E
   return matrix.partialPivLu().solve(right);
 }
 
-/// One Newton step with all forces of all nodes as unknowns: column-wise, then penetration and speed ratio.
+/// One Newton step with all forces of all nodes as unknowns: column-wise, then penetration and creepage.
 inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const Eigen::MatrixXd& compliance,
                                    const detail::ConditionScales& scales, const detail::ContactSets& sets,
                                    const detail::ContactSolution& state) {
@@ -49,16 +49,17 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   const Index nodes = problem.initial_gap.size();
   const Index stride = problem.surface->shape().theta_nodes;
   const Index penetration = 3 * nodes;
-  const Index speed = penetration + 1;
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(speed + 1, speed + 1);  // no force where nothing else is said
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(speed + 1);
+  const Index creepage = penetration + 1;
+  Eigen::MatrixXd matrix =
+      Eigen::MatrixXd::Identity(creepage + 1, creepage + 1);  // no force where nothing else is said
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(creepage + 1);
   const auto force = [&](Index node, Index axis) { return axis * nodes + node; };
   // S along an axis as a row over the unknowns, times a factor.
   const auto add_slip = [&](Index row, Index node, Index column, double factor) {
     const Index axis = column == 0 ? detail::kForward : detail::kSideways;
     matrix.row(row).head(penetration) +=
         factor * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
-    if (column == 0) matrix(row, speed) += factor * friction.step;
+    if (column == 0) matrix(row, creepage) += factor * friction.step;
     right[row] -= factor * friction.rigid_slip(node, column);
   };
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
@@ -91,15 +92,15 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   right[penetration] = problem.normal_force;
   const detail::DriveRow drive =
       friction.drive->row({*problem.surface, friction.arms, state.force, state.displacement}, 1.0);
-  matrix.row(speed).setZero();
-  matrix.row(speed).head(penetration) = drive.on_force.matrix().reshaped().transpose();
+  matrix.row(creepage).setZero();
+  matrix.row(creepage).head(penetration) = drive.on_force.matrix().reshaped().transpose();
   if (drive.on_displacement.rows() > 0) {
-    matrix.row(speed).head(penetration) += drive.on_displacement.matrix().reshaped().transpose() * compliance;
+    matrix.row(creepage).head(penetration) += drive.on_displacement.matrix().reshaped().transpose() * compliance;
   }
-  matrix(speed, speed) = drive.on_speed;
-  right[speed] = drive.value;
+  matrix(creepage, creepage) = drive.on_creepage;
+  right[creepage] = drive.value;
   // Displacements are some 1e-6 of forces: rows are brought to one size.
-  for (Index row = 0; row <= speed; ++row) {
+  for (Index row = 0; row <= creepage; ++row) {
     const double size = matrix.row(row).cwiseAbs().maxCoeff();
     matrix.row(row) /= size;
     right[row] /= size;

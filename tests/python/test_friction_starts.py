@@ -217,6 +217,31 @@ def test_nodes_that_stick_rest_on_meshes_of_a_million_nodes():
     assert np.hypot(*r.slip_velocity)[r.stick].max() < 1e-6 * curving
 
 
+def test_nodes_that_stick_rest_beside_a_ten_millionth_of_the_rolling_speed():
+    # A contact of 12 um under a ball of 0.55 m: slip is some 1e-10 of the speed, so that the round-off of the ratio of
+    # speeds left nodes at rest 2e-6 of it. The creepage as the unknown leaves 6e-10.
+    modulus = vr.Prony(
+        instantaneous_modulus=2.246853447932907e9,
+        weights=[0.06469799415988227, 0.19358778925079037],
+        relaxation_times=[3.891578882323105e-05, 1.746250576358911e-05],
+    )
+    layer = vr.Layer(thickness=0.007085507079383882, shear_modulus=modulus, poisson_ratio=0.4708800155299279)
+    with pytest.warns(vr.ResultWarning):
+        r = vr.solve(
+            vr.CoatedSphere(core_radius=0.545118707547674, layers=[layer]),
+            load=3.302054075311079e-05,
+            angular_speed=21.338871936308994,
+            friction=1.056057211393157,
+            drive=vr.Drive(torque=0.0),
+            patch_load="FLAT",
+            curvature="EXACT",
+            accuracy=0.08805860340451141,
+        )
+    curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
+    assert r.stick.any()
+    assert np.hypot(*r.slip_velocity)[r.stick].max() < 1e-8 * curving
+
+
 def test_a_load_that_flattens_a_shell_is_refused_as_such():
     # 37 kN on a shell of 13 um and a ball of 1.7 mm: 364 products did not solve a system of 1006 forces, which "the
     # contact equations were not solved" told nobody.

@@ -83,11 +83,11 @@ bool is_mirror_symmetric(const ContactProblem& problem) {
   return true;
 }
 
-Eigen::ArrayX2d slip(const Friction& friction, Index stride, const VectorField& displacement, double speed_ratio) {
+Eigen::ArrayX2d slip(const Friction& friction, Index stride, const VectorField& displacement, double creepage) {
   const Index rest = displacement.rows() - stride;
   Eigen::ArrayX2d slip = friction.rigid_slip;
   slip.col(0).tail(rest) +=
-      speed_ratio * friction.step + displacement.col(kForward).tail(rest) - displacement.col(kForward).head(rest);
+      creepage * friction.step + displacement.col(kForward).tail(rest) - displacement.col(kForward).head(rest);
   slip.col(1).tail(rest) += displacement.col(kSideways).tail(rest) - displacement.col(kSideways).head(rest);
   return slip;
 }

@@ -12,13 +12,13 @@
 namespace viscoroll::detail {
 
 /// @brief Coulomb friction in rolling. A node in contact slides from its upstream neighbor by
-/// S = rigid_slip + speed_ratio (step, 0) + [u], where [.] is the node's value minus its neighbor's, along x and z. It
+/// S = rigid_slip + creepage (step, 0) + [u], where [.] is the node's value minus its neighbor's, along x and z. It
 /// sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
 struct Friction {
-  double coefficient;           ///< mu [-], > 0
-  Eigen::ArrayX2d rigid_slip;   ///< of undeformed bodies without speed, from row to row along x and z [m]; 0 in row 0
+  double coefficient;          ///< mu [-], > 0
+  Eigen::ArrayX2d rigid_slip;  ///< of undeformed bodies without creepage, from row to row along x and z [m]; 0 in row 0
   Eigen::ArrayX2d guided_slip;  ///< what of it a guide brings about: lateral creepage and spin [m]
-  double step;                  ///< what a speed ratio of 1 adds to it along x [m]
+  double step;                  ///< what a creepage of 1 adds to it along x [m]
   LeverArms arms;
   std::shared_ptr<const Drive> drive;
 };
@@ -52,9 +52,9 @@ struct ContactOptions {
 /// @param[in] friction kinematics
 /// @param[in] stride nodes of a row
 /// @param[in] displacement of every node [m]
-/// @param[in] speed_ratio [-]
+/// @param[in] creepage of the drive [-]
 /// @return along x and z [m], 0 in the first row
 [[nodiscard]] Eigen::ArrayX2d slip(const Friction& friction, Eigen::Index stride, const VectorField& displacement,
-                                   double speed_ratio);
+                                   double creepage);
 
 }  // namespace viscoroll::detail

@@ -26,7 +26,7 @@ struct ContactSolution {
 
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
   Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
-  std::optional<double> speed_ratio;      ///< of the speed to the undeformed surface's; undetermined without friction
+  std::optional<double> creepage;         ///< [-], undetermined without friction
   std::optional<SmoothFields> prolonged;  ///< of the coarser mesh that a start is from
 
   int iterations = 0;             ///< linear systems solved

@@ -21,8 +21,8 @@ double moment_about_center(const ContactState& state, double pressure_share) {
   return moment(displaced(arms, own, pressure_share), force) - arms.radius * pushback(state).force;
 }
 
-double DriveRow::of(const VectorField& force, const VectorField& displacement, double speed_ratio) const {
-  double sum = (on_force * force).sum() + on_speed * speed_ratio;
+double DriveRow::of(const VectorField& force, const VectorField& displacement, double creepage) const {
+  double sum = (on_force * force).sum() + on_creepage * creepage;
   if (on_displacement.rows() > 0) sum += (on_displacement * displacement).sum();
   return sum;
 }
@@ -43,8 +43,10 @@ DriveRow with_pushback(DriveRow row, const ContactState& state, double factor) {
 }  // namespace
 
 DriveRow GivenForce::row(const ContactState& state, double) const {
-  DriveRow row{
-      .on_force = VectorField::Zero(state.force.rows(), 3), .on_displacement = {}, .on_speed = 0.0, .value = -force_};
+  DriveRow row{.on_force = VectorField::Zero(state.force.rows(), 3),
+               .on_displacement = {},
+               .on_creepage = 0.0,
+               .value = -force_};
   row.on_force.col(kForward).setOnes();
   return with_pushback(std::move(row), state, 1.0);
 }
@@ -56,7 +58,7 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   const LeverArms at = displaced(arms, displacement, pressure_share_);
   DriveRow row{.on_force = VectorField::Zero(force.rows(), 3),
                .on_displacement = VectorField::Zero(force.rows(), 3),
-               .on_speed = 0.0,
+               .on_creepage = 0.0,
                .value = (moment_ + moment(added_arms(displacement, pressure_share_), force)) / arm};
   row.on_force.col(kForward) = at.y / arm;
   row.on_force.col(kDown) = -at.x / arm;
@@ -69,18 +71,18 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
 DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
   DriveRow row{.on_force = VectorField::Zero(state.force.rows(), 3),
                .on_displacement = {},
-               .on_speed = 0.0,
+               .on_creepage = 0.0,
                .value = moment_ / arm};
   row.on_force.col(kForward) = (state.arms.y + state.surface.rolling_displacement(state.force).col(kDown)) / arm;
   row.on_force.col(kDown) = -state.arms.x / arm;
   return with_pushback(std::move(row), state, state.arms.radius / arm);
 }
 
-DriveRow GivenSpeed::row(const ContactState& state, double speed_force) const {
+DriveRow GivenCreepage::row(const ContactState& state, double creepage_force) const {
   return {.on_force = VectorField::Zero(state.force.rows(), 3),
           .on_displacement = {},
-          .on_speed = speed_force,
-          .value = ratio_ * speed_force};
+          .on_creepage = creepage_force,
+          .value = creepage_ * creepage_force};
 }
 
 }  // namespace viscoroll::detail

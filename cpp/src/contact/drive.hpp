@@ -1,5 +1,5 @@
 /// @file
-/// @brief What closes the equations of rolling for the speed: one row of the system each.
+/// @brief What closes the equations of rolling for the creepage: one row of the system each.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,16 +39,16 @@ struct Pushback {
 /// @return [N m]
 [[nodiscard]] double moment_about_center(const ContactState& state, double pressure_share);
 
-/// @brief A condition on forces F, displacements u and speed ratio s, as a force [N]:
-/// sum of on_force F + sum of on_displacement u + on_speed s = value.
+/// @brief A condition on forces F, displacements u and creepage c, as a force [N]:
+/// sum of on_force F + sum of on_displacement u + on_creepage c = value.
 struct DriveRow {
   VectorField on_force;
   VectorField on_displacement;  ///< no rows where displacements do not matter
-  double on_speed;
+  double on_creepage;
   double value;
 
   /// @return left side
-  [[nodiscard]] double of(const VectorField& force, const VectorField& displacement, double speed_ratio) const;
+  [[nodiscard]] double of(const VectorField& force, const VectorField& displacement, double creepage) const;
 };
 
 /// @brief How a rolling body is driven.
@@ -58,18 +58,18 @@ class Drive {
 
   /// @brief The condition linearized at a state, where it is exact.
   /// @param[in] state where
-  /// @param[in] speed_force force that a unit of the speed ratio is to count for [N]
-  [[nodiscard]] virtual DriveRow row(const ContactState& state, double speed_force) const = 0;
+  /// @param[in] creepage_force force that a creepage of 1 is to count for [N]
+  [[nodiscard]] virtual DriveRow row(const ContactState& state, double creepage_force) const = 0;
 
-  /// @return the speed ratio, where it is what the drive gives
-  [[nodiscard]] virtual std::optional<double> given_speed_ratio() const { return std::nullopt; }
+  /// @return the creepage, where it is what the drive gives
+  [[nodiscard]] virtual std::optional<double> given_creepage() const { return std::nullopt; }
 };
 
 /// @brief A given force on the center, forward; the contact forces balance it, the pushback among them.
 class GivenForce : public Drive {
  public:
   explicit GivenForce(double force) : force_(force) {}
-  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
+  [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
 
  private:
   double force_;
@@ -81,7 +81,7 @@ class GivenMoment : public Drive {
   /// @param[in] moment [N m]
   /// @param[in] pressure_share as for `moment_about_center`
   GivenMoment(double moment, double pressure_share) : moment_(moment), pressure_share_(pressure_share) {}
-  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
+  [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
 
  private:
   [[nodiscard]] DriveRow row_of_pair(const ContactState& state, double arm) const;
@@ -90,15 +90,15 @@ class GivenMoment : public Drive {
   double pressure_share_;
 };
 
-/// @brief A given ratio of the speed to that of the undeformed surface.
-class GivenSpeed : public Drive {
+/// @brief A given excess of the speed over that of the undeformed surface, relative to it.
+class GivenCreepage : public Drive {
  public:
-  explicit GivenSpeed(double ratio) : ratio_(ratio) {}
-  [[nodiscard]] DriveRow row(const ContactState& state, double speed_force) const override;
-  [[nodiscard]] std::optional<double> given_speed_ratio() const override { return ratio_; }
+  explicit GivenCreepage(double creepage) : creepage_(creepage) {}
+  [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
+  [[nodiscard]] std::optional<double> given_creepage() const override { return creepage_; }
 
  private:
-  double ratio_;
+  double creepage_;
 };
 
 }  // namespace viscoroll::detail

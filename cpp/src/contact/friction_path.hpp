@@ -16,7 +16,7 @@ namespace viscoroll::detail {
 struct PathPoint {
   VectorField force;    ///< at every node [N]
   double penetration;   ///< [m]
-  double speed_ratio;   ///< [-]
+  double creepage;      ///< [-]
   double log_friction;  ///< logarithm of mu
 };
 
@@ -27,12 +27,11 @@ struct LinearPath {
 };
 
 [[nodiscard]] inline PathPoint operator*(double factor, const PathPoint& a) {
-  return {factor * a.force, factor * a.penetration, factor * a.speed_ratio, factor * a.log_friction};
+  return {factor * a.force, factor * a.penetration, factor * a.creepage, factor * a.log_friction};
 }
 
 [[nodiscard]] inline PathPoint operator+(const PathPoint& a, const PathPoint& b) {
-  return {a.force + b.force, a.penetration + b.penetration, a.speed_ratio + b.speed_ratio,
-          a.log_friction + b.log_friction};
+  return {a.force + b.force, a.penetration + b.penetration, a.creepage + b.creepage, a.log_friction + b.log_friction};
 }
 
 [[nodiscard]] inline PathPoint operator-(const PathPoint& a, const PathPoint& b) { return a + -1.0 * b; }

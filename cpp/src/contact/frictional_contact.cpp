@@ -46,7 +46,7 @@ constexpr int kMostStepsAhead = 12;       // Newton steps of a stride
 constexpr int kPatienceAhead = 4;         // after which they must not have raised the residual
 constexpr double kNearbyFriction = 0.01;  // step of the logarithm of friction for its derivative
 constexpr double kEasyFriction = 0.3;     // second start
-constexpr double kSmallCreepage = 1e-5;   // below which the scale of a search for the speed is linear
+constexpr double kSmallCreepage = 1e-5;   // below which the scale of a search for the creepage is linear
 constexpr double kFirstStride = 0.1;      // on that scale, from -1 to 1
 constexpr double kSmallestStride = 1e-6;
 constexpr double kSmallShare = 1e-3;     // of creepages, from which they are raised
@@ -68,12 +68,12 @@ class FrictionalContactSolver {
         scales_(condition_scales(*problem.surface)),
         preconditioner_(*problem.surface),
         state_(start),
-        has_friction_(start.speed_ratio.has_value()),
+        has_friction_(start.creepage.has_value()),
         free_steps_(has_friction_ ? kFreeStepsNearby : kFreeSteps),
         friction_share_(std::clamp(friction_.coefficient, kLeastFriction, 1.0)),
         tolerance_(std::max(kTolerance * friction_share_, options.tolerance)) {
     if (has_friction_) return;
-    state_.speed_ratio = friction_.drive->given_speed_ratio().value_or(1.0);
+    state_.creepage = friction_.drive->given_creepage().value_or(0.0);
     state_.converged = false;
   }
 
@@ -94,9 +94,9 @@ class FrictionalContactSolver {
       return true;
     if (restart_from(start) && find_directly()) return true;
     const auto by_friction = [&] { return restart_from(start) && iterate(kEasyFriction) && approach(kEasyFriction); };
-    const bool given = friction_.drive->given_speed_ratio().has_value();
+    const bool given = friction_.drive->given_creepage().has_value();
     if (given && by_friction()) return true;
-    if (restart_from(start) && (given ? find_by_less_creepage() : find_by_speed())) return true;
+    if (restart_from(start) && (given ? find_by_less_creepage() : find_by_creepage())) return true;
     if (!given && by_friction()) return true;
     restart_from(start);
     stick_fully();
@@ -116,13 +116,13 @@ class FrictionalContactSolver {
     std::ignore = iterate(std::numeric_limits<double>::infinity(), kStepsOfFullStick, kStepsOfFullStick);
   }
 
-  /// The same contact at a given speed, with a share of the guided slip. @return whether it was found
-  bool find_at_speed(double speed_ratio, double guided_share, const ContactSolution& from) {
+  /// The same contact at a given creepage, with a share of the guided slip. @return whether it was found
+  bool find_at_creepage(double creepage, double guided_share, const ContactSolution& from) {
     ContactProblem other = problem_;
-    other.friction->drive = std::make_shared<GivenSpeed>(speed_ratio);
+    other.friction->drive = std::make_shared<GivenCreepage>(creepage);
     other.friction->rigid_slip += (guided_share - 1.0) * friction_.guided_slip;
     FrictionalContactSolver solver(other, from, options_);
-    solver.state_.speed_ratio = speed_ratio;
+    solver.state_.creepage = creepage;
     solver.free_steps_ = free_steps_;
     const bool found = solver.has_friction_ ? solver.iterate(friction_.coefficient) : solver.find_directly();
     const int iterations = state_.iterations + solver.state_.iterations - from.iterations;
@@ -134,13 +134,13 @@ class FrictionalContactSolver {
     return found;
   }
 
-  /// Forces and moments fall as the speed rises, from those of a sphere that spins on the spot to those of one that
+  /// Forces and moments fall as the creepage rises, from those of a sphere that spins on the spot to those of one that
   /// skids: from the speed of the undeformed surface to where the drive is passed, and back by halves, on a scale that
   /// resolves small creepages.
-  bool find_by_speed() {
+  bool find_by_creepage() {
     const double span = std::asinh(1.0 / kSmallCreepage);
     const auto find_at = [&](double place, const ContactSolution& from) {
-      return find_at_speed(1.0 + kSmallCreepage * std::sinh(place * span), 1.0, from);
+      return find_at_creepage(kSmallCreepage * std::sinh(place * span), 1.0, from);
     };
     if (!find_at(0.0, state_)) return false;
     const double side = drive_excess() > 0.0 ? 1.0 : -1.0;
@@ -168,13 +168,13 @@ class FrictionalContactSolver {
 
   /// Step by step from small creepages, longitudinal, lateral and spin, to the given ones.
   bool find_by_less_creepage() {
-    const double creepage = *friction_.drive->given_speed_ratio() - 1.0;
+    const double creepage = *friction_.drive->given_creepage();
     double reached = kSmallShare;
-    if (!find_at_speed(1.0 + reached * creepage, reached, state_)) return false;
+    if (!find_at_creepage(reached * creepage, reached, state_)) return false;
     for (double ratio = 3.0; reached < 1.0;) {
       const ContactSolution before = state_;
       const double next = std::min(ratio * reached, 1.0);
-      if (find_at_speed(1.0 + next * creepage, next, before)) {
+      if (find_at_creepage(next * creepage, next, before)) {
         reached = next;
       } else {
         ratio = std::sqrt(ratio);
@@ -275,13 +275,13 @@ class FrictionalContactSolver {
   }
 
   [[nodiscard]] PathPoint path_point(double log_friction) const {
-    return {state_.force, state_.penetration, *state_.speed_ratio, log_friction};
+    return {state_.force, state_.penetration, *state_.creepage, log_friction};
   }
 
   void take(const PathPoint& point) {
     state_.force = point.force;
     state_.penetration = point.penetration;
-    state_.speed_ratio = point.speed_ratio;
+    state_.creepage = point.creepage;
   }
 
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
@@ -389,7 +389,7 @@ class FrictionalContactSolver {
     for (double share = 1.0; share > kShortestStep; share *= 0.5) {
       state_.force = before.force + share * (full.force - before.force);
       state_.penetration = before.penetration + share * (full.penetration - before.penetration);
-      state_.speed_ratio = *before.speed_ratio + share * (*full.speed_ratio - *before.speed_ratio);
+      state_.creepage = *before.creepage + share * (*full.creepage - *before.creepage);
       find_displacements();
       std::ignore = sets_at(friction);
       if (state_.residual < before.residual) return;
@@ -400,7 +400,7 @@ class FrictionalContactSolver {
     state_.displacement = problem_.surface->displacement(state_.force);
     ++state_.operator_applications;
     state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
-    state_.slip = slip(friction_, stride_, state_.displacement, *state_.speed_ratio);
+    state_.slip = slip(friction_, stride_, state_.displacement, *state_.creepage);
   }
 
   /// Who touches, sticks and slips after the present state.
@@ -459,7 +459,7 @@ class FrictionalContactSolver {
   [[nodiscard]] double drive_excess() const {
     const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state_.force, state_.displacement},
                                                 scales_.tangential * friction_.step);
-    return drive.of(state_.force, state_.displacement, *state_.speed_ratio) - drive.value;
+    return drive.of(state_.force, state_.displacement, *state_.creepage) - drive.value;
   }
 
   void note_sets(const ContactSets& sets) {

@@ -8,10 +8,10 @@
 
 namespace viscoroll::detail {
 
-/// @brief Semismooth Newton method on forces, penetration and speed together, from full stick to the friction wanted,
-/// by intermediate values of the friction where a direct jump fails.
+/// @brief Semismooth Newton method on forces, penetration and creepage together, from full stick to the friction
+/// wanted, by intermediate values of the friction where a direct jump fails.
 /// @param[in] problem surface, initial gap, normal force, friction and drive
-/// @param[in] start frictionless solution, or one with friction and its speed ratio
+/// @param[in] start frictionless solution, or one with friction and its creepage
 /// @param[in] options limits; `max_iterations` is for all linear systems
 /// @return a converged state, whose residual is the norm of all violated conditions, in forces, per normal force
 /// @throws ConvergenceError where none was found

@@ -78,7 +78,7 @@ struct SlippingNodes {
 };
 
 /// The equations of a step. Unknowns and conditions lie in the order p, t_x, t_z, s, penetration times scales.normal,
-/// speed ratio times step * scales.tangential: all of them forces.
+/// creepage times step * scales.tangential: all of them forces.
 class Equations {
  public:
   Equations(const ContactProblem& problem, double coefficient, const ConditionScales& scales, const ContactSets& sets,
@@ -126,7 +126,7 @@ class Equations {
                         slip_.direction.col(1) * state_.force.col(kForward)(slip_.nodes))
                            .matrix();
     unknowns[forces_] = state_.penetration * scales_.normal;
-    unknowns[forces_ + 1] = *state_.speed_ratio * speed_force();
+    unknowns[forces_ + 1] = *state_.creepage * creepage_force();
     return unknowns;
   }
 
@@ -145,25 +145,25 @@ class Equations {
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
     const VectorField force = this->force(unknowns);
     const VectorField moved = problem_.surface->displacement(force);
-    const double speed = unknowns[forces_ + 1];
+    const double creepage = unknowns[forces_ + 1];
     VectorXd result(forces_ + 2);
     result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
     const auto since_head = [&](Axis axis) { return moved.col(axis)(stick_.nodes) - moved.col(axis)(stick_.heads); };
     forward(result) =
-        (scales_.normal * since_head(kForward) + scales_.normal / scales_.tangential * speed * stick_.length())
+        (scales_.normal * since_head(kForward) + scales_.normal / scales_.tangential * creepage * stick_.length())
             .matrix();
     sideways(result) = (scales_.normal * since_head(kSideways)).matrix();
     const auto slipped = [&](Axis axis) { return moved.col(axis)(slip_.nodes) - moved.col(axis)(slip_.upstream); };
     const auto& e = slip_.direction;
     const ArrayXd turned =
-        scales_.tangential * (e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward)) - e.col(1) * speed;
+        scales_.tangential * (e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward)) - e.col(1) * creepage;
     across(result) = ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * turned).matrix();
     result[forces_] = unknowns.head(contacts_).sum();
-    result[forces_ + 1] = drive_.of(force, moved, speed / speed_force());
+    result[forces_ + 1] = drive_.of(force, moved, creepage / creepage_force());
     return result;
   }
 
-  /// Solves for the forces with inverse symbols, and for penetration and speed exactly after that.
+  /// Solves for the forces with inverse symbols, and for penetration and creepage exactly after that.
   [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
     VectorXd result(forces_ + 2);
     result.head(forces_) = precondition_forces(right.head(forces_));
@@ -188,8 +188,8 @@ class Equations {
     return v.segment(contacts_ + 2 * stick_.count(), slip_.count());
   }
 
-  /// Force that a unit of the speed ratio counts for.
-  [[nodiscard]] double speed_force() const { return scales_.tangential * friction_.step; }
+  /// Force that a creepage of 1 counts for.
+  [[nodiscard]] double creepage_force() const { return scales_.tangential * friction_.step; }
 
   [[nodiscard]] Eigen::Vector2d border_conditions(const VectorXd& forces) const {
     VectorXd unknowns = VectorXd::Zero(forces_ + 2);
@@ -197,20 +197,20 @@ class Equations {
     return {forces.head(contacts_).sum(), (drive_.on_force * force(unknowns)).sum()};
   }
 
-  /// What penetration and speed do to the forces, and the two equations that are left for them.
+  /// What penetration and creepage do to the forces, and the two equations that are left for them.
   void prepare_border() {
     VectorXd penetration = VectorXd::Zero(forces_ + 2);
     penetration.head(contacts_).setConstant(-1.0);
-    VectorXd speed = VectorXd::Zero(forces_ + 2);
-    forward(speed) = scales_.normal / scales_.tangential * stick_.length().matrix();
-    across(speed) = -(slip_.rigidity * slip_.direction.col(1)).matrix();
+    VectorXd creepage = VectorXd::Zero(forces_ + 2);
+    forward(creepage) = scales_.normal / scales_.tangential * stick_.length().matrix();
+    across(creepage) = -(slip_.rigidity * slip_.direction.col(1)).matrix();
     border_response_.resize(forces_, 2);
     border_response_.col(0) = precondition_forces(penetration.head(forces_));
-    border_response_.col(1) = precondition_forces(speed.head(forces_));
+    border_response_.col(1) = precondition_forces(creepage.head(forces_));
     Eigen::Matrix2d border;
     border.col(0) = -border_conditions(border_response_.col(0));
     border.col(1) = -border_conditions(border_response_.col(1));
-    border(1, 1) += drive_.on_speed / speed_force();
+    border(1, 1) += drive_.on_creepage / creepage_force();
     border_inverse_ = border.inverse();
   }
 
@@ -277,7 +277,7 @@ void take_newton_step(const ContactProblem& problem, double coefficient, const C
   state.operator_applications += solution.products;
   state.force = std::move(force);
   state.penetration = solution.unknowns[solution.unknowns.size() - 2] / scales.normal;
-  state.speed_ratio = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.friction->step);
+  state.creepage = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.friction->step);
 }
 
 }  // namespace viscoroll::detail

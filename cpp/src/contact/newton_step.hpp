@@ -3,7 +3,7 @@
 /// solved by products.
 ///
 /// Unknowns are the pressing forces p of the nodes in contact, the forces t_x and t_z of those that stick, the forces s
-/// across the traction mu p e of those that slip, the penetration and the speed ratio. Contact: gap = 0. Stick: S = 0,
+/// across the traction mu p e of those that slip, the penetration and the creepage. Contact: gap = 0. Stick: S = 0,
 /// summed up along phi over every run of neighbors that stick: a difference of displacements, whose symbol vanishes for
 /// loads alike along phi, becomes the displacement itself, but for that of the node upstream of the run, and the
 /// inverse symbol of the compliance preconditions it as well as it does the gaps. Slip: t . e = mu p, and along e',
@@ -43,14 +43,14 @@ struct ConditionScales {
   return {.normal = surface.normal_stiffness(), .tangential = surface.slip_stiffness()};
 }
 
-/// @brief Solve the conditions linearized at `state` for the new forces, penetration and speed ratio, roughly.
+/// @brief Solve the conditions linearized at `state` for the new forces, penetration and creepage, roughly.
 /// @param[in] problem surface, friction and drive
 /// @param[in] coefficient mu [-], in place of the problem's
 /// @param[in] scales weights of the conditions
 /// @param[in] sets nodes in contact and what they do
 /// @param[in] preconditioner of the surface on this window
 /// @param[in] tolerance of the residual, relative to that of `state`
-/// @param[in,out] state forces, penetration and speed ratio are replaced, operator applications counted
+/// @param[in,out] state forces, penetration and creepage are replaced, operator applications counted
 void take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
                       const ContactSets& sets, const StickSlipPreconditioner& preconditioner, double tolerance,
                       ContactSolution& state);

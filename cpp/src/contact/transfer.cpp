@@ -87,7 +87,7 @@ ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fi
     fields.slip.row(node) = 0.5 * coarse.contact.slip(nearest, Eigen::all).colwise().mean();  // over half the way
   });
   ContactSolution state{.force = prolonged_force(coarse, window), .penetration = coarse.contact.penetration};
-  state.speed_ratio = coarse.contact.speed_ratio;
+  state.creepage = coarse.contact.creepage;
   state.prolonged = std::move(fields);
   return state;
 }

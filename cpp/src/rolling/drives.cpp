@@ -45,7 +45,7 @@ GivenMotion given(const DriveCreepage& drive) {
 }
 
 Row row(const DriveCreepage& drive, double /*pressure_share*/) {
-  return std::make_shared<GivenSpeed>(1.0 + drive.creepage);
+  return std::make_shared<GivenCreepage>(drive.creepage);
 }
 
 void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/) {

@@ -99,13 +99,9 @@ class Summary {
 
   void add_powers(Result& r) const {
     const LoadCase& load_case = given_.load_case;
-    std::optional<double> speed_ratio = contact_.speed_ratio;
     const GivenMotion motion = given_motion(load_case.drive);
-    if (motion.creepage) speed_ratio = 1.0 + *motion.creepage;
-    if (speed_ratio) {
-      r.creepage = motion.creepage.value_or(*speed_ratio - 1.0);
-      r.linear_speed = *speed_ratio * load_case.angular_speed * radius();
-    }
+    r.creepage = motion.creepage ? motion.creepage : contact_.creepage;
+    if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
     r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
     r.counterpart_bulk_power = std::abs(speed) / radius() * given_.losses.counterpart;

@@ -12,10 +12,7 @@ RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematic
   const Eigen::Index rest = nodes - points.shape().theta_nodes;
   RigidSlip slip{.own = ArrayX2d::Zero(nodes, 2), .guided = ArrayX2d::Zero(nodes, 2)};
   if (kinematics == SlipKinematics::exact) {
-    const Eigen::ArrayXd way = swelling * points.rolled_way();
-    slip.own.col(0).tail(rest) = way.tail(rest) - way.head(rest);
-  } else {
-    slip.own.col(0).tail(rest).setConstant(-step);
+    slip.own.col(0).tail(rest) = (1.0 - swelling) * step + swelling * points.lag().tail(rest);
   }
   const Eigen::ArrayXd delay = counterpart_delay(points, pair);
   slip.own.col(0).tail(rest) -= 0.5 * step * (delay.tail(rest) + delay.head(rest));

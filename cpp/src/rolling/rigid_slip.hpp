@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 
 /// @brief Ways of what rolls over what it rolls on, from row to row along x and z [m]; 0 in the first row.
 struct RigidSlip {
-  Eigen::ArrayX2d own;     ///< at the speed 0: what turns, whose radius is smaller away from the middle (Heathcote)
+  Eigen::ArrayX2d own;     ///< at no creepage: what turns, whose radius is smaller away from the middle (Heathcote)
   Eigen::ArrayX2d guided;  ///< what a guide adds: lateral creepage, and spin about the vertical axis
 };
 

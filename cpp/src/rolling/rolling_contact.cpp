@@ -329,7 +329,7 @@ class LoadCaseSolver {
     if (std::abs(torque) < surely_reached) return;
     std::array<double, 2> limits{};
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-      problem.friction->drive = std::make_shared<GivenSpeed>(side == 0 ? 2.0 : 0.0);
+      problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
       const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
       limits[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
                                           sliding.contact.force, sliding.contact.displacement},

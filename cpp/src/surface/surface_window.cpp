@@ -58,9 +58,22 @@ void SurfaceWindow::flatten() {
   y_ = r - height_;
 }
 
-Eigen::ArrayXd SurfaceWindow::rolled_way() const {
-  if (!grid_.is_paraboloid) return x_;
-  return x_ * (1.0 - (x_.square() / 3.0 + z_.square()) / (2.0 * std::pow(grid_.radius, 2)));
+Eigen::ArrayXd SurfaceWindow::lag() const {
+  const Eigen::Index columns = shape().theta_nodes;
+  const double step = grid_.phi_spacing;
+  const double chord = 2.0 * std::sin(0.5 * step);
+  Eigen::ArrayXd lag = Eigen::ArrayXd::Zero(shape().size());
+  for (Eigen::Index node = columns; node < lag.size(); ++node) {
+    const auto row = static_cast<double>(window_.phi.first + node / columns);
+    const double middle = (row + shift_ - 0.5) * step;
+    const double theta = static_cast<double>(window_.theta.first + node % columns) * grid_.theta_spacing;
+    const Angle forward(middle);
+    const Angle sideways(theta);
+    lag[node] = grid_.is_paraboloid
+                    ? 0.5 * step * (std::pow(middle, 2) + std::pow(theta, 2) + std::pow(step, 2) / 12.0)
+                    : step * sideways.versine + sideways.cosine * (step - chord + chord * forward.versine);
+  }
+  return grid_.radius * lag;
 }
 
 Eigen::ArrayXd SurfaceWindow::patch_area() const {

@@ -40,9 +40,9 @@ class SurfaceWindow {
   [[nodiscard]] const Eigen::ArrayXd& z() const { return z_; }
   /// @return height of every undeformed node above the lowest point, r_o - y without its round-off [m]
   [[nodiscard]] const Eigen::ArrayXd& height() const { return height_; }
-  /// @return place up to which every node has come, forward, where what lies at height y moves at Omega y: the integral
-  /// of y dphi from the lowest point [m]
-  [[nodiscard]] Eigen::ArrayXd rolled_way() const;
+  /// @return way by which every point falls behind the lowest one as it comes from its upstream neighbor, for what lies
+  /// at height h above that moves at Omega (r_o - h): the integral of h dphi [m]; 0 in the first row
+  [[nodiscard]] Eigen::ArrayXd lag() const;
   /// @return area of every node's patch [m^2]
   [[nodiscard]] Eigen::ArrayXd patch_area() const;
   /// @return phi of every node [rad]
