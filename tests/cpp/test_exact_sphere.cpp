@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <memory>
 #include <numbers>
 
 #include "cases.hpp"
 #include "influence/gauss_legendre.hpp"
+#include "influence/joint_sphere_product.hpp"
 #include "influence/legendre.hpp"
 #include "influence/sphere_product.hpp"
 #include "influence/sphere_sum.hpp"
@@ -55,14 +59,24 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
         .front();
   }
 
-  /// [j][to, from] of one entry, from the factors one by one.
+  /// [j][to, from] of one entry, order by order and power by power.
   static std::vector<Eigen::MatrixXd> table(const SphereInfluence& influence, std::size_t entry) {
     const Index nodes = influence.root.size();
     const std::size_t tables = influence.powers == 0 ? 0 : influence.local.size() / influence.powers;
     const SignedEntry source = entry_of(entry / 3, entry % 3);
+    std::vector<Eigen::MatrixXcd> orders;
+    orders.reserve(influence.orders.size());
+    for (const SphericalOrder& order : influence.orders) {
+      orders.push_back(
+          sum_between(order, static_cast<int>(entry / 3), static_cast<int>(entry % 3), influence.half_theta()));
+    }
     std::vector<Eigen::MatrixXd> slices;
-    for (int j = -influence.phi_reach(); j <= influence.phi_reach(); ++j) {
-      Eigen::MatrixXd slice = influence.displaced * influence.degrees[entry].slice(j) * influence.loaded.transpose();
+    slices.reserve(static_cast<std::size_t>(2 * influence.phi_reach + 1));
+    for (int j = -influence.phi_reach; j <= influence.phi_reach; ++j) {
+      Eigen::MatrixXd slice = Eigen::MatrixXd::Zero(nodes, nodes);
+      for (std::size_t m = 0; m < orders.size(); ++m) {
+        slice += (std::polar(1.0, static_cast<double>(m) * j * influence.phi_spacing) * orders[m]).real();
+      }
       for (std::size_t power = 0; power < influence.powers; ++power) {
         const Table& local = influence.local[power * tables + static_cast<std::size_t>(source.entry)];
         for (Index to = 0; to < nodes; ++to) {
@@ -96,7 +110,7 @@ TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
     const SphereInfluence coarse = influence(kCoarse, request);
     const SphereInfluence fine = influence(96.0, request);
     const auto diagonal = table(fine, 0);
-    for (std::size_t t = 0; t < fine.degrees.size(); ++t) {
+    for (std::size_t t = 0; t < 9; ++t) {
       const auto entry = table(fine, t);
       const double size = (t % 4 == 0 ? entry : diagonal)[kReach + (power ? 1 : 0)].cwiseAbs().maxCoeff();
       EXPECT_LT(difference(table(coarse, t), entry), (t == 0 ? 0.3 / kCoarse : 1.2 * turn) / kCoarse * size)
@@ -105,26 +119,87 @@ TEST_P(SphereSumTest, DoesNotDependOnWhereDegreesEnd) {
   }
 }
 
-/// Between few thetas as between all nodes: those of a mesh so fine that waves vary slowly from node to node.
-TEST_P(SphereSumTest, FewThetasDo) {
-  const Mesh mesh{.nodes_per_revolution = 1600};
+/// Sums over the degrees between all thetas, at which harmonics are evaluated one by one, on either side of the
+/// equator.
+TEST_P(SphereSumTest, OneSideOfTheEquatorIsEnough) {
+  const SphereRequest request{.tangential = true, .patch_load = PatchLoad::spherical};
+  const SphereInfluence all = influence(32.0, request);
+  constexpr int kOrder = 3;
+  const SphericalOrder& order = all.orders[kOrder];
+  const int highest = static_cast<int>(all.orders.size()) - 1;
+  const double spacing = 2.0 * std::numbers::pi / 200.0;
+  const Eigen::ArrayXd nodes =
+      0.5 * std::numbers::pi + spacing * Eigen::ArrayXd::LinSpaced(2 * kHalf + 1, -kHalf, kHalf);
+  const auto [x, weights] = gauss_legendre(20);
+  /// d and e of a degree at all nodes; or their means over patches.
+  const auto harmonics = [&](Index degree, bool means) {
+    Eigen::MatrixXd of = Eigen::MatrixXd::Zero(nodes.size(), 2);
+    const auto l = static_cast<double>(kOrder + degree);
+    for (Index point = 0; point < (means ? x.size() : 1); ++point) {
+      const Eigen::ArrayXd theta = nodes + (means ? 0.5 * spacing * x[point] : 0.0);
+      const LegendreFunctions p(kOrder, highest, theta);
+      const double weight = (means ? 0.5 * weights[point] : 1.0) / std::sqrt(l * (l + 1.0));
+      of.col(0) += weight * p.slope.row(degree).transpose();
+      of.col(1) += weight * kOrder * (p.value.row(degree).transpose().array() / theta.sin()).matrix();
+    }
+    return of;
+  };
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(nodes.size(), nodes.size());  // phi by theta
+  for (Index degree = 0; degree <= highest - kOrder; ++degree) {
+    const EveryOtherDegree& own = order[static_cast<std::size_t>(degree % 2)];
+    const Eigen::MatrixXd seen = harmonics(degree, false);
+    const Eigen::MatrixXd loaded = harmonics(degree, true);
+    sum += std::complex<double>(0.0, 1.0) * (own.along[degree / 2] * seen.col(1) * loaded.col(0).transpose() +
+                                             own.across[degree / 2] * seen.col(0) * loaded.col(1).transpose());
+  }
+  const Eigen::MatrixXcd folded = sum_between(order, 1, 2, kHalf);
+  EXPECT_LT((folded - sum).cwiseAbs().maxCoeff(), 1e-11 * sum.cwiseAbs().maxCoeff());
+  const Eigen::VectorXcd across = sum_across_equator(order, 1, 2, 2 * kHalf);
+  for (int l = 0; l <= 2 * kHalf; ++l) {
+    EXPECT_LT(std::abs(across[l] - sum(kHalf + (l + 1) / 2, kHalf - l / 2)), 1e-11 * sum.cwiseAbs().maxCoeff());
+  }
+}
+
+/// Of every other node: averages over a quarter, a half and a quarter each way. What the metric varies over a patch is
+/// left out of the local tables, so the degrees alone.
+TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
+  const std::array<double, 3> quarters{0.25, 0.5, 0.25};
   for (const bool power : {false, true}) {
-    const SphereRequest request{
-        .tangential = true, .power = power, .patch_load = PatchLoad::spherical, .collocation = 0.1};
-    constexpr int kFew = 16;
-    const SphereSum sum(GetParam(), 2.5, mesh, kFew);
-    const SphereInfluence few = sum.influences({request}, 4, 60, 2, watch_).front();
-    ASSERT_LT(few.degrees.front().thetas(), 40);
-    // Of so few nodes that each is a theta of its own.
-    const SphereInfluence all = sum.influences({request}, 4, 3, 2, watch_).front();
-    ASSERT_EQ(all.degrees.front().thetas(), 7);
-    for (std::size_t t = 0; t < all.degrees.size(); ++t) {
-      for (const int j : {-4, 0, 3}) {
-        const Eigen::MatrixXd between_few = few.displaced * few.degrees[t].slice(j) * few.loaded.transpose();
-        const Eigen::MatrixXd between_all = all.displaced * all.degrees[t].slice(j) * all.loaded.transpose();
-        EXPECT_LT((between_few.block(57, 57, 7, 7) - between_all).cwiseAbs().maxCoeff(),
-                  1e-7 * all.degrees[0].slice(power ? 3 : 0).cwiseAbs().maxCoeff())
-            << "entry " << t << ", power " << power;
+    const SphereRequest request{.tangential = true, .power = power, .patch_load = PatchLoad::flat};
+    const SphereInfluence fine = SphereSum(GetParam(), 2.5, {.nodes_per_revolution = 200, .max_order = 40})
+                                     .influences({request}, kReach, kHalf, 2, watch_)
+                                     .front();
+    const double downstream = power ? 0.0 : 0.3;
+    const SphereInfluence coarse = with_wide_patches(fine, downstream, power);
+    const auto phi_shares = wide_patch_shares(downstream);
+    const int half = coarse.half_theta();
+    for (const std::size_t entry : {std::size_t{0}, std::size_t{5}, std::size_t{7}}) {
+      const auto narrow = table(fine, entry);
+      const auto wide = table(coarse, entry);
+      const double size = narrow[kReach + 1].cwiseAbs().maxCoeff();
+      for (const int j : {-2, 0, 1}) {
+        for (int to = -half; to <= half; ++to) {
+          for (int from = -half; from <= half; ++from) {
+            double sum = 0.0;
+            for (int dj = -1; dj <= 2; ++dj) {
+              for (int dk = -1; dk <= 1; ++dk) {  // of the loaded patch; of the displaced one, too, where power is lost
+                for (int di = power ? -1 : 0; di <= (power ? 1 : 0); ++di) {
+                  for (int other = power ? -1 : 0; other <= (power ? 1 : 0); ++other) {
+                    const double share = phi_shares[static_cast<std::size_t>(dj + 1)] *
+                                         quarters[static_cast<std::size_t>(dk + 1)] *
+                                         (power ? quarters[static_cast<std::size_t>(di + 1)] *
+                                                      quarters[static_cast<std::size_t>(other + 1)]
+                                                : 1.0);
+                    sum += share * narrow[static_cast<std::size_t>(kReach + 2 * j + dj + other)](kHalf + 2 * to + di,
+                                                                                                 kHalf + 2 * from + dk);
+                  }
+                }
+              }
+            }
+            EXPECT_NEAR(wide[static_cast<std::size_t>(coarse.phi_reach + j)](half + to, half + from), sum, 1e-12 * size)
+                << "entry " << entry << ", power " << power << ", offset " << j << ", " << to << " by " << from;
+          }
+        }
       }
     }
   }
@@ -134,10 +209,9 @@ TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
   const SphereRequest request{.tangential = true, .power = false};
   const SphereInfluence all = influence(32.0, request);
   const WindowShape shape{.phi_nodes = 9, .theta_nodes = 5};
-  constexpr int kFirst = 4;  // of 13 columns
-  const SphereProduct in_factors(shape, kFirst, all, 2, watch_);
-  const SphereProduct in_one = make_sphere_product(shape, kFirst, all, 2, watch_);
-  ASSERT_LT(in_one.operations(), in_factors.operations());
+  constexpr int kFirst = -3;
+  const FactoredSphereProduct in_factors(shape, kFirst, std::make_shared<const SphereInfluence>(all), 2, watch_);
+  const JointSphereProduct in_one(shape, kFirst, all, 2, watch_);
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(shape.size(), 3);
   Eigen::ArrayXXd sums = Eigen::ArrayXXd::Zero(shape.size(), 3);
   for (std::size_t t = 0; t < 9; ++t) {
@@ -146,13 +220,14 @@ TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
       for (Index from = 0; from < shape.size(); ++from) {
         const Index offset = node / shape.theta_nodes - from / shape.theta_nodes;
         sums(node, static_cast<Index>(t / 3)) +=
-            slices[static_cast<std::size_t>(kReach + offset)](kFirst + node % shape.theta_nodes,
-                                                              kFirst + from % shape.theta_nodes) *
+            slices[static_cast<std::size_t>(kReach + offset)](kHalf + kFirst + node % shape.theta_nodes,
+                                                              kHalf + kFirst + from % shape.theta_nodes) *
             loads(from, static_cast<Index>(t % 3));
       }
     }
   }
-  for (const SphereProduct* product : {&in_factors, &in_one}) {
+  for (const SphereProduct* product :
+       {static_cast<const SphereProduct*>(&in_factors), static_cast<const SphereProduct*>(&in_one)}) {
     EXPECT_LT((product->apply(loads, 2, watch_) - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
   }
 }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "dense_products.hpp"
+#include "influence/joint_sphere_product.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -15,12 +18,10 @@ using Eigen::MatrixXd;
 constexpr double kWorthThreads = 4e6;
 
 /// Of products in one table: 40 MB of matrices.
-constexpr double kMostJointOperations = 2e7;
+constexpr double kMostJointOperations = 8e6;
 
-/// So long that images do not meet.
-int phi_period(WindowShape shape) { return RealFft::fast_length(2 * shape.phi_nodes - 1); }
-
-std::size_t frequencies(int period) { return static_cast<std::size_t>(period / 2 + 1); }
+constexpr Index kOrdersAtOnce = 8;
+constexpr Index kPhisAtOnce = 32;
 
 /// Each power of the metric is a convolution of its own.
 std::vector<ConvolutionTerm> local_terms(const SphereInfluence& influence) {
@@ -41,146 +42,194 @@ std::vector<ConvolutionTerm> local_terms(const SphereInfluence& influence) {
   return terms;
 }
 
-/// Of the products between some thetas, at all frequencies along phi.
-double matrix_operations(WindowShape shape, std::size_t components, Index thetas) {
-  const auto lines = static_cast<double>(components) * static_cast<double>(thetas);
-  return 8.0 * static_cast<double>(frequencies(phi_period(shape))) * lines * lines;
-}
-
 double local_operations(WindowShape shape, const SphereInfluence& influence) {
+  if (influence.powers == 0) return 0.0;
   const std::size_t components = influence.components();
   const std::size_t fields = influence.powers * components;
   return SpectralProduct(shape, doubled(shape)).operations(fields, fields * components, fields);
 }
 
-/// The influence between the nodes of a window, in one table.
-SphereInfluence joined(const SphereInfluence& influence, WindowShape shape, int first_theta) {
-  const Index thetas = shape.theta_nodes;
-  const std::size_t components = influence.components();
-  const std::size_t tables = influence.local.size() / influence.powers;
-  const MatrixXd displaced = influence.displaced.middleRows(first_theta, thetas);
-  const MatrixXd loaded = influence.loaded.middleRows(first_theta, thetas);
-  const Eigen::ArrayXd root = influence.root.segment(first_theta, thetas);
-  SphereInfluence all{.degrees = std::vector(influence.degrees.size(), SphereTable(shape.phi_nodes - 1, thetas)),
-                      .displaced = MatrixXd::Identity(thetas, thetas),
-                      .loaded = MatrixXd::Identity(thetas, thetas),
-                      .local = {},
-                      .root = root};
-  for (std::size_t t = 0; t < all.degrees.size(); ++t) {
-    const SignedEntry source = entry_of(t / components, t % components);
-    for (int j = 1 - shape.phi_nodes; j < shape.phi_nodes; ++j) {
-      MatrixXd& slice = all.degrees[t].slice(j);
-      slice = displaced * influence.degrees[t].slice(j) * loaded.transpose();
-      for (std::size_t power = 0; power < influence.powers; ++power) {
-        const Table& table = influence.local[power * tables + static_cast<std::size_t>(source.entry)];
-        const Eigen::VectorXd metric = root.pow(static_cast<double>(power) - 1.0);
-        slice += source.sign * MatrixXd::NullaryExpr(thetas, thetas, [&](Index k, Index from) {
-                   return metric[k] * metric[from] * table(j, static_cast<int>(k - from));
-                 });
-      }
-    }
+/// Nodes from the equator to the far edge of a window, on one side.
+int one_side(WindowShape shape, int first_theta) {
+  return std::max(-first_theta, first_theta + shape.theta_nodes - 1) + 1;
+}
+
+/// Of the sums over phi and over the degrees, to amplitudes and back.
+double harmonic_operations(WindowShape shape, int first_theta, const SphereInfluence& influence) {
+  const bool tangential = influence.tangential;
+  const auto half = static_cast<double>(one_side(shape, first_theta));
+  const auto orders = static_cast<double>(influence.orders.size());
+  const double degrees = 0.5 * orders * (orders + 1.0);
+  const double waves = 16.0 * (tangential ? 3.0 : 1.0) * half * shape.phi_nodes * orders;
+  return waves + (tangential ? 40.0 : 8.0) * degrees * half;
+}
+
+/// Amplitudes of one component, or of phi and theta.
+using Amplitudes = std::vector<Eigen::ArrayXcd>;
+
+/// Amplitudes of the degrees. @param[in] force at thetas: real parts of all components, then the imaginary ones
+Amplitudes summed(const MatrixXd& harmonic, const MatrixXd& force) {
+  const MatrixXd sums = product(harmonic.leftCols(force.rows()), force);
+  const Index count = force.cols() / 2;
+  Amplitudes amplitudes;
+  for (Index i = 0; i < count; ++i) {
+    amplitudes.emplace_back(sums.rows());
+    amplitudes.back().real() = sums.col(i);
+    amplitudes.back().imag() = sums.col(count + i);
   }
-  return all;
+  return amplitudes;
+}
+
+/// What degrees add up to at thetas, parts as above.
+MatrixXd seen(const MatrixXd& harmonic, const Amplitudes& amplitudes, Index thetas) {
+  const auto count = static_cast<Index>(amplitudes.size());
+  MatrixXd parts(harmonic.rows(), 2 * count);
+  for (Index i = 0; i < count; ++i) {
+    parts.col(i) = amplitudes[static_cast<std::size_t>(i)].real();
+    parts.col(count + i) = amplitudes[static_cast<std::size_t>(i)].imag();
+  }
+  return product(harmonic.leftCols(thetas).transpose(), parts);
 }
 
 }  // namespace
 
-SphereProduct make_sphere_product(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads,
-                                  Watch& watch) {
-  const std::size_t components = influence.components();
-  const double joint = matrix_operations(shape, components, shape.theta_nodes);
-  const bool pays =
-      influence.powers > 0 && joint < kMostJointOperations &&
-      joint < matrix_operations(shape, components, influence.loaded.cols()) + local_operations(shape, influence);
-  if (pays) return {shape, 0, joined(influence, shape, first_theta), threads, watch};
-  return {shape, first_theta, influence, threads, watch};
+std::unique_ptr<const SphereProduct> make_sphere_product(WindowShape shape, int first_theta,
+                                                         std::shared_ptr<const SphereInfluence> influence, int threads,
+                                                         Watch& watch) {
+  const double joint = JointSphereProduct::operations(shape, influence->components());
+  const bool pays = joint < kMostJointOperations &&
+                    joint < harmonic_operations(shape, first_theta, *influence) + local_operations(shape, *influence);
+  if (pays) return std::make_unique<const JointSphereProduct>(shape, first_theta, *influence, threads, watch);
+  return std::make_unique<const FactoredSphereProduct>(shape, first_theta, std::move(influence), threads, watch);
 }
 
-SphereProduct::SphereProduct(WindowShape shape, int first_theta, const SphereInfluence& influence, int threads,
-                             Watch& watch)
+FactoredSphereProduct::FactoredSphereProduct(WindowShape shape, int first_theta,
+                                             std::shared_ptr<const SphereInfluence> influence, int threads,
+                                             Watch& watch)
     : shape_(shape),
-      components_(static_cast<Index>(influence.components())),
-      displaced_(influence.displaced.middleRows(first_theta, shape.theta_nodes)),
-      loaded_(influence.loaded.middleRows(first_theta, shape.theta_nodes)),
-      period_(phi_period(shape)),
-      fft_(period_),
-      spectrum_(frequencies(period_)) {
-  const Index thetas = loaded_.cols();
-  const Index lines = components_ * thetas;
-  for (Eigen::MatrixXcd& matrix : spectrum_) matrix.resize(lines, lines);
-  parallel_for(static_cast<std::size_t>(lines), threads, watch, "transforming tables",
-               [&](std::size_t i, const Worker& worker) {
-                 RealBuffer line(static_cast<std::size_t>(period_));
-                 ComplexBuffer transformed(spectrum_.size());
-                 const auto column = static_cast<Index>(i);  // matrices are stored by columns, tables, too
-                 for (Index row = 0; row < lines; ++row) {
-                   const Index table = components_ * (row / thetas) + column / thetas;
-                   const SphereTable& degrees = influence.degrees[static_cast<std::size_t>(table)];
-                   std::ranges::fill(line, 0.0);
-                   for (int j = 1 - shape_.phi_nodes; j < shape_.phi_nodes; ++j) {
-                     line[static_cast<std::size_t>((j + period_) % period_)] =
-                         degrees.slice(j)(row % thetas, column % thetas) / period_;
-                   }
-                   fft_.forward(line.data(), transformed.data());
-                   for (std::size_t f = 0; f < spectrum_.size(); ++f) spectrum_[f](row, column) = transformed[f];
-                 }
-                 worker.checkpoint();
-               });
-  if (influence.local.empty()) return;
-  const Eigen::ArrayXd root = influence.root.segment(first_theta, shape.theta_nodes);
-  for (std::size_t power = 0; power < influence.powers; ++power) {
+      first_theta_(first_theta),
+      half_(one_side(shape, first_theta)),
+      components_(static_cast<Index>(influence->components())),
+      influence_(std::move(influence)),
+      waves_(shape.phi_nodes, 2 * static_cast<Index>(influence_->orders.size())) {
+  const Eigen::ArrayXd phi =
+      influence_->phi_spacing * Eigen::ArrayXd::LinSpaced(shape.phi_nodes, 0.0, shape.phi_nodes - 1.0);
+  for (Index m = 0; 2 * m < waves_.cols(); ++m) {
+    waves_.col(2 * m) = (static_cast<double>(m) * phi).cos();
+    waves_.col(2 * m + 1) = -(static_cast<double>(m) * phi).sin();
+  }
+  if (influence_->local.empty()) return;
+  const Eigen::ArrayXd root = influence_->root.segment(influence_->half_theta() + first_theta, shape.theta_nodes);
+  for (std::size_t power = 0; power < influence_->powers; ++power) {
     metric_.emplace_back(root.pow(static_cast<double>(power) - 1.0).replicate(shape.phi_nodes, 1));
   }
-  local_.emplace(shape, influence.local, local_terms(influence), threads, watch);
+  local_.emplace(shape, influence_->local, local_terms(*influence_), threads, watch);
 }
 
-Eigen::ArrayXXd SphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const {
-  const Index thetas = loaded_.cols();
-  const Index lines = components_ * thetas;
-  const auto count = static_cast<Index>(spectrum_.size());
-  Eigen::MatrixXcd transformed(lines, count);
-  RealBuffer line(static_cast<std::size_t>(period_));
-  ComplexBuffer half(spectrum_.size());
-  const Eigen::Map<Eigen::VectorXd> nodes(line.data(), shape_.phi_nodes);
-  for (Index p = 0; p < components_; ++p) {
-    const Eigen::Map<const MatrixXd> of_nodes(loads.col(p).data(), shape_.theta_nodes, shape_.phi_nodes);
-    const MatrixXd of_thetas = of_nodes.transpose() * loaded_;
-    for (Index k = 0; k < thetas; ++k) {
-      std::ranges::fill(line, 0.0);
-      Eigen::Map<Eigen::VectorXd>(line.data(), shape_.phi_nodes) = of_thetas.col(k);
-      fft_.forward(line.data(), half.data());
-      transformed.row(p * thetas + k) = Eigen::Map<const Eigen::RowVectorXcd>(half.data(), count);
-    }
-  }
+Eigen::ArrayXXd FactoredSphereProduct::apply(const Eigen::ArrayXXd& loads, int threads, Watch& watch) const {
+  const MatrixXd sides = folded(loads);
+  const auto orders = static_cast<Index>(influence_->orders.size());
+  const auto blocks = [](Index count, Index at_once) {
+    return static_cast<std::size_t>((count + at_once - 1) / at_once);
+  };
+  const int used = operations() < kWorthThreads ? 1 : threads;
 
-  const double work = static_cast<double>(count) * static_cast<double>(lines) * static_cast<double>(lines);
-  parallel_for(spectrum_.size(), work < kWorthThreads ? 1 : threads, watch, "solving contact",
-               [&](std::size_t f, const Worker&) {
-                 auto column = transformed.col(static_cast<Index>(f));
-                 column = multiplied(spectrum_[f], column);
+  MatrixXd amplitudes = MatrixXd::Zero(sides.rows(), waves_.cols());
+  parallel_for(blocks(orders, kOrdersAtOnce), used, watch, "solving contact", [&](std::size_t block, const Worker&) {
+    const Index first = static_cast<Index>(block) * kOrdersAtOnce;
+    const Index count = std::min(kOrdersAtOnce, orders - first);
+    add_product(sides, waves_.middleCols(2 * first, 2 * count), amplitudes.middleCols(2 * first, 2 * count));
+    for (Index m = first; m < first + count; ++m) {
+      respond(influence_->orders[static_cast<std::size_t>(m)], amplitudes.middleCols(2 * m, 2));
+    }
+  });
+
+  MatrixXd moved = MatrixXd::Zero(sides.rows(), shape_.phi_nodes);
+  parallel_for(blocks(shape_.phi_nodes, kPhisAtOnce), used, watch, "solving contact",
+               [&](std::size_t block, const Worker&) {
+                 const Index first = static_cast<Index>(block) * kPhisAtOnce;
+                 const Index count = std::min<Index>(kPhisAtOnce, shape_.phi_nodes - first);
+                 add_product(amplitudes, waves_.middleRows(first, count).transpose(), moved.middleCols(first, count));
                });
-
-  Eigen::ArrayXXd result(loads.rows(), components_);
-  MatrixXd of_thetas(shape_.phi_nodes, thetas);
-  for (Index p = 0; p < components_; ++p) {
-    for (Index k = 0; k < thetas; ++k) {
-      Eigen::Map<Eigen::RowVectorXcd>(half.data(), count) = transformed.row(p * thetas + k);
-      fft_.backward(half.data(), line.data());
-      of_thetas.col(k) = nodes;
-    }
-    Eigen::Map<MatrixXd>(result.col(p).data(), shape_.theta_nodes, shape_.phi_nodes) =
-        displaced_ * of_thetas.transpose();
-  }
+  Eigen::ArrayXXd result = unfolded(moved);
   if (local_) add_local(loads, result, threads, watch);
   return result;
 }
 
-double SphereProduct::operations() const {
-  return matrix_operations(shape_, static_cast<std::size_t>(components_), loaded_.cols()) +
-         (local_ ? local_->operations() : 0.0);
+double FactoredSphereProduct::operations() const {
+  return harmonic_operations(shape_, first_theta_, *influence_) + (local_ ? local_->operations() : 0.0);
 }
 
-void SphereProduct::add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads, Watch& watch) const {
+/// The even and the odd part about the equator of each component, as sums and differences of the two sides.
+/// @return [side * components * half + component * half + theta, phi]
+MatrixXd FactoredSphereProduct::folded(const Eigen::ArrayXXd& loads) const {
+  MatrixXd sides = MatrixXd::Zero(2 * components_ * half_, shape_.phi_nodes);
+  for (Index component = 0; component < components_; ++component) {
+    const double* load = loads.col(component).data();
+    for (Index j = 0; j < shape_.phi_nodes; ++j) {
+      double* even = sides.col(j).data() + component * half_;
+      double* odd = even + components_ * half_;
+      for (int k = first_theta_; k < first_theta_ + shape_.theta_nodes; ++k, ++load) {
+        even[std::abs(k)] += *load;
+        if (k != 0) odd[std::abs(k)] += k > 0 ? *load : -*load;
+      }
+    }
+  }
+  return sides;
+}
+
+Eigen::ArrayXXd FactoredSphereProduct::unfolded(const MatrixXd& sides) const {
+  Eigen::ArrayXXd result(shape_.size(), components_);
+  for (Index component = 0; component < components_; ++component) {
+    double* moved = result.col(component).data();
+    for (Index j = 0; j < shape_.phi_nodes; ++j) {
+      const double* even = sides.col(j).data() + component * half_;
+      const double* odd = even + components_ * half_;
+      for (int k = first_theta_; k < first_theta_ + shape_.theta_nodes; ++k, ++moved) {
+        *moved = even[std::abs(k)] + (k == 0 ? 0.0 : (k > 0 ? odd[std::abs(k)] : -odd[std::abs(k)]));
+      }
+    }
+  }
+  return result;
+}
+
+/// Put displacements in place of forces, at one order: a column of real and one of imaginary parts.
+void FactoredSphereProduct::respond(const SphericalOrder& order, Eigen::Ref<MatrixXd> amplitudes) const {
+  const MatrixXd force = amplitudes;
+  amplitudes.setZero();
+  const auto place = [&](std::size_t side, Index component) {
+    return (static_cast<Index>(side) * components_ + component) * half_;
+  };
+  // Of phi and theta: real parts of both, then imaginary parts of both.
+  const auto along = [&](std::size_t side) -> MatrixXd {
+    return MatrixXd(force.middleRows(place(side, 1), 2 * half_)).reshaped(half_, 4);
+  };
+  const auto add_along = [&](const MatrixXd& harmonic, const Amplitudes& pair, std::size_t side) {
+    amplitudes.middleRows(place(side, 1), 2 * half_) += seen(harmonic, pair, half_).reshaped(2 * half_, 2);
+  };
+  constexpr std::complex<double> kI(0.0, 1.0);
+  for (std::size_t side = 0; side < 2; ++side) {  // where P and E are even, D is odd
+    const EveryOtherDegree& own = order[side];
+    const std::size_t other = 1 - side;
+    const Eigen::ArrayXcd y = summed(own.loaded->p, force.middleRows(place(side, 0), half_)).front();
+    Eigen::ArrayXcd moved_y = own.radial * y;
+    if (components_ == 3) {
+      const Amplitudes e = summed(own.loaded->e, along(side));
+      const Amplitudes d = summed(own.loaded->d, along(other));
+      const Eigen::ArrayXcd psi = d.back() - kI * e.front();
+      const Eigen::ArrayXcd phi = d.front() + kI * e.back();
+      const Eigen::ArrayXcd moved_psi = own.mixed * y + own.along * psi;
+      const Eigen::ArrayXcd moved_phi = own.across * phi;
+      moved_y += own.mixed * psi;
+      add_along(own.seen->e, {kI * moved_psi, -kI * moved_phi}, side);
+      add_along(own.seen->d, {moved_phi, moved_psi}, other);
+    }
+    amplitudes.middleRows(place(side, 0), half_) += seen(own.seen->p, {moved_y}, half_);
+  }
+}
+
+void FactoredSphereProduct::add_local(const Eigen::ArrayXXd& loads, Eigen::ArrayXXd& result, int threads,
+                                      Watch& watch) const {
   const auto powers = static_cast<Index>(metric_.size());
   Eigen::ArrayXXd weighted(loads.rows(), powers * components_);
   for (Index field = 0; field < weighted.cols(); ++field) {

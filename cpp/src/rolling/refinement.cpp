@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "influence/sampled_angles.hpp"
-#include "influence/sphere_sum.hpp"
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/rolling_body.hpp"
@@ -39,19 +37,6 @@ Mesh make_mesh(double nodes_per_revolution) {
 /// power 2.3 of their number. A tenth of the accuracy is asked of it; the estimate is half as wide again as the
 /// contact.
 double nodes_per_radius(double accuracy) { return 0.75 * 41.0 * std::pow(10.0 * 0.004 / accuracy, 1.0 / 2.3); }
-
-/// Finest mesh whose tables can be kept: those of the exact sphere depend on both thetas.
-double most_nodes_per_revolution(const RollingPair& pair, const LoadCase& load_case, const Options& options,
-                                 double contact_radius) {
-  if (options.curvature != Curvature::exact) return kMostNodesPerRevolution;
-  const bool tangential = options.compliance == Compliance::vertical || load_case.friction > 0.0;
-  const int count = SphereRequest{.tangential = tangential, .power = false}.count();
-  constexpr double kMargin = 1.2;  // of the window around the estimated radius, which leaves room for it to grow
-  const double half_angle = kMargin * contact_radius / outer_radius(pair.body);
-  const int thetas = sampled_angles(half_angle, highest_degree(SphereSum::kExactDegree));
-  const double nodes_across = 0.5 * kMostTableValues / (count * std::pow(thetas, 2));
-  return std::numbers::pi * nodes_across / half_angle;
-}
 
 /// Most nodes in contact of a mesh. One that the accuracy asks for by itself may have many; further ones, where answers
 /// change by more than they should, no more than take some seconds with the operator applications of the mesh before.
@@ -109,10 +94,9 @@ class Refiner {
   Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
     const double radius = estimate_contact_radius(pair, load_case.angular_speed, load_case.load);
-    most_nodes_ = most_nodes_per_revolution(pair, load_case, options, radius);
     // The first mesh is to show the error of the second, which should do.
     const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(pair.body) / radius;
-    mesh_ = make_mesh(std::min(nodes, most_nodes_));
+    mesh_ = make_mesh(nodes);
   }
 
   [[nodiscard]] Result solve() {
@@ -154,7 +138,6 @@ class Refiner {
     constexpr double kPlanned = 16.0;  // the second mesh is to do, its contact somewhat larger than the first one says
     const double next = 4.0 * refinements_.back().contact_nodes;
     return mesh_.nodes_per_revolution == kMostNodesPerRevolution ||
-           (most_nodes_ < kMostNodesPerRevolution && 2.0 * mesh_.nodes_per_revolution > most_nodes_) ||
            next > most_contact_nodes(load_case_, options_, kPlanned * refinements_.front().contact_nodes,
                                      best_->operator_applications);
   }
@@ -189,7 +172,6 @@ class Refiner {
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
-  double most_nodes_;
   Mesh mesh_;
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;

@@ -206,9 +206,9 @@ class LoadCaseSolver {
                           .collocation = formulation_.collocation};
     const auto& [phi, theta] = nodes.window();
     const SphereTables& tables = *model_.sphere_tables();
-    const double values = tables.values(request, phi.count() - 1, theta.last);
-    if (values > kMostTableValues) {
-      throw MeshTooFine(model_.mesh().nodes_per_revolution, "tables of " + text(kMostTableValues) + " values",
+    const double values = tables.values(request, theta.last);
+    if (values > kMostHarmonicValues) {
+      throw MeshTooFine(model_.mesh().nodes_per_revolution, text(kMostHarmonicValues) + " values of harmonics",
                         "with curvature EXACT " + text(values));
     }
     auto influence = tables.influence(request, phi.count() - 1, theta.last, execution_);

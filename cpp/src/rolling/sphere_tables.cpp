@@ -1,14 +1,9 @@
 #include "rolling/sphere_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace viscoroll::detail {
-
-double SphereTables::values(const SphereRequest& request, int phi_reach, int half_theta) const {
-  return request.count() * (2.0 * phi_reach + 1.0) * std::pow(sum_.thetas(half_theta), 2);
-}
 
 std::shared_ptr<const SphereInfluence> SphereTables::influence(const SphereRequest& request, int phi_reach,
                                                                int half_theta, const Execution& execution) const {
@@ -16,8 +11,8 @@ std::shared_ptr<const SphereInfluence> SphereTables::influence(const SphereReque
   const auto found = std::ranges::find(entries_, request, &Entry::request);
   if (found != entries_.end()) {
     const SphereInfluence& widest = *found->influence;
-    if (widest.phi_reach() >= phi_reach && widest.half_theta() >= half_theta) return found->influence;
-    phi_reach = std::max(phi_reach, widest.phi_reach());
+    if (widest.phi_reach >= phi_reach && widest.half_theta() >= half_theta) return found->influence;
+    phi_reach = std::max(phi_reach, widest.phi_reach);
     half_theta = std::max(half_theta, widest.half_theta());
   }
   // What displaces will dissipate: the local metric serves both at once.

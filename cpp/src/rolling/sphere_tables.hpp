@@ -16,8 +16,10 @@ class SphereTables {
  public:
   explicit SphereTables(SphereSum sum) : sum_(std::move(sum)) {}
 
-  /// @return how many values it has between thetas
-  [[nodiscard]] double values(const SphereRequest& request, int phi_reach, int half_theta) const;
+  /// @return how many values of harmonics it takes
+  [[nodiscard]] double values(const SphereRequest& request, int half_theta) const {
+    return sum_.values(request, half_theta);
+  }
 
   /// @brief Influence as summed for an earlier load case where it reaches far enough.
   /// @param[in] request which one

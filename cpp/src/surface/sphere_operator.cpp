@@ -4,23 +4,13 @@
 #include <utility>
 
 namespace viscoroll::detail {
-namespace {
-
-SphereProduct make_product(const SphereInfluence& influence, const SurfaceOperator& surface) {
-  const Execution& execution = surface.execution();
-  const Window& window = surface.window();
-  return make_sphere_product(window.shape(), influence.half_theta() + window.theta.first, influence, execution.threads,
-                             execution.watch);
-}
-
-}  // namespace
-
 SphereOperator::SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
                                DissipationSource dissipation_source)
     : nearby_(std::move(nearby)),
       influence_(std::move(influence)),
       dissipation_source_(std::move(dissipation_source)),
-      product_(make_product(*influence_, *nearby_)) {}
+      product_(make_sphere_product(shape(), window().theta.first, influence_, execution().threads, execution().watch)) {
+}
 
 Eigen::ArrayXXd SphereOperator::loads(const VectorField& force) const {
   const auto& directions = local().directions;
@@ -35,7 +25,7 @@ Eigen::ArrayXXd SphereOperator::loads(const VectorField& force) const {
 
 VectorField SphereOperator::displacement(const VectorField& force) const {
   const auto& directions = local().displaced_directions;
-  const Eigen::ArrayXXd components = product_.apply(loads(force), execution().threads, execution().watch);
+  const Eigen::ArrayXXd components = product_->apply(loads(force), execution().threads, execution().watch);
   VectorField result = VectorField::Zero(force.rows(), 3);
   for (std::size_t p = 0; p < directions.size(); ++p) {
     for (const Axis axis : {kForward, kDown, kSideways}) {
@@ -69,7 +59,7 @@ std::shared_ptr<const SurfaceOperator> SphereOperator::within(const Window& wind
 Losses SphereOperator::dissipation(const VectorField& force) const {
   const int half_theta = std::max(-window().theta.first, window().theta.last);
   const Influence influence = dissipation_source_(shape().phi_nodes - 1, half_theta);
-  const SphereProduct product = make_product(*influence, *nearby_);
+  const FactoredSphereProduct product(shape(), window().theta.first, influence, execution().threads, execution().watch);
   const Eigen::ArrayXXd loads = this->loads(force);
   return {.rolling = (loads * product.apply(loads, execution().threads, execution().watch)).sum()};
 }

@@ -29,7 +29,7 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] const Window& window() const override { return nearby_->window(); }
   [[nodiscard]] const Execution& execution() const override { return nearby_->execution(); }
   [[nodiscard]] double collocation() const override { return nearby_->collocation(); }
-  [[nodiscard]] double operations() const override { return product_.operations(); }
+  [[nodiscard]] double operations() const override { return product_->operations(); }
   [[nodiscard]] const LocalCompliance& local() const override { return nearby_->local(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
   using SurfaceOperator::normal_displacement;
@@ -48,7 +48,7 @@ class SphereOperator : public SurfaceOperator {
   std::shared_ptr<const SurfaceOperator> nearby_;
   Influence influence_;
   DissipationSource dissipation_source_;
-  SphereProduct product_;
+  std::unique_ptr<const SphereProduct> product_;
 };
 
 }  // namespace viscoroll::detail

@@ -64,8 +64,8 @@ Eigen::ArrayXd SurfaceWindow::lag() const {
   const double chord = 2.0 * std::sin(0.5 * step);
   Eigen::ArrayXd lag = Eigen::ArrayXd::Zero(shape().size());
   for (Eigen::Index node = columns; node < lag.size(); ++node) {
-    const auto row = static_cast<double>(window_.phi.first + node / columns);
-    const double middle = (row + shift_ - 0.5) * step;
+    const Eigen::Index row = window_.phi.first + node / columns;
+    const double middle = (static_cast<double>(row) + shift_ - 0.5) * step;
     const double theta = static_cast<double>(window_.theta.first + node % columns) * grid_.theta_spacing;
     const Angle forward(middle);
     const Angle sideways(theta);
