@@ -37,7 +37,7 @@ def solve(
     curvature: Curvature | str = Curvature.SPHERE,
     patch_load: PatchLoad | str = PatchLoad.FLAT,
     slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
-    max_iterations: int = 500,
+    max_iterations: int = 2000,
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> Result:
@@ -80,7 +80,7 @@ def solve(
     slip_kinematics : SlipKinematics or str, default SlipKinematics.EXACT
         With friction: how far material travels between the nodes of an undeformed ball. FLAT is the last form of the
         paper's (55a), which knows no Heathcote slip; for comparison only.
-    max_iterations : int, default 500
+    max_iterations : int, default 2000
         Linear systems solved on a mesh, ≥ 1.
     threads : int, default 0
         Number of threads; 0 for all cores. The result does not depend on it.
@@ -235,7 +235,7 @@ class RollingModel:
         compliance: Compliance | str = Compliance.RADIAL,
         patch_load: PatchLoad | str = PatchLoad.FLAT,
         slip_kinematics: SlipKinematics | str = SlipKinematics.EXACT,
-        max_iterations: int = 500,
+        max_iterations: int = 2000,
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> Result:

@@ -19,7 +19,7 @@ struct Options {
   Curvature curvature = Curvature::sphere;                 ///< what is kept of it in the equations of the layers
   PatchLoad patch_load = PatchLoad::flat;                  ///< traction on a node's patch
   SlipKinematics slip_kinematics = SlipKinematics::exact;  ///< with friction
-  int max_iterations = 500;                                ///< linear systems on a mesh, >= 1
+  int max_iterations = 2000;                               ///< linear systems on a mesh, >= 1
   int threads = 0;                                         ///< 0 for all cores
   Observer observer;                                       ///< progress and cancellation
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -38,17 +39,19 @@ constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
 constexpr int kPatienceNearby = 8;       // after which steps from such a state must have halved the residual
 constexpr int kPatience = 14;            // after which those from the end of a path must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
-constexpr double kLongestStride = 1.0;   // along a path of states, in e-folds of friction and relative changes of force
+constexpr double kLongestStride =
+    1.0;  // along a path of states, in e-folds of the parameter and relative changes of force
 constexpr double kShortestStride = 1e-4;
-constexpr double kStride = 1.5;           // growth of such strides that are easy: that take so many ...
-constexpr int kEasySteps = 8;             // ... linear systems, two per Newton step
-constexpr int kMostStepsAhead = 12;       // Newton steps of a stride
-constexpr int kPatienceAhead = 4;         // after which they must not have raised the residual
-constexpr double kNearbyFriction = 0.01;  // step of the logarithm of friction for its derivative
-constexpr double kEasyFriction = 0.3;     // second start
-constexpr double kSmallCreepage = 1e-5;   // below which the scale of a search for the creepage is linear
-constexpr double kFirstStride = 0.1;      // on that scale, from -1 to 1
-constexpr double kSmallestStride = 1e-6;
+constexpr double kCorner = 0.02;         // stride from which a corner is looked for
+constexpr double kStride = 1.5;          // growth of such strides that are easy: that take so many ...
+constexpr int kEasySteps = 8;            // ... linear systems, two per Newton step
+constexpr int kMostStepsAhead = 12;      // Newton steps of a stride
+constexpr int kPatienceAhead = 4;        // after which they must not have raised the residual
+constexpr double kNearby = 0.01;         // step of the parameter for derivatives by it
+constexpr double kEasyFriction = 0.3;    // second start
+constexpr double kSmallCreepage = 1e-5;  // below which the scale of creepages is linear
+constexpr double kFarPlace = 9.2;        // on that scale, a creepage of 5 %
+constexpr double kMostCreepage = 1.0;    // beyond, what slides as a whole hardly changes, and steps lose themselves
 constexpr double kSmallShare = 1e-3;     // of creepages, from which they are raised
 constexpr double kSmallestRatio = 1.05;  // of one share to the next
 constexpr double kRoughStep = 1e-2;      // residual of a step by products: as much as a step's change of sets is worth
@@ -57,6 +60,12 @@ constexpr Index kSmallContact = 300;       // nodes up to which every step is ex
 constexpr double kMostEffort = 1e10;       // operations in operator applications on a mesh: some seconds ...
 constexpr double kManyApplications = 800;  // ... or eight times what a state usually takes ...
 constexpr double kMuchEffort = 4.0;        // ... within so many times that
+
+bool is_same(const ContactSets& one, const ContactSets& other) {
+  return one.contact == other.contact &&
+         std::ranges::equal(one.states, other.states,
+                            [](const TangentialState& a, const TangentialState& b) { return a.stick == b.stick; });
+}
 
 class FrictionalContactSolver {
  public:
@@ -135,36 +144,55 @@ class FrictionalContactSolver {
   }
 
   /// Forces and moments fall as the creepage rises, from those of a sphere that spins on the spot to those of one that
-  /// skids: from the speed of the undeformed surface to where the drive is passed, and back by halves, on a scale that
-  /// resolves small creepages.
+  /// skids: follow the states at given creepages to where the drive is passed, from one where much slips, if it lies
+  /// beyond, or from none.
   bool find_by_creepage() {
-    const double span = std::asinh(1.0 / kSmallCreepage);
-    const auto find_at = [&](double place, const ContactSolution& from) {
-      return find_at_creepage(kSmallCreepage * std::sinh(place * span), 1.0, from);
+    const ContactSolution start = state_;
+    const std::optional<ContactSolution> none = find_at_place(0.0);
+    if (!none) return false;
+    const double far = drive_excess(*none) > 0.0 ? kFarPlace : -kFarPlace;
+    restart_from(start);
+    const std::optional<ContactSolution> beyond = find_at_place(far);
+    if (beyond && (drive_excess(*beyond) > 0.0) != (far > 0.0) && follow_creepages(*beyond, far)) return true;
+    return follow_creepages(*none, 0.0);
+  }
+
+  /// @return a state at a creepage, on its scale
+  std::optional<ContactSolution> find_at_place(double place) {
+    ContactProblem other = problem_;
+    other.friction->drive = std::make_shared<GivenCreepage>(creepage_at(place));
+    FrictionalContactSolver there(other, state_, options_);
+    const bool found = place == 0.0 ? there.find() : there.find_directly();
+    count_as(there.state_);
+    return found ? std::optional(there.state_) : std::nullopt;
+  }
+
+  /// From a state at a creepage to where the drive is passed.
+  bool follow_creepages(const ContactSolution& from, double place) {
+    ContactProblem other = problem_;
+    const auto give = [&other](double at) { other.friction->drive = std::make_shared<GivenCreepage>(creepage_at(at)); };
+    give(place);
+    FrictionalContactSolver along(other, from, options_);
+    along.count_as(state_);
+    along.give_ = [&give, friction = friction_.coefficient](double at) {
+      give(at);
+      return friction;
     };
-    if (!find_at(0.0, state_)) return false;
-    const double side = drive_excess() > 0.0 ? 1.0 : -1.0;
-    double place = 0.0;
-    double stride = side * kFirstStride;
-    for (bool passed = false; std::abs(stride) > kSmallestStride;) {
-      const ContactSolution before = state_;
-      if (!passed && std::abs(place + stride) > 1.0) return false;  // no steady state
-      const bool found = find_at(place + stride, before);
-      if (found && (drive_excess() > 0.0) == (side > 0.0)) {
-        place += stride;
-        const ContactSolution here = state_;
-        if (passed && iterate(friction_.coefficient)) return true;
-        restart_from(here);
-      } else {
-        passed = passed || found;
-        if (found && iterate(friction_.coefficient)) return true;
-        restart_from(before);
-        stride *= 0.5;
-      }
-      if (is_exhausted()) return false;
-    }
+    const auto excess = [this, &along] { return drive_excess(along.state_); };
+    const auto arrive = [&] {
+      count_as(along.state_);
+      if (restart_from(along.state_) && iterate(friction_.coefficient, kPatience)) return true;
+      along.count_as(state_);
+      return false;
+    };
+    const double span = std::asinh(kMostCreepage / kSmallCreepage);
+    const double side = excess() > 0.0 ? 1.0 : -1.0;
+    if (along.follow_to(side, place, span - side * place, excess, arrive)) return true;
+    count_as(along.state_);
     return false;
   }
+
+  static double creepage_at(double place) { return kSmallCreepage * std::sinh(place); }
 
   /// Step by step from small creepages, longitudinal, lateral and spin, to the given ones.
   bool find_by_less_creepage() {
@@ -202,33 +230,61 @@ class FrictionalContactSolver {
     return found;
   }
 
-  /// Follow the states from the present one, at the friction `reached`, to the one wanted. On the way friction may have
-  /// to fall again, so the steps are those of the path's length: halved where they fail, grown where they are easy.
+  /// Follow the states from the present one, at the friction `reached`, to the one wanted.
   bool approach(double reached) {
     if (reached == friction_.coefficient) return true;
     const double goal = std::log(friction_.coefficient);
-    PathPoint here = path_point(std::log(reached));
-    const double side = std::copysign(1.0, goal - here.log_friction);
+    const double start = std::log(reached);
+    return follow_to(
+        std::copysign(1.0, goal - start), start, std::numeric_limits<double>::infinity(), [&] { return place_ - goal; },
+        [&] { return iterate(friction_.coefficient, kPatience); });
+  }
+
+  /// Follow the states from the present one to where an excess is none. On the way the parameter may have to turn back,
+  /// so the steps are those of the path's length: halved where they fail, grown where they are easy.
+  /// @param[in] side to which the parameter is to change, 1 or -1
+  /// @param[in] start,farthest its value here, and the largest change of it
+  /// @param[in] excess of the present state
+  /// @param[in] arrive from a state that is near. @return whether that led to one
+  template <class Excess, class Arrive>
+  bool follow_to(double side, double start, double farthest, const Excess& excess, const Arrive& arrive) {
+    PathPoint here = path_point(start);
+    place_ = start;
+    double before = excess();
     const PathMetric metric(here.force);
     PathPoint way = tangent(here, metric);
-    if (side * way.log_friction < 0.0) way = -1.0 * way;
-    const double start = here.log_friction;
-    double stride = std::min(std::abs(goal - start) / std::abs(way.log_friction), kLongestStride);
-    while (stride > kShortestStride && !is_exhausted() && side * (here.log_friction - start) >= 0.0) {
-      const int before = state_.iterations;
+    if (side * way.parameter < 0.0) way = -1.0 * way;
+    double stride = kLongestStride;
+    while (stride > kShortestStride && !is_exhausted()) {
+      const double passed = side * (here.parameter - start);
+      if (passed < 0.0 || passed > farthest) return false;
+      const int iterations = state_.iterations;
       const std::optional<PathPoint> next = follow(here, way, stride, metric);
       if (!next) {
         stride *= 0.5;
+        if (stride < kCorner) {
+          if (auto turned = turn(here, stride * way, metric)) {
+            std::tie(here, way) = *std::move(turned);
+            stride = kCorner;
+            before = excess();
+          }
+        }
         continue;
       }
+      const double after = excess();
       const PathPoint step = *next - here;
-      if (side * (next->log_friction - goal) >= 0.0) {
-        take(here + (goal - here.log_friction) / step.log_friction * step);
-        if (iterate(friction_.coefficient, kPatience)) return true;
+      if ((after > 0.0) != (before > 0.0)) {
+        take(here + before / (before - after) * step);
+        if (arrive()) return true;
+        if (stride > kCorner) {
+          stride *= 0.5;
+          continue;
+        }
       }
-      if (state_.iterations - before <= kEasySteps) stride = std::min(kStride * stride, kLongestStride);
+      if (state_.iterations - iterations <= kEasySteps) stride = std::min(kStride * stride, kLongestStride);
       way = metric.unit(step);
       here = *next;
+      before = after;
     }
     return false;
   }
@@ -247,7 +303,31 @@ class FrictionalContactSolver {
       const LinearPath path = linearized(point, sets);
       const double left = stride - metric.dot(way, path.point - from);
       point = path.point + left / metric.dot(way, path.slope) * path.slope;
-      if (!(std::abs(point.log_friction - from.log_friction) < 2.0 * kLongestStride)) return std::nullopt;
+      if (!(std::abs(point.parameter - from.parameter) < 2.0 * kLongestStride)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  /// Around a corner of the path, where nodes change their state, forces go on to change as they did and the parameter
+  /// may turn back.
+  /// @param[in] from a state close to the corner
+  /// @param[in] step beyond it, along the straight line to it
+  /// @return a state on the next straight line, where it holds what that takes for given, and the way along it
+  std::optional<std::pair<PathPoint, PathPoint>> turn(const PathPoint& from, const PathPoint& step,
+                                                      const PathMetric& metric) {
+    const ContactSets before = move_to(from);
+    const ContactSets sets = move_to(from + step);
+    if (is_same(sets, before)) return std::nullopt;
+    const LinearPath line = linearized(from, sets);
+    const PathPoint way = metric.unit(line.slope);
+    for (double length = kCorner; length > kShortestStride; length *= 0.25) {
+      for (const double side : {1.0, -1.0}) {
+        const PathPoint point = line.point + side * length * way;
+        if (is_same(move_to(point), sets) && state_.residual < kHopeless) {
+          const std::optional<PathPoint> state = follow(line.point, side * way, length, metric);
+          if (state && is_same(sets_at(give_(state->parameter)), sets)) return std::pair{*state, side * way};
+        }
+      }
     }
     return std::nullopt;
   }
@@ -256,32 +336,33 @@ class FrictionalContactSolver {
     return metric.unit(linearized(at, move_to(at)).slope);
   }
 
-  /// The states that the sets at a point ask for, in the neighborhood of its friction.
+  /// The states that the sets at a point ask for, in the neighborhood of its parameter.
   [[nodiscard]] LinearPath linearized(const PathPoint& at, const ContactSets& sets) {
-    const auto solved = [&](double log_friction) {
+    const auto solved = [&](double parameter) {
       take(at);
       ++state_.iterations;
-      take_newton_step(problem_, std::exp(log_friction), scales_, sets, preconditioner_, kExactStep, state_);
-      return path_point(log_friction);
+      take_newton_step(problem_, give_(parameter), scales_, sets, preconditioner_, kExactStep, state_);
+      return path_point(parameter);
     };
-    const PathPoint here = solved(at.log_friction);
-    return {here, 1.0 / kNearbyFriction * (solved(at.log_friction + kNearbyFriction) - here)};
+    const PathPoint here = solved(at.parameter);
+    return {here, 1.0 / kNearby * (solved(at.parameter + kNearby) - here)};
   }
 
   ContactSets move_to(const PathPoint& point) {
     take(point);
     find_displacements();
-    return sets_at(std::exp(point.log_friction));
+    return sets_at(give_(point.parameter));
   }
 
-  [[nodiscard]] PathPoint path_point(double log_friction) const {
-    return {state_.force, state_.penetration, *state_.creepage, log_friction};
+  [[nodiscard]] PathPoint path_point(double parameter) const {
+    return {state_.force, state_.penetration, *state_.creepage, parameter};
   }
 
   void take(const PathPoint& point) {
     state_.force = point.force;
     state_.penetration = point.penetration;
     state_.creepage = point.creepage;
+    place_ = point.parameter;
   }
 
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
@@ -292,6 +373,11 @@ class FrictionalContactSolver {
     state_.iterations = iterations;
     state_.operator_applications = applications;
     return true;
+  }
+
+  void count_as(const ContactSolution& other) {
+    state_.iterations = other.iterations;
+    state_.operator_applications = other.operator_applications;
   }
 
   /// Newton steps at a given friction, from the present state, so many of which must have halved the residual.
@@ -381,6 +467,9 @@ class FrictionalContactSolver {
     const bool small = static_cast<Index>(sets.contact.size()) <= kSmallContact;
     const double tolerance = small ? kExactStep : (step < free_steps_ ? step_tolerance_ : 0.1 * step_tolerance_);
     take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state_);
+    if (!friction_.drive->given_creepage()) {
+      state_.creepage = std::clamp(*state_.creepage, -kMostCreepage, kMostCreepage);
+    }
   }
 
   /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
@@ -452,14 +541,14 @@ class FrictionalContactSolver {
 
   /// How far load and drive are from balance [N].
   [[nodiscard]] double imbalance() const {
-    return std::hypot(-state_.force.col(kDown).sum() - problem_.normal_force, drive_excess());
+    return std::hypot(-state_.force.col(kDown).sum() - problem_.normal_force, drive_excess(state_));
   }
 
-  /// How far the forces are from the drive's condition [N].
-  [[nodiscard]] double drive_excess() const {
-    const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state_.force, state_.displacement},
+  /// How far the forces of a state are from the drive's condition [N].
+  [[nodiscard]] double drive_excess(const ContactSolution& state) const {
+    const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state.force, state.displacement},
                                                 scales_.tangential * friction_.step);
-    return drive.of(state_.force, state_.displacement, *state_.creepage) - drive.value;
+    return drive.of(state.force, state.displacement, *state.creepage) - drive.value;
   }
 
   void note_sets(const ContactSets& sets) {
@@ -482,6 +571,8 @@ class FrictionalContactSolver {
   double friction_share_;  // of the load, by which residuals are judged
   double tolerance_;       // residual of a converged state
   double step_tolerance_ = kRoughStep;
+  std::function<double(double)> give_ = [](double log) { return std::exp(log); };  // of a path: parameter to friction
+  double place_ = 0.0;          // parameter of the present state on a path
   double last_residual_ = 1.0;  // the last finite one, for the message of a failure
 };
 

@@ -321,25 +321,36 @@ class LoadCaseSolver {
   }
 
   /// Refuse a driving torque that is out of reach of the moments of a sphere that slides as a whole.
-  void require_rolling(ContactProblem problem, double likely_depth, double torque) const {
+  void require_rolling(const ContactProblem& problem, double likely_depth, double torque) const {
     // In a contact over 60 degrees the lever of friction is half of the radius; that of the pressure is no larger than
     // it.
-    const double surely_reached =
-        (0.5 * load_case_.friction - 1.0) * load_case_.load * outer_radius(model_.pair().body);
-    if (std::abs(torque) < surely_reached) return;
-    std::array<double, 2> limits{};
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-      problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
-      const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
-      limits[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
-                                          sliding.contact.force, sliding.contact.displacement},
-                                         pressure_share());
+    const double unit = load_case_.load * outer_radius(model_.pair().body);
+    if (std::abs(torque) < (0.5 * load_case_.friction - 1.0) * unit) return;
+    // At most it is a radius; of the pressure there is the lever along the slope of a counterpart, too.
+    const double largest = (load_case_.friction + 2.0) * unit;
+    std::array<double, 2> limits{-largest, largest};
+    try {
+      limits = sliding_moments(problem, likely_depth);
+    } catch (const ConvergenceError&) {  // the bounds do
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject(
         "drive.torque",
         "between " + rounded(limits[0]) + " N m and " + rounded(limits[1]) + " N m, else the sphere slides without end",
         text(torque) + " N m");
+  }
+
+  /// Moments about the center of a sphere that skids, and of one that spins on the spot.
+  [[nodiscard]] std::array<double, 2> sliding_moments(ContactProblem problem, double likely_depth) const {
+    std::array<double, 2> moments{};
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
+      const LocatedContact sliding = solve_multilevel(problem, likely_depth, limits_);
+      moments[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
+                                           sliding.contact.force, sliding.contact.displacement},
+                                          pressure_share());
+    }
+    return moments;
   }
 
   /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press the sphere
