@@ -96,6 +96,33 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
     return largest;
   }
 
+  /// Of a window that begins at `first_theta`, from the equator.
+  void expect_sums_over_nodes(const SphereInfluence& influence, WindowShape shape, int first_theta) {
+    const FactoredSphereProduct in_factors(shape, first_theta, std::make_shared<const SphereInfluence>(influence), 2,
+                                           watch_);
+    const JointSphereProduct in_one(shape, first_theta, influence, 2, watch_);
+    const auto components = static_cast<Index>(influence.components());
+    const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(shape.size(), components);
+    Eigen::ArrayXXd sums = Eigen::ArrayXXd::Zero(shape.size(), components);
+    for (Index p = 0; p < components; ++p) {
+      for (Index q = 0; q < components; ++q) {
+        const auto slices = table(influence, static_cast<std::size_t>(3 * p + q));
+        const Index first = influence.half_theta() + first_theta;
+        for (Index node = 0; node < shape.size(); ++node) {
+          for (Index from = 0; from < shape.size(); ++from) {
+            const Index offset = node / shape.theta_nodes - from / shape.theta_nodes;
+            const Eigen::MatrixXd& slice = slices[static_cast<std::size_t>(influence.phi_reach + offset)];
+            sums(node, p) += slice(first + node % shape.theta_nodes, first + from % shape.theta_nodes) * loads(from, q);
+          }
+        }
+      }
+    }
+    for (const SphereProduct* product :
+         {static_cast<const SphereProduct*>(&in_factors), static_cast<const SphereProduct*>(&in_one)}) {
+      EXPECT_LT((product->apply(loads, 2, watch_) - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
+    }
+  }
+
   Observer observer_;
   Watch watch_{observer_};
 };
@@ -206,29 +233,13 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
 }
 
 TEST_P(SphereSumTest, ProductsAreSumsOverNodes) {
-  const SphereRequest request{.tangential = true, .power = false};
-  const SphereInfluence all = influence(32.0, request);
-  const WindowShape shape{.phi_nodes = 9, .theta_nodes = 5};
-  constexpr int kFirst = -3;
-  const FactoredSphereProduct in_factors(shape, kFirst, std::make_shared<const SphereInfluence>(all), 2, watch_);
-  const JointSphereProduct in_one(shape, kFirst, all, 2, watch_);
-  const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(shape.size(), 3);
-  Eigen::ArrayXXd sums = Eigen::ArrayXXd::Zero(shape.size(), 3);
-  for (std::size_t t = 0; t < 9; ++t) {
-    const auto slices = table(all, t);
-    for (Index node = 0; node < shape.size(); ++node) {
-      for (Index from = 0; from < shape.size(); ++from) {
-        const Index offset = node / shape.theta_nodes - from / shape.theta_nodes;
-        sums(node, static_cast<Index>(t / 3)) +=
-            slices[static_cast<std::size_t>(kReach + offset)](kHalf + kFirst + node % shape.theta_nodes,
-                                                              kHalf + kFirst + from % shape.theta_nodes) *
-            loads(from, static_cast<Index>(t % 3));
-      }
+  for (const bool tangential : {true, false}) {
+    for (const bool power : {true, false}) {
+      const SphereInfluence fine = influence(32.0, {.tangential = tangential, .power = power});
+      expect_sums_over_nodes(fine, {.phi_nodes = 9, .theta_nodes = 5}, -3);
+      expect_sums_over_nodes(fine, {.phi_nodes = 4, .theta_nodes = 3}, 2);  // all on one side of the equator
+      expect_sums_over_nodes(with_wide_patches(fine, 0.0, power), {.phi_nodes = 4, .theta_nodes = 5}, -2);
     }
-  }
-  for (const SphereProduct* product :
-       {static_cast<const SphereProduct*>(&in_factors), static_cast<const SphereProduct*>(&in_one)}) {
-    EXPECT_LT((product->apply(loads, 2, watch_) - sums).abs().maxCoeff(), 1e-12 * sums.abs().maxCoeff());
   }
 }
 

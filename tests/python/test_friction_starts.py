@@ -242,6 +242,71 @@ def test_nodes_that_stick_rest_beside_a_ten_millionth_of_the_rolling_speed():
     assert np.hypot(*r.slip_velocity)[r.stick].max() < 1e-8 * curving
 
 
+def test_a_drive_between_the_states_of_two_creepages():
+    # The moment falls from 2.5 to 1.95 mN m as the creepage passes -0.033; the states between are on a piece of their
+    # path that leads back, which halving the creepage does not find.
+    modulus = vr.Prony(
+        instantaneous_modulus=719306705.8964465,
+        weights=[
+            0.11776874943618196,
+            0.24953626248974753,
+            0.10311469824515498,
+            0.15961091109345082,
+            0.0058231079540967,
+        ],
+        relaxation_times=[
+            0.08246223585170435,
+            0.022630251619810332,
+            0.08977084313554048,
+            0.00913250291033089,
+            0.8836423948824675,
+        ],
+    )
+    layer = vr.Layer(thickness=8.29155541701685e-06, shear_modulus=modulus, poisson_ratio=0.49999972521432157)
+    ball = vr.CoatedSphere(core_radius=0.005190828126701303, layers=[layer])
+    options = {
+        "load": 0.6328787337473702,
+        "angular_speed": 0.0010937770860999462,
+        "friction": 4.873506559562861,
+        "patch_load": "SPHERICAL",
+        "mesh": vr.Mesh(nodes_per_revolution=1193),
+    }
+    torque = 0.0022444622585602344
+    r = vr.solve(ball, drive=vr.Drive(torque=torque), **options)
+    assert r.driving_torque == pytest.approx(torque, rel=1e-9)
+    before, beyond = (vr.solve(ball, drive=vr.Drive(creepage=c), **options) for c in (-0.032143, -0.034))
+    assert before.driving_torque < 0.88 * torque < 1.1 * torque < beyond.driving_torque
+    assert -0.034 < r.creepage < -0.025
+
+
+def test_a_torque_beyond_all_bounds_is_refused_where_sliding_is_not_found_either():
+    # 3.6 kN m on a ball that bears 0.26 N: "no state of stick and slip was found", after nine seconds.
+    modulus = vr.KelvinVoigt(modulus=13348521.186386554, viscosity=14954528.947156366)
+    layer = vr.Layer(thickness=0.001182181613242, shear_modulus=modulus, poisson_ratio=-0.8830705098552052)
+    with pytest.raises(ValueError, match=r"drive\.torque must be between .*, got 3582 N m"):
+        vr.solve(
+            vr.CoatedSphere(core_radius=0.15971143481770236, layers=[layer]),
+            load=0.25529711471004896,
+            angular_speed=0.0023035056398902046,
+            friction=1.4032188238593115,
+            drive=vr.Drive(torque=3582.0),
+            curvature="PAPER",
+            patch_load="FLAT",
+            accuracy=0.08253266122616099,
+        )
+
+
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # of the strain
+def test_a_contact_that_fits_with_friction_if_it_fits_without():
+    # Every fourth node of the widest window ends within the contact: the load was refused, with friction alone.
+    modulus = vr.StandardLinearSolid(instantaneous_modulus=1e6, relaxed_modulus=5e5, relaxation_time=0.1)
+    layer = vr.Layer(thickness=21e-3, shear_modulus=modulus, poisson_ratio=0.3)
+    ball = vr.CoatedSphere(layers=[layer], inner_boundary="SOLID")
+    mesh = vr.Mesh(nodes_per_revolution=200)
+    smooth, rough = (vr.solve(ball, load=500.0, angular_speed=2.5, friction=mu, mesh=mesh) for mu in (0.0, 0.3))
+    assert rough.contact.sum() == pytest.approx(smooth.contact.sum(), rel=0.1)
+
+
 def test_a_load_that_flattens_a_shell_is_refused_as_such():
     # 37 kN on a shell of 13 um and a ball of 1.7 mm: 364 products did not solve a system of 1006 forces, which "the
     # contact equations were not solved" told nobody.

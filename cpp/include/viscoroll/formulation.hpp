@@ -19,7 +19,7 @@ enum class PatchLoad {
 
 /// @brief How far material travels between neighboring nodes of an undeformed sphere that rolls over the plane.
 enum class SlipKinematics {
-  exact,  ///< the difference of x = r_o sin(theta) cos(phi): away from the middle plane the radius is smaller
+  exact,  ///< the integral of y = r_o sin(theta) sin(phi): away from the middle plane the radius is smaller
   flat,   ///< r_o times the spacing everywhere, the last form of (55a), for comparison with the paper
 };
 

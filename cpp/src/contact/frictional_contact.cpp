@@ -12,8 +12,7 @@
 
 #include "contact/cycle_breaker.hpp"
 #include "contact/friction_path.hpp"
-#include "contact/newton_step.hpp"
-#include "contact/stick_slip_preconditioner.hpp"
+#include "contact/stick_slip_conditions.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -35,7 +34,6 @@ constexpr int kStepsOfFullStick = 6;     // which is a start, and need not have 
 constexpr int kFreeSteps = 8;            // of them before their lengths are controlled
 constexpr int kFreeStepsNearby = 3;      // and from a state with friction that is near
 constexpr double kAstray = 2.0;          // of the least residual, from which they are taken back
-constexpr double kLeastKept = 0.97;      // of a coarse mesh's contact
 constexpr int kPatienceNearby = 8;       // after which steps from such a state must have halved the residual
 constexpr int kPatience = 14;            // after which those from the end of a path must have halved it
 constexpr double kShortestStep = 0.05;   // per Newton step
@@ -61,21 +59,13 @@ constexpr double kMostEffort = 1e10;       // operations in operator application
 constexpr double kManyApplications = 800;  // ... or eight times what a state usually takes ...
 constexpr double kMuchEffort = 4.0;        // ... within so many times that
 
-bool is_same(const ContactSets& one, const ContactSets& other) {
-  return one.contact == other.contact &&
-         std::ranges::equal(one.states, other.states,
-                            [](const TangentialState& a, const TangentialState& b) { return a.stick == b.stick; });
-}
-
 class FrictionalContactSolver {
  public:
   FrictionalContactSolver(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options)
       : problem_(problem),
         options_(options),
         friction_(*problem.friction),
-        stride_(problem.surface->shape().theta_nodes),
-        scales_(condition_scales(*problem.surface)),
-        preconditioner_(*problem.surface),
+        conditions_(problem),
         state_(start),
         has_friction_(start.creepage.has_value()),
         free_steps_(has_friction_ ? kFreeStepsNearby : kFreeSteps),
@@ -341,7 +331,7 @@ class FrictionalContactSolver {
     const auto solved = [&](double parameter) {
       take(at);
       ++state_.iterations;
-      take_newton_step(problem_, give_(parameter), scales_, sets, preconditioner_, kExactStep, state_);
+      conditions_.take_step(give_(parameter), sets, kExactStep, state_);
       return path_point(parameter);
     };
     const PathPoint here = solved(at.parameter);
@@ -389,7 +379,7 @@ class FrictionalContactSolver {
     for (int step = 0;; ++step) {
       find_displacements();
       ContactSets sets = sets_at(friction);
-      if (state_.prolonged) keep_contact(friction, sets);
+      if (state_.prolonged) conditions_.keep_contact(friction, state_, sets);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
       last_residual_ = state_.residual;
       const auto is_halved_since = [&](std::size_t before) { return state_.residual <= 0.5 * residuals[before]; };
@@ -423,9 +413,9 @@ class FrictionalContactSolver {
   /// A residual that is small beside the load may leave creep that is not small beside the way that sticking nodes are
   /// carried by the strain of the surface: further steps as long as they help.
   void rest(ContactSets& sets) {
-    for (int step = 0; step < kStepsOfRest && creep(sets) > kLargestCreep; ++step) {
+    for (int step = 0; step < kStepsOfRest && conditions_.creep(state_, sets) > kLargestCreep; ++step) {
       const ContactSolution before = state_;
-      take_newton_step(problem_, friction_.coefficient, scales_, sets, preconditioner_, kExactStep, state_);
+      conditions_.take_step(friction_.coefficient, sets, kExactStep, state_);
       ++state_.iterations;
       find_displacements();
       ContactSets next = sets_at(friction_.coefficient);
@@ -435,25 +425,6 @@ class FrictionalContactSolver {
       }
       sets = std::move(next);
     }
-  }
-
-  /// @return largest slip of the nodes that stick, per spread of the ways by which strain moves nodes in contact from
-  /// their upstream neighbors
-  [[nodiscard]] double creep(const ContactSets& sets) const {
-    const auto upstream = [&](Index node) { return node - stride_; };
-    std::vector<Index> from(sets.contact.size());
-    std::ranges::transform(sets.contact, from.begin(), upstream);
-    const auto& moved = state_.displacement;
-    Eigen::ArrayX2d ways(static_cast<Index>(from.size()), 2);
-    ways.col(0) = moved.col(kForward)(sets.contact) - moved.col(kForward)(from);
-    ways.col(1) = moved.col(kSideways)(sets.contact) - moved.col(kSideways)(from);
-    const double spread =
-        std::hypot(ways.col(0).maxCoeff() - ways.col(0).minCoeff(), ways.col(1).maxCoeff() - ways.col(1).minCoeff());
-    double slip = 0.0;
-    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
-      if (sets.states[i].stick) slip = std::max(slip, state_.slip.row(sets.contact[i]).matrix().norm());
-    }
-    return spread > 0.0 ? slip / spread : 0.0;
   }
 
   /// Whether enough has been tried.
@@ -466,7 +437,7 @@ class FrictionalContactSolver {
   void take_step(double friction, const ContactSets& sets, int step) {
     const bool small = static_cast<Index>(sets.contact.size()) <= kSmallContact;
     const double tolerance = small ? kExactStep : (step < free_steps_ ? step_tolerance_ : 0.1 * step_tolerance_);
-    take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state_);
+    conditions_.take_step(friction, sets, tolerance, state_);
     if (!friction_.drive->given_creepage()) {
       state_.creepage = std::clamp(*state_.creepage, -kMostCreepage, kMostCreepage);
     }
@@ -485,71 +456,12 @@ class FrictionalContactSolver {
     }
   }
 
-  void find_displacements() {
-    state_.displacement = problem_.surface->displacement(state_.force);
-    ++state_.operator_applications;
-    state_.gap = problem_.initial_gap - state_.displacement.col(kDown) - state_.penetration;
-    state_.slip = slip(friction_, stride_, state_.displacement, *state_.creepage);
-  }
+  void find_displacements() { conditions_.find_displacements(state_); }
 
   /// Who touches, sticks and slips after the present state.
-  ContactSets sets_at(double friction) { return classify(friction, state_.gap, state_.slip); }
+  ContactSets sets_at(double friction) { return conditions_.sets(friction, state_); }
 
-  /// Who touches, sticks and slips next, and how far all conditions are from holding.
-  ContactSets classify(double friction, const Eigen::ArrayXd& gap, const Eigen::ArrayX2d& slips) {
-    ContactSets sets;
-    double violation = std::pow(imbalance(), 2);
-    for (Index node = 0; node < problem_.initial_gap.size(); ++node) {
-      const double pressing = -state_.force(node, kDown);
-      const double predicted = pressing - scales_.normal * gap[node];
-      const bool touches = predicted > 0.0 && node >= stride_;
-      violation += std::pow(touches ? scales_.normal * gap[node] : pressing, 2);
-      const Eigen::Array2d traction(state_.force(node, kForward), state_.force(node, kSideways));
-      if (!touches) {
-        violation += traction.square().sum();
-        continue;
-      }
-      const Eigen::Array2d slip = slips.row(node).transpose();
-      const Eigen::Array2d trial = traction - scales_.tangential * slip;
-      const double size = trial.matrix().norm();
-      const double limit = friction * predicted;
-      sets.contact.push_back(node);
-      if (size <= limit) {
-        sets.states.push_back({.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0});
-        violation += (scales_.tangential * slip).square().sum();
-      } else {
-        const Eigen::Array2d direction = trial / size;
-        const double rigidity = friction * std::max(pressing, 0.0) / size;
-        sets.states.push_back({.stick = false, .direction = direction, .rigidity = std::min(rigidity, 1.0)});
-        violation += (traction - limit * direction).square().sum();
-      }
-    }
-    state_.residual = std::sqrt(violation) / problem_.normal_force;
-    return sets;
-  }
-
-  /// Forces between those of coarse nodes make a rough gap, by which much of a contact may seem to lift off. Then the
-  /// gap and the slip of the coarse mesh tell better.
-  void keep_contact(double friction, ContactSets& sets) {
-    const SmoothFields fields = *std::exchange(state_.prolonged, std::nullopt);
-    const double residual = state_.residual;
-    ContactSets kept = classify(friction, fields.gap, fields.slip);
-    state_.residual = residual;
-    const auto count = [](const ContactSets& of) { return static_cast<double>(of.contact.size()); };
-    if (count(sets) < kLeastKept * count(kept)) sets = std::move(kept);
-  }
-
-  /// How far load and drive are from balance [N].
-  [[nodiscard]] double imbalance() const {
-    return std::hypot(-state_.force.col(kDown).sum() - problem_.normal_force, drive_excess(state_));
-  }
-
-  /// How far the forces of a state are from the drive's condition [N].
-  [[nodiscard]] double drive_excess(const ContactSolution& state) const {
-    const DriveRow drive = friction_.drive->row({*problem_.surface, friction_.arms, state.force, state.displacement},
-                                                scales_.tangential * friction_.step);
-    return drive.of(state.force, state.displacement, *state.creepage) - drive.value;
-  }
+  [[nodiscard]] double drive_excess(const ContactSolution& state) const { return conditions_.drive_excess(state); }
 
   void note_sets(const ContactSets& sets) {
     state_.contact = sets.contact;
@@ -562,9 +474,7 @@ class FrictionalContactSolver {
   const ContactProblem& problem_;
   const ContactOptions& options_;
   const Friction& friction_;
-  Index stride_;  // from a node to its downstream neighbor
-  ConditionScales scales_;
-  StickSlipPreconditioner preconditioner_;
+  StickSlipConditions conditions_;
   ContactSolution state_;
   bool has_friction_;
   int free_steps_;

@@ -1,8 +1,6 @@
 #include "influence/joint_sphere_product.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "dense_products.hpp"
 
@@ -18,7 +16,7 @@ std::size_t frequencies(int period) { return static_cast<std::size_t>(period / 2
 
 /// What displaces along P under forces along Q: [offset -reach ... reach, thetas * loaded theta + displaced theta].
 MatrixXd table_of(int p, int q, WindowShape shape, int first_theta, const SphereInfluence& influence,
-                  const OrderPhases& phases) {
+                  const OrderPhases& phases, const Worker& worker) {
   const Index thetas = shape.theta_nodes;
   const int reach = shape.phi_nodes - 1;
   const Index half_theta = std::max<Index>(-first_theta, first_theta + thetas - 1);
@@ -30,6 +28,7 @@ MatrixXd table_of(int p, int q, WindowShape shape, int first_theta, const Sphere
     const Eigen::MatrixXcd own = all.block(half_theta + first_theta, half_theta + first_theta, thetas, thetas);
     real.row(m) = own.real().reshaped().transpose();
     imaginary.row(m) = own.imag().reshaped().transpose();
+    worker.checkpoint();
   }
   const OrderPhases::Sums sums = phases(real, imaginary);
   MatrixXd table(2 * reach + 1, thetas * thetas);
@@ -73,7 +72,7 @@ JointSphereProduct::JointSphereProduct(WindowShape shape, int first_theta, const
                  const Index p = static_cast<Index>(pair) / components_;
                  const Index q = static_cast<Index>(pair) % components_;
                  const MatrixXd table =
-                     table_of(static_cast<int>(p), static_cast<int>(q), shape, first_theta, influence, phases);
+                     table_of(static_cast<int>(p), static_cast<int>(q), shape, first_theta, influence, phases, worker);
                  worker.checkpoint();
                  RealBuffer line(static_cast<std::size_t>(period_));
                  ComplexBuffer transformed(spectrum_.size());

@@ -1,7 +1,6 @@
 #include "influence/sphere_product.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -14,11 +13,12 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Below so many multiplications threads cost more than they save.
+/// Below so many operations threads cost more than they save.
 constexpr double kWorthThreads = 4e6;
 
-/// Of products in one table: 40 MB of matrices.
+/// Of products in one table, which takes time to make: 16 MB of matrices, and 2 MB where less is done with them.
 constexpr double kMostJointOperations = 8e6;
+constexpr double kMostRadialJointOperations = 1e6;
 
 constexpr Index kOrdersAtOnce = 8;
 constexpr Index kPhisAtOnce = 32;
@@ -97,8 +97,9 @@ std::unique_ptr<const SphereProduct> make_sphere_product(WindowShape shape, int 
                                                          std::shared_ptr<const SphereInfluence> influence, int threads,
                                                          Watch& watch) {
   const double joint = JointSphereProduct::operations(shape, influence->components());
-  const bool pays = joint < kMostJointOperations &&
-                    joint < harmonic_operations(shape, first_theta, *influence) + local_operations(shape, *influence);
+  const double most = influence->tangential ? kMostJointOperations : kMostRadialJointOperations;
+  const bool pays =
+      joint < most && joint < harmonic_operations(shape, first_theta, *influence) + local_operations(shape, *influence);
   if (pays) return std::make_unique<const JointSphereProduct>(shape, first_theta, *influence, threads, watch);
   return std::make_unique<const FactoredSphereProduct>(shape, first_theta, std::move(influence), threads, watch);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "dense_products.hpp"
 #include "influence/gauss_legendre.hpp"
@@ -80,7 +81,7 @@ MatrixXd coarse_columns(const MatrixXd& fine, double mirror, bool wide) {
 
 std::shared_ptr<const Harmonics> coarse_harmonics(const Harmonics& fine, double even, bool wide) {
   Harmonics coarse{.p = coarse_columns(fine.p, even, wide), .d = {}, .e = {}};
-  if (fine.d.size() > 0) {
+  if (fine.d.cols() > 0) {  // at the highest order there may be no degrees of a kind
     coarse.d = coarse_columns(fine.d, -even, wide);
     coarse.e = coarse_columns(fine.e, even, wide);
   }

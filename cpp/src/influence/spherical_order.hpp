@@ -7,7 +7,6 @@
 #include <array>
 #include <complex>
 #include <memory>
-#include <vector>
 
 #include "modal/degree_compliance.hpp"
 #include "viscoroll/formulation.hpp"

@@ -41,7 +41,8 @@ constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window,
 
 constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
 
-constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
+constexpr Eigen::Index kFewNodes = 1024;  // that show whether a window holds a contact
+constexpr int kMostNodes = 25000000;      // of a window: some ten gigabytes
 
 class LoadCaseSolver {
  public:
@@ -84,7 +85,8 @@ class LoadCaseSolver {
     for (bool is_likely = cheap || shallow || is_seen;; is_likely = cheap) {
       const bool widest = phi == phi_limit && theta == theta_limit;
       if (is_likely || holds_rough_contact(phi, theta, estimate, widest)) {
-        if (std::optional<Result> result = solve_in_window(phi, theta, estimate, !is_seen)) return *std::move(result);
+        if (std::optional<Result> result = solve_in_window(phi, theta, estimate, widest, !is_seen))
+          return *std::move(result);
       }
       is_seen = false;
       if (widest) reject_load("is in contact over 60 degrees to a side");
@@ -94,15 +96,18 @@ class LoadCaseSolver {
   }
 
  private:
+  /// @param[in] widest whether there is no wider window
   /// @param[in] uncertain whether the contact without friction is to show first that it fits
   /// @return nothing where the contact reaches the edge of the window
-  [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate,
+  [[nodiscard]] std::optional<Result> solve_in_window(int half_phi, int half_theta, double estimate, bool widest,
                                                       bool uncertain) const {
     require_few_nodes(half_phi, half_theta);
     const SurfaceWindow nodes(grid_, {{-half_phi, half_phi}, {-half_theta, half_theta}});
     const ContactProblem problem = make_problem(nodes);
-    if (uncertain && problem.friction && !holds_pressed_contact(problem, estimated_depth(estimate)))
+    if (uncertain && problem.friction && !holds_pressed_contact(problem, estimated_depth(estimate), kFewNodes) &&
+        !(widest && holds_pressed_contact(problem, estimated_depth(estimate), problem.initial_gap.size()))) {
       return std::nullopt;
+    }
     LocatedContact located = solve_contact(problem, swelling_ * estimated_depth(estimate));
     for (;;) {
       const bool boxed = located.window() != nodes.window();
@@ -156,7 +161,7 @@ class LoadCaseSolver {
     const LoadCase pressed{.load = load_case_.load, .angular_speed = load_case_.angular_speed};
     const auto scaled = [coarsening](int half) { return static_cast<int>(half / coarsening) + 1; };
     return LoadCaseSolver(rough, pressed, options_, execution_.watch)
-        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate, true);
+        .solve_in_window(scaled(half_phi), scaled(half_theta), estimate, false, false);
   }
 
   [[nodiscard]] ContactProblem make_problem(const SurfaceWindow& nodes) const {
@@ -208,8 +213,12 @@ class LoadCaseSolver {
     const SphereTables& tables = *model_.sphere_tables();
     const double values = tables.values(request, theta.last);
     if (values > kMostHarmonicValues) {
-      throw MeshTooFine(model_.mesh().nodes_per_revolution, text(kMostHarmonicValues) + " values of harmonics",
-                        "with curvature EXACT " + text(values));
+      const std::string most = text(kMostHarmonicValues) + " values of harmonics";
+      const std::string made = text(values) + " with curvature EXACT";
+      if (const auto order = model_.mesh().max_order) {
+        reject("mesh.max_order", "small enough for " + most, std::to_string(*order) + " (it makes " + made + ")");
+      }
+      throw MeshTooFine(model_.mesh().nodes_per_revolution, most, made);
     }
     auto influence = tables.influence(request, phi.count() - 1, theta.last, execution_);
     Formulation flat = formulation_;
@@ -328,10 +337,11 @@ class LoadCaseSolver {
     if (std::abs(torque) < (0.5 * load_case_.friction - 1.0) * unit) return;
     // At most it is a radius; of the pressure there is the lever along the slope of a counterpart, too.
     const double largest = (load_case_.friction + 2.0) * unit;
-    std::array<double, 2> limits{-largest, largest};
+    std::array<double, 2> limits{};
     try {
       limits = sliding_moments(problem, likely_depth);
-    } catch (const ConvergenceError&) {  // the bounds do
+    } catch (const ConvergenceError&) {
+      limits = {-largest, largest};
     }
     if (torque > limits[0] && torque < limits[1]) return;
     reject(
@@ -355,10 +365,10 @@ class LoadCaseSolver {
 
   /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press the sphere
   /// to the core are refused.
-  [[nodiscard]] bool holds_pressed_contact(ContactProblem problem, double likely_depth) const {
-    constexpr Eigen::Index kFewNodes = 1024;
+  /// @param[in] most_nodes up to which every other node is left out
+  [[nodiscard]] bool holds_pressed_contact(ContactProblem problem, double likely_depth, Eigen::Index most_nodes) const {
     problem.friction.reset();
-    while (problem.initial_gap.size() > kFewNodes) problem = coarsened(problem);
+    while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
     const LocatedContact pressed = solve_multilevel(problem, likely_depth, limits_);
     if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
     require_clear_of_core(pressed.contact.penetration - model_.centrifugal());
