@@ -8,7 +8,8 @@ J = det F,
 
 is stationary in x and p: the compressible neo-Hookean law (I_1 - 3)/2 - ln J + lambda (J - 1)^2 / 2, and the
 incompressible one at 1/lambda = 0, so that no large bulk modulus stands in for nu = 1/2. Elements are Q2 for the
-displacement and Q1 for p (Taylor and Hood); theta and R are their coordinates, so that the sphere is exact.
+displacement and Q1 for p (Taylor and Hood), or of first order, Q1 and Q0, to show what these miss; theta and R are
+their coordinates, so that the sphere is exact.
 
 Given is the edge of the contact, at a line of the mesh, which is refined towards it: nodes up to there lie on the
 plane, and the last of them bears no force, since pressure falls to zero at the edge. That is the equation for the
@@ -22,7 +23,7 @@ import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 from scipy.sparse import coo_array, csc_array, hstack
 from scipy.sparse.linalg import splu
-from skfem import Basis, ElementQuad1, ElementQuad2, ElementVector, MeshQuad
+from skfem import Basis, ElementQuad0, ElementQuad1, ElementQuad2, ElementVector, MeshQuad
 
 
 def energy_derivatives(y, softness):
@@ -89,7 +90,9 @@ class Coating:
     Sizes of elements, `finest` at the edge and `coarsest`, are in thicknesses; `growth` is from one to the next.
     """
 
-    def __init__(self, core_radius, outer_radius, poisson_ratio, edge, *, finest=0.002, coarsest=0.2, growth=1.4):
+    def __init__(
+        self, core_radius, outer_radius, poisson_ratio, edge, *, finest=0.002, coarsest=0.2, growth=1.4, order=2
+    ):
         h = outer_radius - core_radius
         turn = h / outer_radius
         self.outer_radius, self.thickness, self.edge = outer_radius, h, edge
@@ -98,7 +101,8 @@ class Coating:
             graded(0.0, min(edge + 12.0 * turn, 2.5), edge, finest * turn, coarsest * turn, growth),
             graded(core_radius, outer_radius, outer_radius, finest * h, coarsest * h, growth),
         )
-        self.basis = Basis(MeshQuad.init_tensor(*self.grid), ElementVector(ElementQuad2()) * ElementQuad1(), intorder=5)
+        moved, pressed = {1: (ElementQuad1, ElementQuad0), 2: (ElementQuad2, ElementQuad1)}[order]
+        self.basis = Basis(MeshQuad.init_tensor(*self.grid), ElementVector(moved()) * pressed(), intorder=5)
         self._number()
         self.rest, self.entries = strain_entries(self.basis)
         self.volumes = volumes(self.basis)
