@@ -96,6 +96,31 @@ TEST_P(StickSlipTest, ProductsTakeTheStepOfADenseSolution) {
   EXPECT_NEAR(*iterated.creepage, dense[forces + 1], 1e-8);
 }
 
+/// Differences of antiderivatives, by which the last digits of a small window are lost, in long doubles.
+TEST(SurfaceWindow, FallsBehindByTheIntegralOfItsHeight) {
+  constexpr double kRadius = 0.5;
+  for (const double spacing : {1e-5, 0.03}) {
+    for (const bool is_paraboloid : {false, true}) {
+      const SurfaceGrid grid{
+          .radius = kRadius, .phi_spacing = spacing, .theta_spacing = 0.7 * spacing, .is_paraboloid = is_paraboloid};
+      const SurfaceWindow points(grid, {{-5, 4}, {-3, 3}}, 0.3);
+      const Eigen::ArrayXd lag = points.lag();
+      EXPECT_EQ(lag.head(7).abs().maxCoeff(), 0.0);
+      for (Eigen::Index node = 7; node < lag.size(); ++node) {
+        const auto row = static_cast<long double>(node / 7 - 5) + 0.3L;
+        const auto column = static_cast<long double>(node % 7 - 3);
+        const long double theta = 0.7L * spacing * column;
+        const auto to_here = [&](long double phi) {
+          return is_paraboloid ? phi * phi * phi / 6.0L + 0.5L * theta * theta * phi
+                               : phi - std::cos(theta) * std::sin(phi);
+        };
+        const long double way = kRadius * (to_here(row * spacing) - to_here((row - 1.0L) * spacing));
+        EXPECT_NEAR(lag[node], static_cast<double>(way), 1e-15 * kRadius * spacing) << node;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Formulations, StickSlipTest,
                          testing::Combine(testing::Values(Compliance::vertical, Compliance::radial),
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical),

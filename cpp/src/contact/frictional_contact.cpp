@@ -123,13 +123,10 @@ class FrictionalContactSolver {
     FrictionalContactSolver solver(other, from, options_);
     solver.state_.creepage = creepage;
     solver.free_steps_ = free_steps_;
+    solver.count_as(state_);
     const bool found = solver.has_friction_ ? solver.iterate(friction_.coefficient) : solver.find_directly();
-    const int iterations = state_.iterations + solver.state_.iterations - from.iterations;
-    const int applications =
-        state_.operator_applications + solver.state_.operator_applications - from.operator_applications;
     if (found) state_ = solver.state_;
-    state_.iterations = iterations;
-    state_.operator_applications = applications;
+    count_as(solver.state_);
     return found;
   }
 
@@ -357,11 +354,7 @@ class FrictionalContactSolver {
 
   /// Take the forces of another state, but keep count. @return true, to be followed by an attempt
   bool restart_from(const ContactSolution& other) {
-    const int iterations = state_.iterations;
-    const int applications = state_.operator_applications;
-    state_ = other;
-    state_.iterations = iterations;
-    state_.operator_applications = applications;
+    count_as(std::exchange(state_, other));
     return true;
   }
 
@@ -381,7 +374,7 @@ class FrictionalContactSolver {
       ContactSets sets = sets_at(friction);
       if (state_.prolonged) conditions_.keep_contact(friction, state_, sets);
       if (!(state_.residual < kHopeless) || sets.contact.empty()) return false;
-      last_residual_ = state_.residual;
+      if (friction == friction_.coefficient) last_residual_ = state_.residual;
       const auto is_halved_since = [&](std::size_t before) { return state_.residual <= 0.5 * residuals[before]; };
       residuals.push_back(state_.residual);
       const bool stalled = step > 0 && !is_halved_since(residuals.size() - 2);
@@ -399,7 +392,7 @@ class FrictionalContactSolver {
       if (step == free_steps_ && state_.residual > kAstray * best.residual) {
         restart_from(best);
         sets = best_sets;
-        residuals.back() = last_residual_ = best.residual;
+        residuals.back() = best.residual;
         breaker = CycleBreaker(problem_.initial_gap.size());
       }
       ++state_.iterations;
@@ -483,7 +476,7 @@ class FrictionalContactSolver {
   double step_tolerance_ = kRoughStep;
   std::function<double(double)> give_ = [](double log) { return std::exp(log); };  // of a path: parameter to friction
   double place_ = 0.0;          // parameter of the present state on a path
-  double last_residual_ = 1.0;  // the last finite one, for the message of a failure
+  double last_residual_ = 1.0;  // the last finite one at the friction wanted, for the message of a failure
 };
 
 }  // namespace

@@ -7,13 +7,18 @@
 #include "modal/chebyshev_panels.hpp"
 
 namespace viscoroll::detail {
+namespace {
 
 using Eigen::MatrixXd;
 
+/// Number of angles in a range of half the width `half_angle`, between which waves are polynomials: the coefficients of
+/// cos(x t) die out beyond the degree x, within some widths x^(1/3) of the edge of a Bessel function.
 int sampled_angles(double half_angle, double highest_order) {
   const double x = half_angle * highest_order;
   return static_cast<int>(std::ceil(x + 6.0 * std::cbrt(x) + 6.0));
 }
+
+}  // namespace
 
 ChebyshevNodes::ChebyshevNodes(int count)
     : angle(std::numbers::pi * (Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0) + 0.5) / count) {}

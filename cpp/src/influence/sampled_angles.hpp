@@ -6,12 +6,6 @@
 
 namespace viscoroll::detail {
 
-/// @brief Number of angles in a range, between which waves are polynomials: the coefficients of cos(x t) die out beyond
-/// the degree x, within some widths x^(1/3) of the edge of a Bessel function.
-/// @param[in] half_angle half of the range [rad]
-/// @param[in] highest_order of the waves
-[[nodiscard]] int sampled_angles(double half_angle, double highest_order);
-
 /// @brief Places between -1 and 1, and what polynomials through values there are elsewhere.
 struct ChebyshevNodes {
   Eigen::ArrayXd angle;

@@ -335,7 +335,8 @@ class LoadCaseSolver {
     // it.
     const double unit = load_case_.load * outer_radius(model_.pair().body);
     if (std::abs(torque) < (0.5 * load_case_.friction - 1.0) * unit) return;
-    // At most it is a radius; of the pressure there is the lever along the slope of a counterpart, too.
+    // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
+    // counterpart times it.
     const double largest = (load_case_.friction + 2.0) * unit;
     std::array<double, 2> limits{};
     try {

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace viscoroll::detail {
+
 SphereOperator::SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
                                DissipationSource dissipation_source)
     : nearby_(std::move(nearby)),
