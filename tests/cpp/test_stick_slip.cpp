@@ -107,8 +107,10 @@ TEST(SurfaceWindow, FallsBehindByTheIntegralOfItsHeight) {
       const Eigen::ArrayXd lag = points.lag();
       EXPECT_EQ(lag.head(7).abs().maxCoeff(), 0.0);
       for (Eigen::Index node = 7; node < lag.size(); ++node) {
-        const auto row = static_cast<long double>(node / 7 - 5) + 0.3L;
-        const auto column = static_cast<long double>(node % 7 - 3);
+        const Eigen::Index i = node / 7 - 5;
+        const Eigen::Index k = node % 7 - 3;
+        const auto row = static_cast<long double>(i) + 0.3L;
+        const auto column = static_cast<long double>(k);
         const long double theta = 0.7L * spacing * column;
         const auto to_here = [&](long double phi) {
           return is_paraboloid ? phi * phi * phi / 6.0L + 0.5L * theta * theta * phi
