@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "dense_products.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/spectrum.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 using cplx = std::complex<double>;
 using Eigen::Index;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t kStates = 6;
 
@@ -116,13 +118,15 @@ DepthTransfer::DepthTransfer(std::shared_ptr<const DepthSeries> series, double m
   const Eigen::ArrayXd squares = m * m + n.square();
   if (is_shared()) {
     const Eigen::ArrayXd k = squares.sqrt();
-    const Eigen::ArrayXd safe = k.max(1e-300);
-    odd_factor_ = k.transpose().cast<cplx>();
-    cosine_ = (m / safe).transpose().cast<cplx>();
-    sine_ = (k > 0.0).select(n / safe, 1.0).transpose().cast<cplx>();
-    if (m == 0.0) cosine_.setZero();
+    odd_factor_ = k.cast<cplx>();
+    cosine_.resize(k.size());
+    sine_.resize(k.size());
+    for (Index i = 0; i < k.size(); ++i) {
+      cosine_[i] = k[i] > 0.0 ? m / k[i] : 0.0;
+      sine_[i] = k[i] > 0.0 ? n[i] / k[i] : 1.0;
+    }
   } else {
-    odd_factor_ = n.transpose().cast<cplx>();
+    odd_factor_ = n.cast<cplx>();
   }
   Index first = 0;
   for (const Panel<cplx>& panel : series_->panels()) {
@@ -136,11 +140,12 @@ DepthTransfer::DepthTransfer(std::shared_ptr<const DepthSeries> series, double m
     chebyshev.row(0).setOnes();
     if (panel.low == 0.0) continue;
     const double scale = 2.0 / std::log(panel.high / panel.low);
-    const Eigen::Array<double, 1, Eigen::Dynamic> x =
-        (squares.segment(last - count, count) / panel.low).log().transpose() * scale - 1.0;
-    chebyshev.row(1) = x;
-    for (int j = 2; j < kPanelNodes; ++j) {
-      chebyshev.row(j) = 2.0 * x * chebyshev.row(j - 1).array() - chebyshev.row(j - 2).array();
+    const Eigen::ArrayXd x = (squares.segment(last - count, count) / panel.low).log() * scale - 1.0;
+    for (Index i = 0; i < count; ++i) {
+      chebyshev(1, i) = x[i];
+      for (int j = 2; j < kPanelNodes; ++j) {
+        chebyshev(j, i) = 2.0 * x[i] * chebyshev(j - 1, i) - chebyshev(j - 2, i);
+      }
     }
   }
   first_.push_back(first);
@@ -149,16 +154,16 @@ DepthTransfer::DepthTransfer(std::shared_ptr<const DepthSeries> series, double m
 ComponentRows DepthTransfer::values(std::size_t boundary, Index count) const {
   const auto rows = static_cast<Index>(series_->entries().size());
   ComponentRows values = ComponentRows::Zero(rows, count);
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> part;
   for (std::size_t p = 0; p < series_->panels().size() && first_[p] < count; ++p) {
     const Index width = std::min(first_[p + 1], count) - first_[p];
     if (width == 0) continue;
     const auto series = series_->panels()[p].series.middleRows(static_cast<Index>(boundary) * rows, rows);
-    part.noalias() = series.real() * chebyshev_[p].leftCols(width);
-    values.middleCols(first_[p], width).real() = part;
+    const auto chebyshev = chebyshev_[p].leftCols(width);
+    const RowMajor real = series.real();
+    values.middleCols(first_[p], width).real() = product(real, chebyshev);
     if (series_->is_real()) continue;
-    part.noalias() = series.imag() * chebyshev_[p].leftCols(width);
-    values.middleCols(first_[p], width).imag() = part;
+    const RowMajor imaginary = series.imag();
+    values.middleCols(first_[p], width).imag() = product(imaginary, chebyshev);
   }
   return values;
 }

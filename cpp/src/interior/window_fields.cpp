@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "dense_products.hpp"
 #include "influence/order_bands.hpp"
 #include "interior/depth_limit.hpp"
 #include "interior/depth_transfer.hpp"
@@ -250,7 +251,7 @@ class WindowSum {
         parts.row(2 * i) = quarters == 0 ? real : quarters == 1 ? -imaginary : -real;
         parts.row(2 * i + 1) = quarters == 0 ? imaginary : quarters == 1 ? real : -imaginary;
       }
-      const RowMajor along_theta = parts * (odd ? waves.sines : waves.cosines).topRows(count);
+      const Eigen::MatrixXd along_theta = product(parts, (odd ? waves.sines : waves.cosines).topRows(count));
       for (Index i = 0; i < size; ++i) {
         auto sum = sums.row(rows[static_cast<std::size_t>(i)]);
         sum.real() = along_theta.row(2 * i);
@@ -267,11 +268,12 @@ class WindowSum {
     const Index columns = waves.cols();
     const RowMajor phase = along_.magnitudes.matrix() * m_.orders.head(orders).matrix().transpose();
     const auto weights = m_.weights.head(orders).transpose();
-    const RowMajor even = (phase.array().cos().rowwise() * weights).matrix() *
-                          Part(waves.data(), orders, columns, Eigen::OuterStride<>(2 * columns));
+    const RowMajor cosines = phase.array().cos().rowwise() * weights;
+    const RowMajor sines = phase.array().sin().rowwise() * -weights;
+    const Eigen::OuterStride<> pairs(2 * columns);
+    const Eigen::MatrixXd even = product(cosines, Part(waves.data(), orders, columns, pairs));
     worker.checkpoint();
-    const RowMajor odd = (phase.array().sin().rowwise() * -weights).matrix() *
-                         Part(waves.data() + columns, orders, columns, Eigen::OuterStride<>(2 * columns));
+    const Eigen::MatrixXd odd = product(sines, Part(waves.data() + columns, orders, columns, pairs));
     worker.checkpoint();
     const auto kinds = mirrors();
     const Index width = across_.magnitudes.size();

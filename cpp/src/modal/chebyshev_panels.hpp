@@ -54,8 +54,9 @@ struct Panel {
 }
 
 /// @return matrix that takes values at the nodes of a panel (columns of the factor before it) to series
-[[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes>& panel_transform() {
-  static const Eigen::Matrix<double, kPanelNodes, kPanelNodes> transform = chebyshev_transform(kPanelNodes);
+[[nodiscard]] inline const Eigen::Matrix<double, kPanelNodes, kPanelNodes, Eigen::RowMajor>& panel_transform() {
+  static const Eigen::Matrix<double, kPanelNodes, kPanelNodes, Eigen::RowMajor> transform =
+      chebyshev_transform(kPanelNodes);
   return transform;
 }
 
@@ -80,7 +81,8 @@ void append_panels(double low, double high, const Sample& sample, const Resolved
   constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
   if (high / low <= kLargestPanelRatio) {
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values = sample(panel_nodes(low, high));
-    Panel<Scalar> panel{low, high, values * panel_transform().template cast<Scalar>()};
+    // Of this size the product needs no blocks, whose code is long to compile.
+    Panel<Scalar> panel{low, high, values.lazyProduct(panel_transform().template cast<Scalar>())};
     if (high / low < kSmallestRatio || resolved(panel)) {
       panels.push_back(std::move(panel));
       return;
