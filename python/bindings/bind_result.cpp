@@ -52,6 +52,12 @@ constexpr const char* kTypeName<std::optional<double>> = "float or None";
 template <>
 constexpr const char* kTypeName<int> = "int";
 
+/// A member, with a text of any length: one function compiled for each type of member, not for each text as well.
+template <class T>
+void bind_scalar(py::classh<ResultScalars>& scalars, const char* name, T ResultScalars::* member, const char* text) {
+  scalars.def_readonly(name, member, text);
+}
+
 void bind_scalars(py::module_& m) {
   py::classh<ScalarDescription>(m, "ScalarDescription")
       .def_readonly("name", &ScalarDescription::name)
@@ -68,12 +74,11 @@ void bind_scalars(py::module_& m) {
   };
   m.def("result_scalars", descriptions, "What the scalar results are, in SI units.");
 
-  py::classh<ResultScalars>(m, "ResultScalars")
+  py::classh<ResultScalars> scalars(m, "ResultScalars");
 #define VISCOROLL_SCALAR(type, name, unit, label, details) \
-  .def_readonly(#name, &ResultScalars::name, label " [" unit "]. " details)
+  bind_scalar(scalars, #name, &ResultScalars::name, label " [" unit "]. " details);
 #include "viscoroll/result_scalars.def"
 #undef VISCOROLL_SCALAR
-      ;
 }
 
 }  // namespace
