@@ -13,7 +13,8 @@ APT_BENCH := libbenchmark-dev
 APT_DOCS := doxygen
 DEPS ?= deps
 
-SOURCES := $(shell git ls-files CMakeLists.txt pyproject.toml README.md cpp python)
+LIBRARY_SOURCES := $(shell git ls-files CMakeLists.txt CMakePresets.json cpp)
+SOURCES := $(shell git ls-files pyproject.toml README.md python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
 .PHONY: help demo test test-cpp test-python test-package test-clang test-pocketfft dist docs sanitize coverage campaign \
@@ -43,37 +44,50 @@ demo: $(VENV)/demo.stamp
 
 test: test-cpp test-package test-python
 
-test-cpp: $(DEPS)
+# The library is compiled once, for the Python module, the tests and programs outside.
+LIBRARY := build/library
+$(LIBRARY).stamp: $(LIBRARY_SOURCES) | $(DEPS)
+	@echo "compiling the library, which takes some minutes"
 	cmake --preset release
+	cmake --build --preset release --parallel $(JOBS) --target viscoroll
+	rm -rf $(LIBRARY)
+	cmake --install build/release --component library --prefix $(LIBRARY)
+	touch $@
+
+test-cpp: $(LIBRARY).stamp
 	cmake --build --preset release --parallel $(JOBS)
 	ctest --preset release --parallel $(JOBS)
 
 test-python: $(VENV)/test.stamp
 	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
-# A program outside the project: against the installed library, again with other compiler flags, and against the sources.
-# The library configured as the README says must be the optimized one.
-test-package: test-cpp
+# A program outside the project: against the installed library, again with other compiler flags, and against the sources,
+# which it would compile as they are compiled already: the objects need not be made again. The library configured as the
+# README says must be the optimized one.
+test-package: $(LIBRARY).stamp
 	rm -rf build/package
-	cmake --install build/release --component library --prefix build/package/prefix
-	cmake -S tests/package -B build/package/installed -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/prefix
+	cmake -S tests/package -B build/package/installed -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY)
 	cmake --build build/package/installed && build/package/installed/consumer
-	cmake -S tests/package -B build/package/native -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/prefix \
+	cmake -S tests/package -B build/package/native -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY) \
 	  -DCMAKE_CXX_FLAGS=-march=native
 	cmake --build build/package/native && build/package/native/consumer
-	export PKG_CONFIG_PATH="$$(dirname "$$(find $(CURDIR)/build/package/prefix -name viscoroll.pc)")" && \
+	export PKG_CONFIG_PATH="$$(dirname "$$(find $(CURDIR)/$(LIBRARY) -name viscoroll.pc)")" && \
 	  g++ -std=c++20 tests/package/main.cpp $$(pkg-config --cflags --libs viscoroll) -o build/package/plain_consumer && \
 	  build/package/plain_consumer
-	cmake -S tests/package -B build/package/source -Dviscoroll_SOURCE=$(CURDIR) -DCMAKE_BUILD_TYPE=Release
-	cmake --build build/package/source --parallel $(JOBS) && build/package/source/consumer
+	cmake -S tests/package -B build/package/source -G 'Unix Makefiles' -Dviscoroll_SOURCE=$(CURDIR) \
+	  -DCMAKE_BUILD_TYPE=Release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+	$(PYTHON) tests/package/same_commands.py build/release build/package/source
+	cp build/release/cpp/libviscoroll.a build/package/source/viscoroll/cpp
+	$(MAKE) -C build/package/source consumer/fast && build/package/source/consumer
 	cmake -S . -B build/package/plain && grep -q 'CMAKE_BUILD_TYPE:STRING=Release' build/package/plain/CMakeCache.txt
 
 test-clang: deps-clang
 	cmake --preset clang -DCMAKE_CXX_COMPILER=clang++-$(CLANG)
 	cmake --build --preset clang --parallel $(JOBS)
 	ctest --preset clang --parallel $(JOBS)
+	cmake --install build/clang --component library --prefix build/clang/library
 	test -d build/clang/venv || $(PYTHON) -m venv build/clang/venv
-	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet --config-settings=build-dir=build/clang/wheel '.[test]'
+	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet $(call WITH_LIBRARY,build/clang) '.[test]'
 	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
 # The header comes out of a Python package.
@@ -191,14 +205,18 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
+# Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
+# of a plain `pip install .` remembers nothing of it.
+WITH_LIBRARY = -Cbuild-dir=$(1)/module -Ccmake.define.viscoroll_ROOT=$(CURDIR)/$(1)/library
+
 # One environment, in which the package is compiled once, with all that the README uses. Each other stamp says that the
 # extra of its name stands beside it.
 $(VENV)/bin/pip: | $(DEPS)
 	$(PYTHON) -m venv $(VENV)
 
-$(VENV)/demo.stamp: $(SOURCES) | $(VENV)/bin/pip
-	@echo "compiling viscoroll, which takes some minutes, and installing it into $(VENV)"
-	$(BIN)/pip install --quiet '.[cli,plot,files,studies]'
+$(VENV)/demo.stamp: $(SOURCES) $(LIBRARY).stamp | $(VENV)/bin/pip
+	@echo "compiling the Python module, and installing viscoroll into $(VENV)"
+	$(BIN)/pip install --quiet $(call WITH_LIBRARY,build) '.[cli,plot,files,studies]'
 	touch $@
 
 # Prints what an extra asks for, but for the package itself.
