@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dense_products.hpp"
 #include "modal/chebyshev_panels.hpp"
 
 namespace viscoroll::detail {
@@ -27,7 +28,8 @@ MatrixXd ChebyshevNodes::interpolation(const Eigen::ArrayXd& places) const {
   const auto count = static_cast<double>(angle.size());
   const Eigen::RowVectorXd degrees = Eigen::RowVectorXd::LinSpaced(angle.size(), 0.0, count - 1.0);
   const MatrixXd terms = (places.max(-1.0).min(1.0).acos().matrix() * degrees).array().cos();
-  return terms * chebyshev_transform(static_cast<int>(angle.size())).transpose();
+  const MatrixXd transform = chebyshev_transform(static_cast<int>(angle.size()));
+  return product(terms, transform.transpose());
 }
 
 int SampledOffsets::count(int reach, double spacing, double highest_order) {

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "dense_products.hpp"
+
 namespace viscoroll::detail {
 
 constexpr int kPanelNodes = 16;               ///< Chebyshev nodes, and so terms, of a panel
@@ -60,6 +62,20 @@ struct Panel {
   return transform;
 }
 
+/// @return series of functions by their values at the nodes of a panel
+template <class Scalar>
+[[nodiscard]] Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> to_series(
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes>& values) {
+  // Real and imaginary parts, which lie side by side, see the same transform.
+  const auto rows = values.rows() * static_cast<Eigen::Index>(sizeof(Scalar) / sizeof(double));
+  Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> series;
+  series.setZero(values.rows(), kPanelNodes);
+  add_product(Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(values.data()), rows, kPanelNodes),
+              panel_transform(),
+              Eigen::Map<Eigen::MatrixXd>(reinterpret_cast<double*>(series.data()), rows, kPanelNodes));
+  return series;
+}
+
 /// @brief Append the panel that holds constants on [0, high].
 template <class Scalar>
 void append_constants(double high, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values,
@@ -81,8 +97,7 @@ void append_panels(double low, double high, const Sample& sample, const Resolved
   constexpr double kSmallestRatio = 1.05;  // what a panel this narrow does not resolve is round-off
   if (high / low <= kLargestPanelRatio) {
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> values = sample(panel_nodes(low, high));
-    // Of this size the product needs no blocks, whose code is long to compile.
-    Panel<Scalar> panel{low, high, values.lazyProduct(panel_transform().template cast<Scalar>())};
+    Panel<Scalar> panel{low, high, to_series(values)};
     if (high / low < kSmallestRatio || resolved(panel)) {
       panels.push_back(std::move(panel));
       return;
