@@ -1,4 +1,4 @@
-"""Check that a project which takes the sources in compiles the library, nothing else of ours, by the very same commands.
+"""Check that a project which takes the sources in compiles the library, nothing else of ours, by the same commands.
 
 What it would link is then what is compiled already. Usage: same_commands.py BUILD BUILD_OF_THE_OTHER_PROJECT
 """
