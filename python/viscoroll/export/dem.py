@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
-from .._text import shown
-from ..result import Result
+from .._support.arguments import as_float
+from .._support.text import shown
+from ..rolling import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
 from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
 

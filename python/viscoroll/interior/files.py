@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._extras import extra
-from .fields import COMPONENTS
+from .._support.extras import extra
+from ..solution.interior_fields import COMPONENTS
 
 if TYPE_CHECKING:
     import xarray

@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from ..caution import kept_in_results
-from ..pictures import Picture, drawn
-from .fields import coated_ball, interior_fields
-from .loss import loss_of
+from .._support.cautions import kept_in_results
+from .._support.pictures import Picture, drawn
+from ..solution.interior_fields import coated_ball, interior_fields
+from ..solution.loss import loss_of
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..geometry import CoatedSphere
-    from ..result import Result
+    from ..bodies import CoatedSphere
+    from ..rolling import Result
     from .temperature import Temperature
 
 __all__ = ["plot_loss", "plot_section", "plot_temperature"]

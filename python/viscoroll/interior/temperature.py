@@ -9,23 +9,23 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float, as_kelvin, require_type
 from .._core import InnerBoundary
-from .._extras import extra
-from .._text import shown
-from ..caution import warn
-from ..progress import ProgressLike
-from ..result import Result
-from ..tables import html_table, number_text
+from .._support.arguments import as_float, as_kelvin, require_type
+from .._support.cautions import warn
+from .._support.extras import extra
+from .._support.progress import ProgressLike
+from .._support.tables import html_table, number_text
+from .._support.text import shown
+from ..rolling import Result
+from ..solution.interior_fields import coated_ball
+from ..solution.loss import contact_size, loss_of
 from .conduction import Conduction, legendre_values
-from .fields import coated_ball
-from .loss import contact_size, loss_of
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ..geometry import CoatedSphere
+    from ..bodies import CoatedSphere
 
 __all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
 

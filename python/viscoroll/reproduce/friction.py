@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import paper
 from .._core import Curvature
-from ..pictures import Picture
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_friction_law
 from .item import Runner, Table, Verdict
@@ -17,8 +17,8 @@ from .item import Runner, Table, Verdict
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..result import Result
-    from ..studies.least_squares import Fit
+    from .._support.least_squares import Fit
+    from ..rolling import Result
 
     Floats = NDArray[np.float64]
 

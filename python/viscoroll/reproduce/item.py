@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from .._core import core_count
-from ..mesh import Mesh
-from ..progress import ProgressLike, counted
+from .._support.progress import ProgressLike, counted
+from ..bodies import Mesh
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

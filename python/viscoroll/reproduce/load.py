@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from ..pictures import Picture
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
 from .item import Runner, Table, Verdict
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from ..studies.least_squares import Fit, Parameter
+    from .._support.least_squares import Fit, Parameter
 
     Floats = NDArray[np.float64]
 

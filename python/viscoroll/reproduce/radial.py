@@ -9,9 +9,9 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
-from ..orders import surface_compliance
-from ..pictures import Picture
+from .._support.extras import extra
+from .._support.pictures import Picture
+from ..bodies import surface_compliance
 from ..rolling import solve
 from . import plain
 from .item import Runner, Table, Verdict
@@ -19,7 +19,7 @@ from .item import Runner, Table, Verdict
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..mesh import Mesh
+    from ..bodies import Mesh
 
     Floats = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import paper
-from ..pictures import Picture
+from .._support.pictures import Picture
 from .item import Runner, Table, Verdict
 from .thickness import LOADS, ThicknessSweep, printed_curve, thickness_sweep
 

@@ -9,14 +9,14 @@ import numpy as np
 
 from .. import analytic, paper
 from .._core import Compliance, Curvature
-from ..pictures import Picture
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..result import Result
+    from ..rolling import Result
 
     Floats = NDArray[np.float64]
 

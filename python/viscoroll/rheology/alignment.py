@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._extras import extra
+from .._support.extras import extra
 from .reading import Isotherm
 from .series import SeriesFit, basis, fit_series, time_grid
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
-from ..geometry import CoatedSphere
-from ..materials import MasterCurve, to_core
+from .._support.arguments import as_float
+from ..bodies import CoatedSphere
+from ..materials import MasterCurve
+from ..materials.moduli import to_core
 from .prony_fit import MeasuredModulus, fit_prony, measured
 from .series import basis, time_grid
 from .superposition import Superposition, tabulated

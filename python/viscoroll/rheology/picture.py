@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..pictures import Picture, drawn
+from .._support.pictures import Picture, drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Protocol, overload
 
 import numpy as np
 
-from .._arrays import as_float, as_float_array, as_int
-from .._extras import extra
-from .._text import shown
+from .._support.arguments import as_float, as_float_array, as_int
+from .._support.extras import extra
+from .._support.text import shown
 from ..materials import Prony
 from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, nonnegative, time_grid
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from .._arrays import as_float
-from .._text import shown
+from .._support.arguments import as_float
+from .._support.text import shown
 from .names import role_of
 from .text import Table, find_tables, read_text
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
-from .._extras import extra
+from .._support.extras import extra
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

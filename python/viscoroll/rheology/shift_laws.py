@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_floats
-from .._extras import extra
-from ..shift import Arrhenius, WilliamsLandelFerry
-from ..studies.least_squares import Parameter
+from .._support.arguments import as_floats
+from .._support.extras import extra
+from .._support.least_squares import Parameter
+from ..materials import Arrhenius, WilliamsLandelFerry
 from .names import parse_header
 from .text import read_text
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from .._arrays import as_float, require_type
 from .._core import Extrapolation
+from .._support.arguments import as_float, require_type
 from ..materials import MasterCurve, Prony
 from .alignment import align, shift_pairs, undetermined_pairs
 from .prony_fit import PronyFit, fit_prony

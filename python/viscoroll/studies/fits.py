@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .least_squares import Fit, Parameter, fit_law
+from .._support.least_squares import Fit, Parameter, fit_law
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from .._extras import extra
-from ..pictures import drawn
-from ..units import UNITS
+from .._support.extras import extra
+from .._support.pictures import drawn
+from .._support.units import UNITS
 
 with extra("plot"):
     from matplotlib import colormaps

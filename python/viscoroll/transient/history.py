@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from .._extras import extra
-from ..drive import Drive
-from ..geometry import CoatedSphere
-from ..mesh import Mesh
-from ..tables import html_table, number_text, unit_text
+from .._support.extras import extra
+from .._support.tables import html_table, number_text, unit_text
+from ..bodies import CoatedSphere, Drive, Mesh
 from .rolling_history import RollingState
 from .series import SERIES
 
