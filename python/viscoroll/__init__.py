@@ -70,8 +70,8 @@ from .rheology import (
     save_material,
     superpose,
 )
-from .rolling import Refinement, Result, RollingModel, solve
-from .solution import LossSpectrum, loss_spectrum
+from .rolling import Result, RollingModel, solve
+from .solution import LossSpectrum, Refinement, loss_spectrum
 from .studies import (
     Fit,
     Parameter,

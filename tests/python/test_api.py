@@ -22,7 +22,7 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import _core, paper
-from viscoroll.rolling.result import FIELDS, VECTOR_FIELDS
+from viscoroll.solution import FIELDS, VECTOR_FIELDS
 from viscoroll.solution.scalars import SCALARS
 
 MESH = vr.Mesh(nodes_per_revolution=300, max_order=300)

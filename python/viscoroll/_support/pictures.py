@@ -26,8 +26,14 @@ class Picture(Figure):
         return file.getvalue()
 
 
-def drawn(draw: Callable[[Axes], object], ax: Axes | None, *, figsize: tuple[float, float]) -> Picture | Axes:
-    """Draw into axes of the caller's, or into those of a new picture.
+def drawn(
+    draw: Callable[[Axes], object],
+    ax: Axes | None,
+    *,
+    figsize: tuple[float, float],
+    compose: Callable[[Picture], object] | None = None,
+) -> Picture | Axes:
+    """Draw into axes of the caller's, or a new picture.
 
     Parameters
     ----------
@@ -37,6 +43,8 @@ def drawn(draw: Callable[[Axes], object], ax: Axes | None, *, figsize: tuple[flo
         The caller's.
     figsize : (float, float)
         Of a new picture [inch].
+    compose : callable, optional
+        Called with a new picture, of which the axes that `draw` fills are one part; without it they are all.
 
     Returns
     -------
@@ -50,7 +58,10 @@ def drawn(draw: Callable[[Axes], object], ax: Axes | None, *, figsize: tuple[flo
     """
     if ax is None:
         picture = Picture(figsize=figsize, layout="constrained")
-        draw(picture.subplots())
+        if compose is None:
+            draw(picture.subplots())
+        else:
+            compose(picture)
         return picture
     if not isinstance(ax, Axes):
         raise TypeError(f"ax must be a matplotlib.axes.Axes or None, got {shown(ax)}{_way_to_a_file(ax)}")

@@ -1,7 +1,8 @@
 """What rolls, what it rolls on, how it is meshed and driven, and how its layers answer single orders."""
 
-from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
 from .drive import Drive
+from .layers import HalfSpace, Layer
 from .mesh import Mesh
 from .orders import (
     centrifugal_displacement,

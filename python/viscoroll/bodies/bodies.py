@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -11,81 +10,37 @@ from .. import _core
 from .._core import InnerBoundary
 from .._support.arguments import as_member, require_type, store_floats
 from .._support.tables import ParameterTable
-from .._support.text import shown
-from ..materials import ShearModulusLike
-from ..materials.moduli import as_modulus, to_core
+from .layers import HalfSpace, Layer, as_layers
 from .si_hints import si_hint
 
-__all__ = [
-    "CoatedCylinder",
-    "CoatedPlane",
-    "CoatedSphere",
-    "Counterpart",
-    "Groove",
-    "HalfSpace",
-    "Layer",
-    "RollingBody",
-]
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
+
+
+class _RoundBody(ParameterTable):
+    """What balls and rollers have in common: layers around a core."""
+
+    __slots__ = ()
+
+    core_radius: float
+    layers: Sequence[Layer]
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def outer_radius(self) -> float:
+        """Outer radius r_o [m]."""
+        return self.core_radius + self.thickness
+
+    def __str__(self) -> str:
+        """Return the parameters, and how they read in SI units where that is implausible."""
+        return "\n".join(filter(None, [repr(self), si_hint(self)]))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Layer(ParameterTable):
-    """One homogeneous, isotropic, linear viscoelastic layer.
-
-    Exactly one of `poisson_ratio` and `bulk_modulus` is given.
-
-    Parameters
-    ----------
-    thickness : float
-        [m], > 0.
-    shear_modulus : ShearModulus, callable or float
-        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
-        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
-        or one for all.
-    poisson_ratio : float, optional
-        Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
-    bulk_modulus : float, optional
-        Real, constant bulk modulus [Pa], > 0; Poisson's ratio is then complex and depends on frequency.
-    density : float, default 0
-        [kg/m³], ≥ 0; 0 leaves inertia out.
-    conductivity : float, optional
-        Of heat [W/(m K)], > 0; only temperatures need it.
-
-    Examples
-    --------
-    >>> from viscoroll import Elastic
-    >>> Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
-    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, \
-density=0.0, conductivity=None)
-    """
-
-    thickness: float
-    shear_modulus: ShearModulusLike
-    poisson_ratio: float | None = None
-    bulk_modulus: float | None = None
-    density: float = 0.0
-    conductivity: float | None = None
-
-    def __post_init__(self) -> None:
-        """Store the numbers as floats and check the parameters."""
-        store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus", "conductivity"))
-        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
-        if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
-            raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
-        self._to_core()
-
-    def _to_core(self) -> _core.Layer:
-        return _core.Layer(
-            thickness=self.thickness,
-            shear_modulus=to_core(self.shear_modulus),
-            poisson_ratio=self.poisson_ratio,
-            bulk_modulus=self.bulk_modulus,
-            density=self.density,
-        )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedSphere(ParameterTable):
+class CoatedSphere(_RoundBody):
     """Layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
@@ -113,23 +68,9 @@ class CoatedSphere(ParameterTable):
     def __post_init__(self) -> None:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""
         store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", _as_layers(self.layers))
+        object.__setattr__(self, "layers", as_layers(self.layers))
         object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
         self._to_core()
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
-    @property
-    def outer_radius(self) -> float:
-        """Outer radius r_o [m]."""
-        return self.core_radius + self.thickness
-
-    def __str__(self) -> str:
-        """Return the parameters, and how they read in SI units where that is implausible."""
-        return "\n".join(filter(None, [repr(self), si_hint(self)]))
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
@@ -140,7 +81,7 @@ class CoatedSphere(ParameterTable):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedCylinder(ParameterTable):
+class CoatedCylinder(_RoundBody):
     """A roller: layers bonded to one another and to a rigid core, in line contact.
 
     It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
@@ -168,60 +109,11 @@ class CoatedCylinder(ParameterTable):
     def __post_init__(self) -> None:
         """Freeze the list of layers, store the radius as a float, and check the parameters."""
         store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", _as_layers(self.layers))
+        object.__setattr__(self, "layers", as_layers(self.layers))
         self._to_core()
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
-    @property
-    def outer_radius(self) -> float:
-        """Outer radius r_o [m]."""
-        return self.core_radius + self.thickness
-
-    def __str__(self) -> str:
-        """Return the parameters, and how they read in SI units where that is implausible."""
-        return "\n".join(filter(None, [repr(self), si_hint(self)]))
 
     def _to_core(self) -> _core.CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class HalfSpace(ParameterTable):
-    """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
-
-    Parameters
-    ----------
-    shear_modulus, poisson_ratio, bulk_modulus, density
-        As of `Layer`.
-
-    Examples
-    --------
-    >>> from viscoroll import Elastic
-    >>> HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.5).density
-    0.0
-    """
-
-    shear_modulus: ShearModulusLike
-    poisson_ratio: float | None = None
-    bulk_modulus: float | None = None
-    density: float = 0.0
-
-    def __post_init__(self) -> None:
-        """Store the numbers as floats and check the parameters."""
-        store_floats(self, ("density",), optional=("poisson_ratio", "bulk_modulus"))
-        _core.CoatedPlane(layers=[], base=self._to_core())
-
-    def _to_core(self) -> _core.HalfSpace:
-        return _core.HalfSpace(
-            shear_modulus=to_core(self.shear_modulus),
-            poisson_ratio=self.poisson_ratio,
-            bulk_modulus=self.bulk_modulus,
-            density=self.density,
-        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -248,7 +140,7 @@ class CoatedPlane(ParameterTable):
 
     def __post_init__(self) -> None:
         """Freeze the list of layers and check the parameters."""
-        object.__setattr__(self, "layers", _as_layers(self.layers))
+        object.__setattr__(self, "layers", as_layers(self.layers))
         require_type("base", self.base, HalfSpace, optional=True)
         self._to_core()
 
@@ -296,7 +188,7 @@ class Groove(ParameterTable):
     def __post_init__(self) -> None:
         """Store the numbers as floats, freeze the list of layers and check the parameters."""
         store_floats(self, (), optional=("radius", "path_radius"))
-        object.__setattr__(self, "layers", _as_layers(self.layers))
+        object.__setattr__(self, "layers", as_layers(self.layers))
         require_type("base", self.base, HalfSpace, optional=True)
         self._to_core()
 
@@ -310,13 +202,3 @@ RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
 
 #: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
 Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove
-
-
-def _as_layers(layers: object) -> tuple[Layer, ...]:
-    layers = (layers,) if isinstance(layers, Layer) else layers
-    if not isinstance(layers, Iterable):
-        raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
-    layers = tuple(layers)
-    for j, layer in enumerate(layers):
-        require_type(f"layers[{j}]", layer, Layer)
-    return layers

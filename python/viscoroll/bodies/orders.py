@@ -15,7 +15,8 @@ from .._core import Curvature
 from .._support.arguments import as_float, as_int, as_member, as_orders, require_type
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from .bodies import CoatedCylinder, CoatedSphere, Layer, RollingBody
+from .bodies import CoatedCylinder, CoatedSphere, RollingBody
+from .layers import Layer
 from .mesh import Mesh
 
 if TYPE_CHECKING:

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from .._core import ConvergenceError, complex_modulus
 from ..materials import ShearModulusLike
 from ..materials.moduli import to_core
-
-if TYPE_CHECKING:
-    from .bodies import Counterpart, RollingBody
+from .layers import Layer
 
 __all__ = ["si_hint", "si_hints"]
+
+
+class _Layered(Protocol):
+    """Any body, and any plane."""
+
+    @property
+    def layers(self) -> Sequence[Layer]:
+        """From the inside outwards."""
+
 
 #: What is hardly meant: no ball or roller is as large, no layer as thick, no solid as soft.
 _LARGEST_RADIUS = 1.5  # [m]
@@ -28,14 +35,14 @@ _FAST = 100.0  # [rad/s]
 _TELLING = ("load must be small enough", "angular_speed must be below", "angular_speed must be such")
 
 
-def si_hint(body: RollingBody, on: Counterpart | None = None) -> str:
+def si_hint(body: _Layered, on: _Layered | None = None) -> str:
     """Return how implausible lengths and moduli of what rolls, and what it rolls on, read in SI units, or nothing."""
     doubtful = [*_doubtful(body, ""), *([] if on is None else _doubtful(on, "on."))]
     return f"viscoroll takes SI units: {', '.join(doubtful)}" if doubtful else ""
 
 
 @contextmanager
-def si_hints(body: RollingBody, on: Counterpart | None = None, *, angular_speed: float = 0.0) -> Iterator[None]:
+def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float = 0.0) -> Iterator[None]:
     """End messages about loads and speeds that are too large with how doubtful input reads in SI units."""
     try:
         yield
@@ -50,7 +57,7 @@ def si_hints(body: RollingBody, on: Counterpart | None = None, *, angular_speed:
         raise type(error)("; ".join([message, *told])) from None
 
 
-def _doubtful(body: RollingBody | Counterpart, where: str) -> Iterator[str]:
+def _doubtful(body: _Layered, where: str) -> Iterator[str]:
     if (radius := getattr(body, "outer_radius", 0.0)) > _LARGEST_RADIUS:
         yield f"{where}outer_radius = {radius:g} m"
     for j, layer in enumerate(body.layers):

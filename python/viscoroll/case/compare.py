@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .._core import Compliance, Status
+from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from ..analytic import applicable
 from ..bodies import CoatedCylinder, Drive, critical_speed
-from ..reproduce.item import Runner, write_csv
+from ..reproduce.item import Runner
 from ..solution.scalars import scalar_units
 
 if TYPE_CHECKING:
@@ -119,7 +120,7 @@ class Comparison:
         for name, (torque, holds) in self.forms.items():
             columns[f"{name} [{self._unit()}]"] = torque.tolist()
             columns[f"{name}_holds"] = holds.tolist()
-        write_csv(path, columns)
+        write_csv(columns, path)
 
 
 def parse_speeds(text: str) -> tuple[float, float]:

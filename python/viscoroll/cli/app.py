@@ -22,7 +22,7 @@ from ..case import example_text, load_case
 from ..interior.temperature import QUANTITIES
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
-from ..solution.files import SUFFIXES
+from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, with_unit
 from .commands import add_commands
 
@@ -113,7 +113,7 @@ def solve(
     """Solve the load case of a file and report torque, penetration, pressure and power balance."""
     _check_target("--plot", plot, _PICTURES)
     _check_target("--section", section, _PICTURES)
-    _check_target("--save", save, SUFFIXES)
+    _check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
     heated = None
     with _progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
@@ -160,11 +160,11 @@ def roll(
 ) -> None:
     """Roll, stop, stand and turn back: follow the motion of a file."""
     from ..case.motion import load_motion
-    from ..transient.history import SUFFIXES as HISTORY_SUFFIXES
+    from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
 
     _check_target("--plot", plot, _PICTURES)
-    _check_target("--save", save, HISTORY_SUFFIXES)
+    _check_target("--save", save, tuple(HISTORY_FORMATS))
     _check_target("--checkpoint", checkpoint, (".npy",))
     loaded = load_motion(case)
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}

@@ -10,6 +10,7 @@ from .._support.cautions import kept_in_results
 from .._support.pictures import Picture, drawn
 from ..solution.interior_fields import coated_ball, interior_fields
 from ..solution.loss import loss_of
+from ..solution.solution import node_angles
 
 if TYPE_CHECKING:
     import xarray
@@ -48,7 +49,7 @@ def plot_section(result: Result) -> Picture:
     shallowest = min(0.25 * spacing, 0.1 * ball.thickness)
     deepest = min(ball.thickness, 4.0 * max(result.semi_axis_x, spacing))
     depths = np.linspace(shallowest, deepest, _DEPTHS)
-    phi = result._angles()[0]
+    phi = node_angles(result)[0]
     with kept_in_results():
         inside = interior_fields(result, depth=depths, phi=phi, theta=[0.5 * np.pi])
     inside = inside.isel(theta=0).drop_duplicates("depth")

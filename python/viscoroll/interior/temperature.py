@@ -19,6 +19,7 @@ from .._support.text import shown
 from ..rolling import Result
 from ..solution.interior_fields import coated_ball
 from ..solution.loss import contact_size, loss_of
+from ..solution.solution import node_angles
 from .conduction import Conduction, legendre_values
 
 if TYPE_CHECKING:
@@ -269,7 +270,7 @@ def plane_cooling(
     if not plane > 0.0:
         raise ValueError(f"plane_effusivity must be > 0 W s^0.5/(m^2 K), got {plane!r}")
     share = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
-    nodes = result._angles()[1]
+    nodes = node_angles(result)[1]
     time = result.contact.sum(axis=0) * result.mesh.spacing / result.angular_speed
     taken = 2.0 * effusivity * share * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
 

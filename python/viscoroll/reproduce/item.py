@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
@@ -10,13 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from .._core import core_count
+from .._support.files import write_csv
 from .._support.progress import ProgressLike, counted
 from ..bodies import Mesh
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_csv", "write_files", "write_verdicts"]
+__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_files", "write_verdicts"]
 
 S = TypeVar("S")
 T = TypeVar("T")
@@ -155,16 +155,8 @@ def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
         figure.savefig(paths[-1], dpi=150)
     for addition, table in outcome.tables().items():
         paths.append(folder / f"{item.name}{addition}.csv")
-        write_csv(paths[-1], table)
+        write_csv(table, paths[-1])
     return paths
-
-
-def write_csv(path: Path, table: Table) -> None:
-    """Write columns of equal lengths."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(table)
-        writer.writerows(zip(*table.values(), strict=True))
 
 
 def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:

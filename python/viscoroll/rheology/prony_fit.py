@@ -184,9 +184,9 @@ class PronyFit:
         matplotlib.figure.Figure or matplotlib.axes.Axes
             A new figure, moduli above, relative error below; or `ax`.
         """
-        from .picture import draw_moduli, plot_fit
+        from .picture import plot_fit
 
-        return plot_fit(self) if ax is None else draw_moduli(self, ax)
+        return plot_fit(self, ax)
 
     def __repr__(self) -> str:
         """Return what was fitted, and how well."""

@@ -172,9 +172,9 @@ class Superposition:
 
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the master curve and its shift factors, or the curve alone into `ax` (the extra `viscoroll[plot]`)."""
-        from .picture import draw_sweeps, plot_superposition
+        from .picture import plot_superposition
 
-        return plot_superposition(self) if ax is None else draw_sweeps(self, ax)
+        return plot_superposition(self, ax)
 
     def __repr__(self) -> str:
         """Return what was shifted, how well, and what is open."""

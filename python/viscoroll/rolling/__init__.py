@@ -1,6 +1,6 @@
 """Steady rolling: solve, and what that returns."""
 
-from .result import Refinement, Result
+from .result import Result
 from .steady import RollingModel, solve
 
-__all__ = ["Refinement", "Result", "RollingModel", "solve"]
+__all__ = ["Result", "RollingModel", "solve"]

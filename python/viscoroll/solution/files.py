@@ -1,58 +1,37 @@
-"""Files of a result: a table, netCDF, and the deformed surface for ParaView."""
+"""Files of a solution: a table, netCDF, and the deformed surface for ParaView."""
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._support.extras import extra
-from ..rolling import Result
-from ..rolling.result import FIELDS, VECTOR_FIELDS
+from .._support.files import write_csv, write_netcdf
+from .solution import FIELDS, VECTOR_FIELDS, Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["SUFFIXES", "save_result"]
-
-#: Of the files that `save_result` writes.
-SUFFIXES = (".csv", ".nc", ".vtu", ".vtk")
+__all__ = ["FORMATS"]
 
 
-def save_result(result: Result, path: Path) -> None:
-    """Write the fields of a result to a file, see `viscoroll.Result.save`."""
-    match path.suffix.lower():
-        case ".csv":
-            _write_csv(result, path)
-        case ".nc":
-            with extra("files"):
-                import netCDF4  # noqa: F401  (what xarray writes with)
-            result.to_xarray().to_netcdf(path, engine="netcdf4")
-        case ".vtu" | ".vtk":
-            _write_vtk(result, path)
-        case _:
-            raise ValueError(f"path must end in .csv, .nc, .vtu or .vtk, got {path.name!r}")
-
-
-def _write_csv(result: Result, path: Path) -> None:
-    columns = {f"{name} [{unit}]": getattr(result, name) for name, (unit, _) in FIELDS.items()}
+def _write_table(result: Solution, path: Path) -> None:
+    fields = {f"{name} [{unit}]": getattr(result, name) for name, (unit, _) in FIELDS.items()}
     for name, (unit, _) in VECTOR_FIELDS.items():
         for direction, values in zip("xz", getattr(result, name), strict=True):
-            columns[f"{name}_{direction} [{unit}]"] = values
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(columns)
-        writer.writerows(zip(*map(_entries, columns.values()), strict=True))
+            fields[f"{name}_{direction} [{unit}]"] = values
+    write_csv({head: _entries(values) for head, values in fields.items()}, path)
 
 
 def _entries(field: NDArray[Any]) -> list[Any]:
     """Return the values of a field one after the other; zeros lose their sign."""
-    return (field if field.dtype == bool else field + 0.0).ravel().tolist()
+    entries: list[Any] = (field if field.dtype == bool else field + 0.0).ravel().tolist()
+    return entries
 
 
-def _write_vtk(result: Result, path: Path) -> None:
+def _write_vtk(result: Solution, path: Path) -> None:
     with extra("files"):
         import meshio
 
@@ -83,3 +62,12 @@ def _cells(rows: int, columns: int) -> tuple[str, NDArray[Any]]:
 
 def _vectors(field: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([*(part.ravel() for part in field), np.zeros(field[0].size)], axis=-1)
+
+
+#: What writes the fields of a solution, by suffix; see `Result.save`.
+FORMATS = {
+    ".csv": _write_table,
+    ".nc": lambda result, path: write_netcdf(result.to_xarray(), path),
+    ".vtu": _write_vtk,
+    ".vtk": _write_vtk,
+}

@@ -14,12 +14,12 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
 from ..bodies import CoatedSphere
+from .solution import Solution, node_angles
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-    from ..rolling import Result
 
 __all__ = [
     "COMPONENTS",
@@ -48,7 +48,7 @@ _TEXT = {
 }
 
 
-def coated_ball(result: Result) -> CoatedSphere:
+def coated_ball(result: Solution) -> CoatedSphere:
     """Return the ball of a result, whose coating there is to look into.
 
     Raises
@@ -66,7 +66,7 @@ def coated_ball(result: Result) -> CoatedSphere:
     return ball
 
 
-def tractions_of(result: Result) -> _core.Tractions:
+def tractions_of(result: Solution) -> _core.Tractions:
     """Return the tractions of a result, as the core knows them."""
     return _core.Tractions(
         mesh=result.mesh._to_core(),
@@ -162,7 +162,7 @@ def order_fields(
 
 
 def interior_fields(
-    result: Result,
+    result: Solution,
     *,
     depth: ArrayLike | None = None,
     radius: ArrayLike | None = None,
@@ -179,7 +179,7 @@ def interior_fields(
     radii, layers = places_of(ball, depth, radius)
     on_nodes = phi is None and theta is None
     angles = [
-        result._angles()[axis] if given is None else _line(name, given)
+        node_angles(result)[axis] if given is None else _line(name, given)
         for axis, (name, given) in enumerate((("phi", phi), ("theta", theta)))
     ]
     with reporting(progress) as report:
@@ -233,7 +233,7 @@ def interior_fields(
     )
 
 
-def bond_fields(result: Result, **options: object) -> xarray.Dataset:
+def bond_fields(result: Solution, **options: object) -> xarray.Dataset:
     """Fields where layers are bonded to the core and to one another; see `Result.bonds`."""
     ball = coated_ball(result)
     radii = ball.core_radius + np.concatenate([[0.0], np.cumsum([layer.thickness for layer in ball.layers])])
@@ -266,7 +266,7 @@ def _principal(stress: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.moveaxis(np.linalg.eigvalsh(matrices)[..., ::-1], -1, 0)
 
 
-def _warn_of_shallow_places(result: Result, radii: NDArray[np.float64], on_nodes: bool) -> None:
+def _warn_of_shallow_places(result: Solution, radii: NDArray[np.float64], on_nodes: bool) -> None:
     """Near the surface the pressure's steps from patch to patch show, at nodes less than between them."""
     spacing = result.ball.outer_radius * max(result.mesh.spacing, result.mesh.theta_spacing)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")

@@ -12,13 +12,13 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..materials import Prony, StandardLinearSolid
 from .interior_fields import coated_ball, places_of, tractions_of
+from .solution import Solution
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
     from ..materials import ShearModulusLike
-    from ..rolling import Result
 
 __all__ = ["contact_size", "default_max_order", "loss_of"]
 
@@ -29,12 +29,12 @@ _ORDERS_PER_CONTACT = 40.0
 _BALANCE = 1e-7
 
 
-def contact_size(result: Result) -> float:
+def contact_size(result: Solution) -> float:
     """Return the smaller semi-axis of the contact of a ball, or a spacing of the mesh where it has none [m]."""
     return min(result.semi_axis_x or 0.0, result.semi_axis_z or 0.0) or result.ball.outer_radius * result.mesh.spacing
 
 
-def default_max_order(result: Result, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
+def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
     """Return the orders that the loss is summed up to: those that matter, of those that the mesh has."""
     wanted = int(np.ceil(orders_per_contact * result.ball.outer_radius / contact_size(result)))
     most = result.mesh.max_order or 10 * result.mesh.nodes_per_revolution
@@ -42,7 +42,7 @@ def default_max_order(result: Result, orders_per_contact: float = _ORDERS_PER_CO
 
 
 def loss_of(
-    result: Result,
+    result: Solution,
     *,
     depth: ArrayLike | None = None,
     max_order: int | None = None,

@@ -11,11 +11,10 @@ from .._core import Curvature, Extrapolation
 from .._support.arguments import require_type
 from ..bodies import CoatedSphere, surface_compliance
 from ..materials import MasterCurve
+from .solution import Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from ..rolling import Result
 
     Floats = NDArray[np.float64]
 
@@ -50,7 +49,7 @@ class LossSpectrum:
         return float(self.power[outside].sum() / self.power.sum())
 
 
-def loss_spectrum(result: Result) -> LossSpectrum:
+def loss_spectrum(result: Solution) -> LossSpectrum:
     """Split the power lost in a coating by harmonics.
 
     P_bulk = -Ω (2π r_o)² Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions and the compliance C of a torus
@@ -91,7 +90,7 @@ def loss_spectrum(result: Result) -> LossSpectrum:
     return LossSpectrum(order=orders, frequency=orders * result.angular_speed, power=power)
 
 
-def extrapolated_share(result: Result) -> float | None:
+def extrapolated_share(result: Solution) -> float | None:
     """Return the share of the power lost at harmonics that a held table does not have; None without such a table.
 
     None as well where two bodies deform, of whose losses there is no spectrum.
@@ -118,7 +117,7 @@ def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
     return orders, np.diff(edges)
 
 
-def _orders(result: Result, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
+def _orders(result: Solution, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
     """Return the tractions along r, φ and θ by orders, shape (3, m, n) [Pa]."""
     # φ and θ grow against x and z at the lowest point.
     fields = np.stack([-result.pressure, -result.shear_traction[0], -result.shear_traction[1]])

@@ -8,6 +8,7 @@ import numpy as np
 
 from .._support.extras import extra
 from .._support.pictures import Picture, drawn
+from .solution import Solution
 
 with extra("plot"):
     from matplotlib.colors import ListedColormap
@@ -17,15 +18,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from ..rolling import Result
 
-__all__ = ["draw_contact", "plot_contact"]
+__all__ = ["plot_contact"]
 
 _MM = 1e3
 _MPA = 1e-6
 
 
-def plot_contact(result: Result) -> Picture:
+def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
     """Draw the contact pressure: its map, and its profile along the rolling direction.
 
     With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's. Of
@@ -35,38 +35,37 @@ def plot_contact(result: Result) -> Picture:
     ----------
     result : Result
         A solution.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw the map of the pressure alone, of a roller the profile.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        Two axes side by side, or three with friction, or one; the figure belongs to no window.
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        Two axes side by side, or three with friction, or one, in a figure that belongs to no window; or `ax`.
     """
+    of_roller = result.semi_axis_z is None
+    draw = _draw_profile if of_roller else _draw_map
+    width = 7.0 if of_roller else 16.0 if result.friction > 0.0 else 11.0
+    size = (width, 4.6)
+    return drawn(lambda axes: draw(axes, result), ax, figsize=size, compose=lambda whole: _compose(whole, result))
+
+
+def _compose(picture: Picture, result: Solution) -> None:
+    picture.suptitle(_headline(result), fontsize="medium")
     if result.semi_axis_z is None:
-        figure = Picture(figsize=(7.0, 4.6), layout="constrained")
-        _draw_profile(figure.subplots(), result)
-        figure.suptitle(_headline(result), fontsize="medium")
-        return figure
-    frictional = result.friction > 0.0
-    figure = Picture(figsize=(16.0 if frictional else 11.0, 4.6), layout="constrained")
-    pressure_map, *stick_slip_map, profile = figure.subplots(
-        1, 3 if frictional else 2, width_ratios=[1.0, 0.85, 1.15] if frictional else [1.0, 1.15]
-    )
-    _draw_map(pressure_map, result)
-    for axes in stick_slip_map:
-        _draw_stick_and_slip(axes, result)
-    _draw_profile(profile, result)
-    figure.suptitle(_headline(result), fontsize="medium")
-    return figure
+        _draw_profile(picture.subplots(), result)
+    elif result.friction > 0.0:
+        pressure_map, stick_slip_map, profile = picture.subplots(1, 3, width_ratios=[1.0, 0.85, 1.15])
+        _draw_map(pressure_map, result)
+        _draw_stick_and_slip(stick_slip_map, result)
+        _draw_profile(profile, result)
+    else:
+        pressure_map, profile = picture.subplots(1, 2, width_ratios=[1.0, 1.15])
+        _draw_map(pressure_map, result)
+        _draw_profile(profile, result)
 
 
-def draw_contact(result: Result, ax: Axes) -> Axes:
-    """Draw the map of the pressure alone into axes of the caller's, of a roller the profile."""
-    draw = _draw_profile if result.semi_axis_z is None else _draw_map
-    drawn(lambda axes: draw(axes, result), ax, figsize=(7.0, 4.6))
-    return ax
-
-
-def _headline(result: Result) -> str:
+def _headline(result: Solution) -> str:
     """Say what was given on one line, and what follows from it on the next."""
     milli = f"m{result.unit('resisting_torque')}"
     given = [f"$P$ = {result.load:g} {result.unit('load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
@@ -85,22 +84,22 @@ def _headline(result: Result) -> str:
     return ",   ".join(given) + "\n" + ",   ".join(found)
 
 
-def _offset(result: Result) -> float:
+def _offset(result: Solution) -> float:
     """Distance of the normal resultant from the lowest point [m]."""
     return result.resisting_torque / result.load
 
 
-def _half_width(result: Result) -> float:
+def _half_width(result: Solution) -> float:
     """Half of what is shown along both axes [mm]: the contact and some margin, within the window."""
     contact = max(np.abs(result.x[result.contact]).max(), np.abs(result.z[result.contact]).max())
     return min(1.35 * float(contact) + 2.0 * _spacing(result), float(result.x.max())) * _MM
 
 
-def _spacing(result: Result) -> float:
+def _spacing(result: Solution) -> float:
     return result.ball.outer_radius * result.mesh.spacing
 
 
-def _draw_map(axes: Axes, result: Result) -> None:
+def _draw_map(axes: Axes, result: Solution) -> None:
     # Pictures run along x from column to column; forward, the fields run from row to row, backward.
     x, z = result.x.T * _MM, result.z.T * _MM
     contact = result.contact.T
@@ -117,7 +116,7 @@ def _draw_map(axes: Axes, result: Result) -> None:
     axes.figure.colorbar(image, ax=axes, label="contact pressure [MPa]")
 
 
-def _draw_stick_and_slip(axes: Axes, result: Result) -> None:
+def _draw_stick_and_slip(axes: Axes, result: Solution) -> None:
     x, z = result.x.T * _MM, result.z.T * _MM
     state = np.ma.masked_where(~result.contact.T, result.slip.T.astype(float))
     colors = ListedColormap(["tab:green", "tab:orange"])
@@ -135,7 +134,7 @@ def _draw_stick_and_slip(axes: Axes, result: Result) -> None:
     )
 
 
-def _arrow_nodes(result: Result) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def _arrow_nodes(result: Solution) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Nodes in contact that carry an arrow: some twenty across."""
     stride = max(1, round(np.sqrt(result.contact.sum()) / 18.0))
     half = np.array(result.contact.shape) // 2
@@ -144,7 +143,7 @@ def _arrow_nodes(result: Result) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     return rows[kept], columns[kept]
 
 
-def _draw_profile(axes: Axes, result: Result) -> None:
+def _draw_profile(axes: Axes, result: Solution) -> None:
     middle = result.x.shape[1] // 2
     x = result.x[:, middle] * _MM
     pressure = result.pressure[:, middle] * _MPA

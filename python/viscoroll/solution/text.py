@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from .._support.tables import handy, html_table, number_text, unit_text
+from .loss_spectrum import extrapolated_share
 from .scalars import SCALARS
-
-if TYPE_CHECKING:
-    from ..rolling import Result
+from .solution import Solution
 
 __all__ = ["result_html", "result_lines", "result_summary", "result_title", "with_unit"]
 
 
-def result_summary(result: Result) -> str:
+def result_summary(result: Solution) -> str:
     """Return a summary of one screen."""
     rows = [
         ("rolling resistance coefficient", f"{result.rolling_resistance_coefficient:.6g}"),
@@ -42,7 +39,7 @@ def result_summary(result: Result) -> str:
     return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
 
 
-def result_lines(result: Result) -> list[tuple[str, str]]:
+def result_lines(result: Solution) -> list[tuple[str, str]]:
     """Return what all scalar results are, in a few words and with a handy unit, and their values."""
     lines = []
     for label, value, unit in _scalar_rows(result):
@@ -56,7 +53,7 @@ def with_unit(label: str, unit: str) -> str:
     return f"{label} [{unit}]" if unit_text(unit) else label
 
 
-def result_title(result: Result) -> str:
+def result_title(result: Solution) -> str:
     """Return what was given, on one line."""
     return (
         f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
@@ -64,7 +61,7 @@ def result_title(result: Result) -> str:
     )
 
 
-def result_html(result: Result) -> str:
+def result_html(result: Solution) -> str:
     """Return the table of a notebook."""
     rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
     rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
@@ -72,19 +69,19 @@ def result_html(result: Result) -> str:
     return html_table(f"Result of {result_title(result)}", rows)
 
 
-def _scalar_rows(result: Result) -> list[tuple[str, float | None, str]]:
+def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     """Return what it is, value and unit of all scalar results [SI]."""
     rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
-    if (share := result.extrapolated_loss()) is not None:
+    if (share := extrapolated_share(result)) is not None:
         rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
     return rows
 
 
-def _quantity(result: Result, name: str) -> str:
+def _quantity(result: Solution, name: str) -> str:
     return f"{getattr(result, name):.6g} {result.unit(name)}"
 
 
-def _shape_rows(result: Result) -> list[tuple[str, str]]:
+def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     penetration = "undetermined"
     if result.penetration is not None:
         penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the coating"
@@ -94,26 +91,26 @@ def _shape_rows(result: Result) -> list[tuple[str, str]]:
     return [("penetration", penetration), shape]
 
 
-def _error_rows(result: Result) -> list[tuple[str, str]]:
+def _error_rows(result: Solution) -> list[tuple[str, str]]:
     if result.model_error is None:
         return [("error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
     errors = f"{result.error_estimate:.2g}, {result.model_error:.2g} (estimates)"
     return [("error of the mesh, of linear theory", errors)]
 
 
-def _extrapolation_rows(result: Result) -> list[tuple[str, str]]:
-    share = result.extrapolated_loss()
+def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
+    share = extrapolated_share(result)
     return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
 
 
-def _pair_rows(result: Result) -> list[tuple[str, str]]:
+def _pair_rows(result: Solution) -> list[tuple[str, str]]:
     if result.on is None:
         return []
     shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterpart_bulk_power')}"
     return [("of that in what rolls, in what it rolls on", shares)]
 
 
-def _friction_rows(result: Result) -> list[tuple[str, str]]:
+def _friction_rows(result: Solution) -> list[tuple[str, str]]:
     if result.friction == 0.0:
         return []
     sticking = int(result.stick.sum()) / int(result.contact.sum())

@@ -14,7 +14,7 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import UNITS
-from ..rolling.result import FIELDS, VECTOR_FIELDS
+from ..solution import FIELDS, VECTOR_FIELDS
 from ..solution.scalars import PER_LENGTH, SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
 from .plan import LoadCase, Plan

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 
 from .._support.arguments import as_float_array
 from .._support.extras import extra
+from .._support.files import save, write_csv, write_netcdf
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -121,15 +121,7 @@ class RollingResistance:
         ValueError
             For another suffix.
         """
-        path = Path(path)
-        if path.suffix == ".json":
-            path.write_text(json.dumps(self._document(), indent=1), encoding="utf-8")
-        elif path.suffix == ".nc":
-            self.to_xarray().to_netcdf(path)
-        elif path.suffix == ".csv":
-            self._write_csv(path)
-        else:
-            raise ValueError(f"path must end in .json, .nc or .csv, got {path.name!r}")
+        save(self, path, _FORMATS)
 
     @classmethod
     def load_file(cls, path: str | Path) -> RollingResistance:
@@ -186,15 +178,26 @@ class RollingResistance:
             "largest_error": self.largest_error,
         }
 
-    def _write_csv(self, path: Path) -> None:
-        table = self.to_xarray()
-        with path.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(["load [N]", "angular_speed [rad/s]", "torque [N m]"])
-            for load in table["load"].values:
-                for speed in table["angular_speed"].values:
-                    torque = float(table["torque"].sel(load=load, angular_speed=speed))
-                    writer.writerow([repr(float(load)), repr(float(speed)), repr(torque)])
+
+def _write_json(surface: RollingResistance, path: Path) -> None:
+    path.write_text(json.dumps(surface._document(), indent=1), encoding="utf-8")
+
+
+def _write_table(surface: RollingResistance, path: Path) -> None:
+    """Write a row for each pair of load and speed."""
+    torque = surface.to_xarray()["torque"]
+    load, speed = (
+        values.ravel().tolist() for values in np.meshgrid(torque["load"], torque["angular_speed"], indexing="ij")
+    )
+    columns = {"load [N]": load, "angular_speed [rad/s]": speed, "torque [N m]": torque.to_numpy().ravel().tolist()}
+    write_csv(columns, path)
+
+
+_FORMATS = {
+    ".json": _write_json,
+    ".nc": lambda surface, path: write_netcdf(surface.to_xarray(), path),
+    ".csv": _write_table,
+}
 
 
 def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:

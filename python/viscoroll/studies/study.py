@@ -15,7 +15,7 @@ from .._support.cautions import warn
 from .._support.keywords import meant
 from .._support.progress import ProgressLike, counted
 from ..bodies import RollingBody
-from ..rolling.result import FIELDS, VECTOR_FIELDS
+from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE
