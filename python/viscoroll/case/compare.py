@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .._core import Compliance, Status
+from .._support.arguments import Floats
 from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from ..analytic import applicable
 from ..bodies import CoatedCylinder, Drive, critical_speed
-from ..reproduce.item import Runner
 from ..solution.scalars import scalar_units
+from ..studies.runner import run_all
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
     from .case import Case
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Comparison", "compare_torques", "parse_speeds"]
 
@@ -178,7 +177,7 @@ def compare_torques(
     def point(speed: float) -> Result:
         return replace(radial, angular_speed=speed).solve(threads=1)
 
-    results = Runner(progress=progress).map(point, omega.tolist())
+    results = run_all(point, omega.tolist(), progress=progress)
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
         for name, form in (applicable(case.ball) if case.on is None else {}).items()
