@@ -7,18 +7,23 @@ import sys
 from collections.abc import Callable, Sequence
 from enum import Enum
 from numbers import Real
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .text import shown
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 Member = TypeVar("Member", bound=Enum)
 
+#: An array of real numbers, of any shape.
+Floats: TypeAlias = NDArray[np.float64]
+
 __all__ = [
+    "Floats",
     "as_float",
     "as_float_array",
     "as_floats",

@@ -10,12 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
+from .arguments import Floats
 from .extras import extra
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
 
 __all__ = ["Fit", "Parameter", "fit_law"]
 

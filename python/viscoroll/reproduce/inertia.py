@@ -9,18 +9,15 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._support.arguments import Floats
 from .._support.pictures import Picture
 from ..bodies import Mesh, critical_speed
 from ..rolling import solve
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from ..bodies import CoatedSphere
     from ..rolling import Result
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Figure13", "compute_figure13"]
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._support.arguments import Floats
 from .._support.pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
@@ -18,11 +19,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
     from .._support.least_squares import Fit, Parameter
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Figure10", "Table3", "compute_figure10", "compute_table3"]
 

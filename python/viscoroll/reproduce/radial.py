@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._support.arguments import Floats
 from .._support.extras import extra
 from .._support.pictures import Picture
 from ..bodies import surface_compliance
@@ -17,11 +18,7 @@ from . import plain
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from ..bodies import Mesh
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Figure4", "compute_figure4"]
 

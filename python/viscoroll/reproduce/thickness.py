@@ -9,6 +9,7 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
+from .._support.arguments import Floats
 from .._support.pictures import Picture
 from ..bodies import Mesh
 from ..rolling import RollingModel
@@ -19,8 +20,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .._support.least_squares import Fit
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["LOADS", "Figure11", "ThicknessSweep", "compute_figure11", "printed_curve", "thickness_sweep"]
 

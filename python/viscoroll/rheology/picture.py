@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from .._support.arguments import Floats
 from .._support.pictures import Picture, drawn
 from ..materials import Prony
 from .reading import RheologyData
@@ -13,9 +14,6 @@ from .shift_laws import ShiftFactors, ShiftLaw
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["plot_fit", "plot_superposition"]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol, overload
 
 import numpy as np
 
-from .._support.arguments import as_float, as_float_array, as_int
+from .._support.arguments import Floats, as_float, as_float_array, as_int
 from .._support.extras import extra
 from .._support.text import shown
 from ..materials import Prony
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["MeasuredModulus", "PronyFit", "fit_prony"]
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .._core import Extrapolation
-from .._support.arguments import as_float, require_type
+from .._support.arguments import Floats, as_float, require_type
 from ..materials import MasterCurve, Prony
 from .alignment import align, shift_pairs, undetermined_pairs
 from .prony_fit import PronyFit, fit_prony
@@ -21,9 +21,6 @@ from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Superposition", "superpose", "tabulated"]
 

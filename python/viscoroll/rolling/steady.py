@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import Any
 
 from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
@@ -14,9 +15,6 @@ from .._support.text import shown
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Drive, Groove, Mesh, RollingBody
 from ..bodies.si_hints import si_hints
 from .result import Result
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 __all__ = ["RollingModel", "solve"]
 
@@ -217,11 +215,10 @@ class RollingModel:
             f"curvature=Curvature.{self.curvature.name})"
         )
 
-    def __reduce__(
-        self,
-    ) -> tuple[Callable[..., RollingModel], tuple[RollingBody, Counterpart | None, float, Mesh, Curvature]]:
+    def __reduce__(self) -> tuple[partial[RollingModel], tuple[RollingBody]]:
         """Pickle the input; the tables are computed again."""
-        return _make_model, (self.ball, self.on, self.angular_speed, self.mesh, self.curvature)
+        given = {name: getattr(self, name) for name in ("on", "angular_speed", "mesh", "curvature")}
+        return partial(type(self), **given), (self.ball,)
 
     @explained
     def solve(
@@ -242,12 +239,6 @@ class RollingModel:
         with reporting(progress) as report, si_hints(self.ball, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
-
-
-def _make_model(
-    ball: RollingBody, on: Counterpart | None, angular_speed: float, mesh: Mesh, curvature: Curvature
-) -> RollingModel:
-    return RollingModel(ball, on=on, angular_speed=angular_speed, mesh=mesh, curvature=curvature)
 
 
 def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-
 __all__ = [
     "COMPONENTS",
     "DIRECTIONS",

@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import Curvature, Extrapolation
-from .._support.arguments import require_type
+from .._support.arguments import Floats, require_type
 from ..bodies import CoatedSphere, surface_compliance
 from ..materials import MasterCurve
 from .solution import Solution
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["LossSpectrum", "extrapolated_share", "loss_spectrum"]
 

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-
 __all__ = ["plot_contact"]
 
 _MM = 1e3

@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import as_float_array
+from .._support.arguments import Floats, as_float_array
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.text import shown
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
 
 __all__ = ["RollingResistance", "radius_of"]
 
