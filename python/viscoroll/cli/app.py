@@ -7,7 +7,6 @@ import json
 import math
 import sys
 import warnings
-from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -17,26 +16,23 @@ from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __
 from .._support.cautions import ResultWarning
 from .._support.extras import extra
 from .._support.tables import handy
-from .._support.text import one_line, shown
 from ..case import example_text, load_case
 from ..interior.temperature import QUANTITIES
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
 from ..solution.text import result_lines, result_title, with_unit
-from .commands import add_commands
+from .commands import design, export, material
+from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
 
 with extra("cli"):
     import typer
-    from rich.console import Console
     from rich.markup import escape
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
     from rich.table import Table
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
-    from .._support.progress import Report
     from ..interior import SelfHeating, Temperature
     from ..reproduce import Verdict
 
@@ -52,9 +48,6 @@ app = typer.Typer(
 )
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130
-_PICTURES = (".png", ".svg", ".pdf")
-_messages = Console(stderr=True)
-_output = Console()
 
 
 def run() -> None:
@@ -77,17 +70,13 @@ def run() -> None:
 
 
 def _fail(message: str, code: int) -> NoReturn:
-    _print_message(f"viscoroll: {message}")
+    write_message(f"viscoroll: {message}")
     sys.exit(code)
-
-
-def _print_message(message: str) -> None:
-    _messages.print(one_line(message), markup=False, emoji=False, highlight=False, soft_wrap=True)
 
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        _output.print(f"viscoroll {__version__} ({__fft__})", highlight=False)
+        OUTPUT.print(f"viscoroll {__version__} ({__fft__})", highlight=False)
         raise typer.Exit
 
 
@@ -111,12 +100,12 @@ def solve(
     ] = None,
 ) -> None:
     """Solve the load case of a file and report torque, penetration, pressure and power balance."""
-    _check_target("--plot", plot, _PICTURES)
-    _check_target("--section", section, _PICTURES)
-    _check_target("--save", save, tuple(FORMATS))
+    check_target("--plot", plot, PICTURES)
+    check_target("--section", section, PICTURES)
+    check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
     heated = None
-    with _progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
+    with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
@@ -134,10 +123,10 @@ def solve(
     else:
         _print_result(result)
         if temperatures:
-            _output.print(_thermal_table(_thermal_scalars(temperatures, heated)))
+            OUTPUT.print(_thermal_table(_thermal_scalars(temperatures, heated)))
     said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
     for message in dict.fromkeys([*result.warnings.values(), *said]):
-        _print_message(f"warning: {message}")
+        write_message(f"warning: {message}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
     if section is not None:
@@ -163,17 +152,17 @@ def roll(
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
 
-    _check_target("--plot", plot, _PICTURES)
-    _check_target("--save", save, tuple(HISTORY_FORMATS))
-    _check_target("--checkpoint", checkpoint, (".npy",))
+    check_target("--plot", plot, PICTURES)
+    check_target("--save", save, tuple(HISTORY_FORMATS))
+    check_target("--checkpoint", checkpoint, (".npy",))
     loaded = load_motion(case)
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
-    with _progress_bar() as report:
+    with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
     if as_json:
         typer.echo(_json(history.scalars()))
     else:
-        _output.print(repr(history), markup=False, emoji=False, highlight=False, soft_wrap=True)
+        write_line(repr(history))
     if plot is not None:
         history.plot().savefig(plot, dpi=150)
     if save is not None:
@@ -190,19 +179,19 @@ def sweep(
     from ..case.study import load_study
     from ..studies.study import doubts, run_plan
 
-    _check_target("--output", output, (".nc",))
+    check_target("--output", output, (".nc",))
     path = study.with_suffix(".nc") if output is None else output
     try:
-        dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=_messages.is_terminal)
+        dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
         _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
-        _print_message(f"warning: a point failed: {message}")
+        write_message(f"warning: a point failed: {message}")
     for message in doubts(dataset):
-        _print_message(f"warning: {message}")
+        write_message(f"warning: {message}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
-    _output.print(summary, markup=False, emoji=False, highlight=False, soft_wrap=True)
+    write_line(summary)
 
 
 @app.command()
@@ -212,7 +201,7 @@ def plot(
     variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
 ) -> None:
     """Draw a result of a study against its first dimension, one curve for each value of the others."""
-    _check_target("--output", output, _PICTURES)
+    check_target("--output", output, PICTURES)
     if study.suffix != ".nc":
         raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
     with extra("files"):
@@ -223,7 +212,7 @@ def plot(
 
     path = study.with_suffix(".png") if output is None else output
     plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
-    _output.print(f"{variable} drawn to {path}", markup=False, emoji=False, highlight=False, soft_wrap=True)
+    write_line(f"{variable} drawn to {path}")
 
 
 @app.command()
@@ -259,7 +248,7 @@ def reproduce(
         raise ValueError(f"item must be one of {', '.join(ITEMS)}, got {unknown[0]!r}")
     output.mkdir(parents=True, exist_ok=True)
     verdicts: dict[str, list[Verdict]] = {}
-    with _progress_bar() as report:
+    with progress_bar() as report:
         runner = Runner(
             coarse=coarse, progress=lambda stage, fraction: report(f"{name}: {item.title}, {stage}", fraction)
         )
@@ -269,10 +258,8 @@ def reproduce(
             write_files(item, outcome, output)
             verdicts[name] = runner.judge(outcome)
     write_verdicts(output / "verdicts.md", verdicts)
-    _output.print(_verdict_table(verdicts))
-    _output.print(
-        f"pictures, numbers and verdicts.md in {output}", markup=False, emoji=False, highlight=False, soft_wrap=True
-    )
+    OUTPUT.print(_verdict_table(verdicts))
+    write_line(f"pictures, numbers and verdicts.md in {output}")
 
 
 @app.command()
@@ -289,23 +276,17 @@ def compare(
     """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has."""
     from ..case.compare import compare_torques, parse_speeds
 
-    _check_target("--output", output, _PICTURES)
+    check_target("--output", output, PICTURES)
     loaded = load_case(case)
-    with _progress_bar() as report:
+    with progress_bar() as report:
         wanted = None if speeds is None else parse_speeds(speeds)
         comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
     comparison.draw().savefig(output, dpi=150)
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
-        _print_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
+        write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
     names = ", ".join(comparison.forms) or "no closed form suits this ball"
-    _output.print(
-        f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}",
-        markup=False,
-        emoji=False,
-        highlight=False,
-        soft_wrap=True,
-    )
+    write_line(f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}")
 
 
 @app.command()
@@ -313,10 +294,10 @@ def demo(
     plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
 ) -> None:
     """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2, beside the printed torques."""
-    _check_target("--plot", plot, _PICTURES)
+    check_target("--plot", plot, PICTURES)
     ball = paper.ball()
     torques: dict[tuple[int, int], float] = {}
-    with _progress_bar() as report:
+    with progress_bar() as report:
         for key, mesh in paper.table_2_meshes().items():
             result = solve_rolling(
                 ball,
@@ -330,33 +311,18 @@ def demo(
             if key == (500, 500):
                 chosen = result
             report("table 2 of the paper", len(torques) / len(paper.TABLE_2))
-    _output.print(_table_2(torques))
+    OUTPUT.print(_table_2(torques))
     worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
-    _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
+    OUTPUT.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
     _print_result(chosen)
     chosen.plot().savefig(plot, dpi=150)
-    _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
-
-
-def _write_line(line: str) -> None:
-    _output.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
+    write_line(f"contact pressure drawn to {plot}")
 
 
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
 }
-
-
-def _check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> None:
-    """Refuse a file that could not be written, before a long solve."""
-    if path is None:
-        return
-    if path.suffix.lower() not in suffixes:
-        allowed = " or ".join(filter(None, [", ".join(suffixes[:-1]), suffixes[-1]]))
-        raise ValueError(f"{option} must end in {allowed}, got {shown(str(path))}")
-    if path.is_dir() or not path.parent.is_dir():
-        raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
 
 
 def _json(scalars: dict[str, float | int | str | None]) -> str:
@@ -368,23 +334,14 @@ def _json(scalars: dict[str, float | int | str | None]) -> str:
     return json.dumps(finite, indent=2, allow_nan=False)
 
 
-@contextmanager
-def _progress_bar() -> Iterator[Report]:
-    """Hand out what a computation reports to; the bar is there until the block ends, on a terminal."""
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=_messages, transient=True, disable=not _messages.is_terminal) as bar:
-        task = bar.add_task("starting", total=1.0)
-        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)
-
-
 def _print_result(result: Result) -> None:
     """Print what was given, and a table of what was found, which is narrower than 80 columns."""
-    _write_line(result_title(result))
-    _write_line(f"{result.mesh}, {result.status.name}")
+    write_line(result_title(result))
+    write_line(f"{result.mesh}, {result.status.name}")
     table = Table(show_header=False)
     for line in result_lines(result):
         table.add_row(*map(escape, line))
-    _output.print(table)
+    OUTPUT.print(table)
 
 
 def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
@@ -447,4 +404,5 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
     return table
 
 
-add_commands(app, _write_line, _check_target, _progress_bar)
+for command in (material, export, design):
+    app.command()(command)
