@@ -184,7 +184,8 @@ class PronyFit:
         """
         from .picture import plot_fit
 
-        return plot_fit(self, ax)
+        data = (self.frequency, self.storage, self.loss)
+        return plot_fit(data, self.series, errors=(self.storage_error, self.loss_error), ax=ax)
 
     def __repr__(self) -> str:
         """Return what was fitted, and how well."""
