@@ -42,26 +42,24 @@ def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
     matplotlib.figure.Figure or matplotlib.axes.Axes
         Two axes side by side, or three with friction, or one, in a figure that belongs to no window; or `ax`.
     """
-    of_roller = result.semi_axis_z is None
+    of_roller, frictional = result.semi_axis_z is None, result.friction > 0.0
     draw = _draw_profile if of_roller else _draw_map
-    width = 7.0 if of_roller else 16.0 if result.friction > 0.0 else 11.0
-    size = (width, 4.6)
-    return drawn(lambda axes: draw(axes, result), ax, figsize=size, compose=lambda whole: _compose(whole, result))
 
+    def compose(picture: Picture) -> None:
+        picture.suptitle(_headline(result), fontsize="medium")
+        if of_roller:
+            _draw_profile(picture.subplots(), result)
+            return
+        pressure_map, *stick_slip_map, profile = picture.subplots(
+            1, 3 if frictional else 2, width_ratios=[1.0, 0.85, 1.15] if frictional else [1.0, 1.15]
+        )
+        _draw_map(pressure_map, result)
+        for axes in stick_slip_map:
+            _draw_stick_and_slip(axes, result)
+        _draw_profile(profile, result)
 
-def _compose(picture: Picture, result: Solution) -> None:
-    picture.suptitle(_headline(result), fontsize="medium")
-    if result.semi_axis_z is None:
-        _draw_profile(picture.subplots(), result)
-    elif result.friction > 0.0:
-        pressure_map, stick_slip_map, profile = picture.subplots(1, 3, width_ratios=[1.0, 0.85, 1.15])
-        _draw_map(pressure_map, result)
-        _draw_stick_and_slip(stick_slip_map, result)
-        _draw_profile(profile, result)
-    else:
-        pressure_map, profile = picture.subplots(1, 2, width_ratios=[1.0, 1.15])
-        _draw_map(pressure_map, result)
-        _draw_profile(profile, result)
+    width = 7.0 if of_roller else 16.0 if frictional else 11.0
+    return drawn(lambda axes: draw(axes, result), ax, figsize=(width, 4.6), compose=compose)
 
 
 def _headline(result: Solution) -> str:

@@ -36,16 +36,14 @@ def plot_history(series: Series, ax: Axes | None = None) -> Picture | Axes:
     matplotlib.figure.Figure or matplotlib.axes.Axes
         Three axes over time beside the loop, in a figure that belongs to no window; or `ax`.
     """
-    return drawn(
-        lambda axes: _draw_torque(axes, series), ax, figsize=(12.0, 6.4), compose=lambda whole: _compose(whole, series)
-    )
 
+    def compose(picture: Picture) -> None:
+        axes = picture.subplot_mosaic([["torque", "loop"], ["penetration", "loop"], ["energy", "loop"]])
+        _draw_torque(axes["torque"], series)
+        _draw_others(axes, series)
+        _draw_loop(axes["loop"], series)
 
-def _compose(picture: Picture, series: Series) -> None:
-    axes = picture.subplot_mosaic([["torque", "loop"], ["penetration", "loop"], ["energy", "loop"]])
-    _draw_torque(axes["torque"], series)
-    _draw_others(axes, series)
-    _draw_loop(axes["loop"], series)
+    return drawn(lambda axes: _draw_torque(axes, series), ax, figsize=(12.0, 6.4), compose=compose)
 
 
 def _draw_torque(axes: Axes, series: Series) -> None:
