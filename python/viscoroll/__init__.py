@@ -72,15 +72,8 @@ from .rheology import (
 )
 from .rolling import Result, RollingModel, solve
 from .solution import LossSpectrum, Refinement, loss_spectrum
-from .studies import (
-    Fit,
-    Parameter,
-    RollingResistance,
-    fit_friction_law,
-    fit_power_law,
-    fit_thickness_law,
-    sweep,
-)
+from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .studies.rolling_resistance import RollingResistance
 from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [

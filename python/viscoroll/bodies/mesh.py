@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, fields
 
 from .. import _core
 from .._support.arguments import as_int
@@ -63,16 +63,8 @@ class Mesh(ParameterTable):
         return f"{nodes} nodes per revolution, {orders}"
 
     def _to_core(self) -> _core.Mesh:
-        return _core.Mesh(
-            nodes_per_revolution=self.nodes_per_revolution,
-            max_order=self.max_order,
-            theta_nodes_per_revolution=self.theta_nodes_per_revolution,
-        )
+        return _core.Mesh(**asdict(self))
 
     @classmethod
     def _from_core(cls, mesh: _core.Mesh) -> Mesh:
-        return cls(
-            nodes_per_revolution=mesh.nodes_per_revolution,
-            max_order=mesh.max_order,
-            theta_nodes_per_revolution=mesh.theta_nodes_per_revolution,
-        )
+        return cls(**{field.name: getattr(mesh, field.name) for field in fields(cls)})

@@ -8,8 +8,7 @@ import numpy as np
 
 from .._support.cautions import kept_in_results
 from .._support.pictures import Picture, drawn
-from ..solution.interior_fields import coated_ball, interior_fields
-from ..solution.loss import loss_of
+from ..solution.interior_fields import coated_ball
 from ..solution.solution import node_angles
 
 if TYPE_CHECKING:
@@ -51,7 +50,7 @@ def plot_section(result: Result) -> Picture:
     depths = np.linspace(shallowest, deepest, _DEPTHS)
     phi = node_angles(result)[0]
     with kept_in_results():
-        inside = interior_fields(result, depth=depths, phi=phi, theta=[0.5 * np.pi])
+        inside = result.interior(depth=depths, phi=phi, theta=[0.5 * np.pi])
     inside = inside.isel(theta=0).drop_duplicates("depth")
 
     figure = Picture(figsize=(10.0, 6.0), layout="constrained")
@@ -97,7 +96,7 @@ def plot_loss(result: Result, *, ax: Axes | None = None) -> Figure | Axes:
         A new figure, or `ax`.
     """
     ball = coated_ball(result)
-    loss = loss_of(result, depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
+    loss = result.loss(depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
     return drawn(lambda axes: _draw_loss(axes, result, ball, loss), ax, figsize=(10.0, 4.0))
 
 

@@ -18,7 +18,7 @@ from .._support.tables import html_table, number_text
 from .._support.text import shown
 from ..rolling import Result
 from ..solution.interior_fields import coated_ball
-from ..solution.loss import contact_size, loss_of
+from ..solution.loss import contact_size
 from ..solution.solution import node_angles
 from .conduction import Conduction, legendre_values
 
@@ -184,7 +184,7 @@ def temperature(
     if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
-    loss = loss_of(result, max_order=max_order, progress=progress)
+    loss = result.loss(max_order=max_order, progress=progress)
     degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
     layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 __all__ = [
     "COMPONENTS",
     "DIRECTIONS",
-    "bond_fields",
+    "bonds",
     "coated_ball",
-    "interior_fields",
+    "interior",
     "order_fields",
     "places_of",
     "tractions_of",
@@ -160,7 +160,7 @@ def order_fields(
     return values[:, :, :3], values[:, :, 3:9], values[:, :, 9:]
 
 
-def interior_fields(
+def interior(
     result: Solution,
     *,
     depth: ArrayLike | None = None,
@@ -170,7 +170,56 @@ def interior_fields(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Fields inside the coating; see `Result.interior`."""
+    """Displacement, strain and stress inside the coating.
+
+    Parameters
+    ----------
+    depth : array_like
+        Below the surface [m], within the coating; or `radius`. Where layers meet, strains and stresses along the
+        surface jump: such a depth comes twice, the outer layer first, see the coordinate `layer`.
+    radius : array_like
+        r [m], in place of `depth`.
+    phi, theta : array_like, optional
+        Angles [rad] within half a revolution of the lowest point, π/2; by default those of the nodes.
+        ``theta=[π/2]`` with many depths is the section through the contact.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over (depth, phi, theta): `displacement` [m] by `direction`, `stress` [Pa] (tension positive) and `strain`
+        [-] by `component`, and of them `von_mises`, `principal_stress` (largest first), `hydrostatic_pressure`,
+        and the traction on the surface r = const: `opening_traction`, its tension where there is any, and
+        `shear_traction` [Pa].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; also with curvature EXACT, which has no orders (m, n).
+    ImportError
+        Without the extra `viscoroll[files]`.
+
+    Warns
+    -----
+    ResultWarning
+        For depths where the mesh is too coarse: less than a quarter of a spacing, between nodes half of one.
+
+    Notes
+    -----
+    Stresses are those of the compliance of the solve. With VERTICAL pressure acts along the plane's normal and so
+    has a share along the coating, up to p x/r_o, which raises the largest von Mises stress near the surface.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, paper, solve
+    >>> r = solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=Mesh(nodes_per_revolution=400))
+    >>> inside = r.interior(depth=[0.3e-3, 1e-3])
+    >>> print(f"{inside.von_mises.max().item() / 1e6:.1f} MPa")
+    3.8 MPa
+    """
     with extra("files"):
         import xarray
 
@@ -232,14 +281,31 @@ def interior_fields(
     )
 
 
-def bond_fields(result: Solution, **options: object) -> xarray.Dataset:
-    """Fields where layers are bonded to the core and to one another; see `Result.bonds`."""
+def bonds(result: Solution, *, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
+    """Fields where layers are bonded, to the core and to one another: what debonds.
+
+    Parameters
+    ----------
+    threads, progress
+        As of `interior`.
+
+    Returns
+    -------
+    xarray.Dataset
+        As of `interior`, at the core of a ball with a rigid one, and on both sides of every boundary between
+        layers.
+
+    Raises
+    ------
+    ValueError
+        Where nothing is bonded to anything.
+    """
     ball = coated_ball(result)
     radii = ball.core_radius + np.concatenate([[0.0], np.cumsum([layer.thickness for layer in ball.layers])])
-    bonds = radii[:-1] if ball.inner_boundary is _core.InnerBoundary.RIGID else radii[1:-1]
-    if not bonds.size:
+    bonded = radii[:-1] if ball.inner_boundary is _core.InnerBoundary.RIGID else radii[1:-1]
+    if not bonded.size:
         raise ValueError("ball must have a rigid core or several layers, for anything to be bonded")
-    return interior_fields(result, radius=bonds, **options)  # type: ignore[arg-type]
+    return interior(result, radius=bonded, threads=threads, progress=progress)
 
 
 def _line(name: str, values: ArrayLike) -> NDArray[np.float64]:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ..materials import ShearModulusLike
 
-__all__ = ["contact_size", "default_max_order", "loss_of"]
+__all__ = ["contact_size", "default_max_order", "loss"]
 
 #: Orders, per r_o over the contact's semi-axis, that hold 0.9999 of the loss; near the surface w is right to 1e-3.
 _ORDERS_PER_CONTACT = 40.0
@@ -41,7 +41,7 @@ def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_
     return max(8, min(wanted, most, 20000))
 
 
-def loss_of(
+def loss(
     result: Solution,
     *,
     depth: ArrayLike | None = None,
@@ -49,7 +49,47 @@ def loss_of(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Energy lost inside the coating; see `Result.loss`."""
+    """Energy lost inside the coating, per volume and revolution.
+
+    Parameters
+    ----------
+    depth : array_like, optional
+        Where the densities are wanted [m]; by default at the nodes of the volume integral.
+    max_order : int, optional
+        Orders |m|, |n| up to this one are summed; by default those of the mesh or 40 r_o/a, whichever are fewer, a
+        the contact's semi-axis: 0.9999 of the loss, on coarse meshes 0.998.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+
+    Returns
+    -------
+    xarray.Dataset
+        `loss_density` w [J/m³ per revolution] and `power_density` Ωw/2π [W/m³], its mean over a revolution, over
+        (radius, theta); `layer_power` [W] by `layer`, and `relaxation_power` [W] by `layer` and `term` for layers
+        that are Prony series. Attributes: `power`, the volume integral [W], `surface_power`, what the tractions put
+        into the same orders, and `bulk_power`, that of all orders; each of what rolls alone.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; also with curvature EXACT.
+    ImportError
+        Without the extra `viscoroll[files]`.
+
+    Notes
+    -----
+    The model's volume is r² dr dθ dφ, without sin θ.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, paper, solve
+    >>> r = solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=Mesh(nodes_per_revolution=400))
+    >>> loss = r.loss(depth=[0.5e-3])
+    >>> print(f"{loss.attrs['power'] / r.bulk_power:.3f} {loss.power_density.max().item() / 1e3:.0f} kW/m³")
+    0.998 50 kW/m³
+    """
     with extra("files"):
         import xarray
 
@@ -57,7 +97,7 @@ def loss_of(
     radii, layers = (np.empty(0), np.empty(0, np.int32)) if depth is None else places_of(ball, depth, None)
     order = default_max_order(result) if max_order is None else as_int("max_order", max_order)
     with reporting(progress) as report:
-        loss = _core.loss_density(
+        lost = _core.loss_density(
             ball._to_core(),
             tractions_of(result),
             radius=radii,
@@ -67,17 +107,17 @@ def loss_of(
             threads=as_int("threads", threads),
             progress=report,
         )
-    balance = abs(loss.volume_power - loss.surface_power)
-    if balance > _BALANCE * max(loss.surface_power, 1e-6 * abs(result.rolling_bulk_power)):
+    balance = abs(lost.volume_power - lost.surface_power)
+    if balance > _BALANCE * max(lost.surface_power, 1e-6 * abs(result.rolling_bulk_power)):
         raise _core.ConvergenceError(
-            f"the loss in the volume, {loss.volume_power:.12g} W, is not the power of the tractions, "
-            f"{loss.surface_power:.12g} W"
+            f"the loss in the volume, {lost.volume_power:.12g} W, is not the power of the tractions, "
+            f"{lost.surface_power:.12g} W"
         )
-    radii, layers = loss.places
+    radii, layers = lost.places
     # The half of the torus that the sphere has; order (0, 0) to the last go once around.
-    shown = slice(len(loss.theta) // 4, 3 * len(loss.theta) // 4 + 1)
-    density = np.maximum(loss.density[:, shown], 0.0)
-    order_power = loss.order_power.reshape(len(ball.layers), order + 1)
+    shown = slice(len(lost.theta) // 4, 3 * len(lost.theta) // 4 + 1)
+    density = np.maximum(lost.density[:, shown], 0.0)
+    order_power = lost.order_power.reshape(len(ball.layers), order + 1)
     shares = [_term_shares(layer.shear_modulus, result.angular_speed, order) for layer in ball.layers]
     terms = max(len(share) for share in shares)
     relaxation_power = np.full((len(ball.layers), terms), np.nan)
@@ -106,11 +146,11 @@ def loss_of(
             "radius": ("radius", radii, {"units": "m"}),
             "depth": ("radius", ball.outer_radius - radii, {"units": "m"}),
             "place_layer": ("radius", layers, {"long_name": "number of the layer, from the center outwards"}),
-            "theta": ("theta", loss.theta[shown], {"units": "rad"}),
+            "theta": ("theta", lost.theta[shown], {"units": "rad"}),
         },
         attrs={
-            "power": loss.volume_power,
-            "surface_power": loss.surface_power,
+            "power": lost.volume_power,
+            "surface_power": lost.surface_power,
             "bulk_power": result.rolling_bulk_power,
             "max_order": order,
             "angular_speed": result.angular_speed,

@@ -16,7 +16,7 @@ from .solution import Solution
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["LossSpectrum", "extrapolated_share", "loss_spectrum"]
+__all__ = ["LossSpectrum", "extrapolated_loss", "loss_spectrum"]
 
 #: Orders are taken one by one up to here, then at equal ratios.
 _ONE_BY_ONE = 32
@@ -88,10 +88,14 @@ def loss_spectrum(result: Solution) -> LossSpectrum:
     return LossSpectrum(order=orders, frequency=orders * result.angular_speed, power=power)
 
 
-def extrapolated_share(result: Solution) -> float | None:
-    """Return the share of the power lost at harmonics that a held table does not have; None without such a table.
+def extrapolated_loss(result: Solution) -> float | None:
+    """Return the share of the power lost in the coating at harmonics that a measured table does not hold.
 
-    None as well where two bodies deform, of whose losses there is no spectrum.
+    Returns
+    -------
+    float or None
+        [-], where the outermost entries of a `MasterCurve` were held; None without such a material, and where two
+        bodies deform, of whose losses there is no spectrum.
     """
     body: object = result.ball if result.on is None else None
     tables = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .._support.tables import handy, html_table, number_text, unit_text
-from .loss_spectrum import extrapolated_share
+from .loss_spectrum import extrapolated_loss
 from .scalars import SCALARS
 from .solution import Solution
 
@@ -72,7 +72,7 @@ def result_html(result: Solution) -> str:
 def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     """Return what it is, value and unit of all scalar results [SI]."""
     rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
-    if (share := extrapolated_share(result)) is not None:
+    if (share := extrapolated_loss(result)) is not None:
         rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
     return rows
 
@@ -99,7 +99,7 @@ def _error_rows(result: Solution) -> list[tuple[str, str]]:
 
 
 def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
-    share = extrapolated_share(result)
+    share = extrapolated_loss(result)
     return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
 
 
