@@ -27,15 +27,8 @@ from ._core import (
 )
 from ._support.cautions import ResultWarning
 from ._support.keywords import explain_keywords
-from .bodies import (
-    CoatedCylinder,
-    CoatedPlane,
-    CoatedSphere,
-    Drive,
-    Groove,
-    HalfSpace,
-    Layer,
-    Mesh,
+from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Drive, Groove, HalfSpace, Layer, Mesh
+from .bodies.orders import (
     centrifugal_displacement,
     critical_speed,
     degree_compliance,

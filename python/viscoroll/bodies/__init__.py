@@ -1,17 +1,9 @@
-"""What rolls, what it rolls on, how it is meshed and driven, and how its layers answer single orders."""
+"""What rolls, what it rolls on, how it is meshed and driven; `orders` is how its layers answer."""
 
 from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
 from .drive import Drive
 from .layers import HalfSpace, Layer
 from .mesh import Mesh
-from .orders import (
-    centrifugal_displacement,
-    critical_speed,
-    degree_compliance,
-    influence_tables,
-    state_matrix,
-    surface_compliance,
-)
 
 __all__ = [
     "CoatedCylinder",
@@ -24,10 +16,4 @@ __all__ = [
     "Layer",
     "Mesh",
     "RollingBody",
-    "centrifugal_displacement",
-    "critical_speed",
-    "degree_compliance",
-    "influence_tables",
-    "state_matrix",
-    "surface_compliance",
 ]

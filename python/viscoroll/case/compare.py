@@ -14,7 +14,8 @@ from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from ..analytic import applicable
-from ..bodies import CoatedCylinder, Drive, critical_speed
+from ..bodies import CoatedCylinder, Drive
+from ..bodies.orders import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.runner import run_all
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from .._core import Curvature, Extrapolation
 from .._support.arguments import Floats, require_type
-from ..bodies import CoatedSphere, surface_compliance
+from ..bodies import CoatedSphere
+from ..bodies.orders import surface_compliance
 from ..materials import MasterCurve
 from .solution import Solution
 
