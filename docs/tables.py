@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from viscoroll.scalars import PER_LENGTH, SCALARS
+from viscoroll.solution.scalars import PER_LENGTH, SCALARS
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

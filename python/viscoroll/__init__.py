@@ -25,24 +25,10 @@ from ._core import (
     WarningKind,
     __version__,
 )
-from ._keywords import explain_keywords
-from .caution import ResultWarning
-from .drive import Drive
-from .export import dem
-from .geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer
-from .interior import Core, Temperature, plane_cooling, self_heating, temperature
-from .loss_spectrum import LossSpectrum, loss_spectrum
-from .materials import (
-    Elastic,
-    FractionalZener,
-    KelvinVoigt,
-    MasterCurve,
-    Prony,
-    ShearModulus,
-    StandardLinearSolid,
-)
-from .mesh import Mesh
-from .orders import (
+from ._support.cautions import ResultWarning
+from ._support.keywords import explain_keywords
+from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Drive, Groove, HalfSpace, Layer, Mesh
+from .bodies.orders import (
     centrifugal_displacement,
     critical_speed,
     degree_compliance,
@@ -50,7 +36,19 @@ from .orders import (
     state_matrix,
     surface_compliance,
 )
-from .result import Refinement, Result
+from .export import dem
+from .interior import Core, Temperature, plane_cooling, self_heating, temperature
+from .materials import (
+    Arrhenius,
+    Elastic,
+    FractionalZener,
+    KelvinVoigt,
+    MasterCurve,
+    Prony,
+    ShearModulus,
+    StandardLinearSolid,
+    WilliamsLandelFerry,
+)
 from .rheology import (
     LossFactor,
     ShiftFactors,
@@ -65,10 +63,10 @@ from .rheology import (
     save_material,
     superpose,
 )
-from .rolling import RollingModel, solve
-from .rolling_resistance import RollingResistance
-from .shift import Arrhenius, WilliamsLandelFerry
+from .rolling import Result, RollingModel, solve
+from .solution import LossSpectrum, Refinement, loss_spectrum
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
+from .studies.rolling_resistance import RollingResistance
 from .transient import History, RollingHistory, RollingState, roll
 
 __all__ = [

@@ -5,9 +5,8 @@ G.-P. Zéhil and H. P. Gavin, "Rolling resistance of a rigid sphere with viscoel
 
 from __future__ import annotations
 
-from .geometry import CoatedSphere, Layer
+from .bodies import CoatedSphere, Layer, Mesh
 from .materials import StandardLinearSolid
-from .mesh import Mesh
 
 __all__ = ["ANGULAR_SPEED", "LOAD", "TABLE_2", "TABLE_3", "TABLE_4", "ball", "table_2_meshes"]
 

@@ -22,8 +22,8 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import _core, paper
-from viscoroll.result import FIELDS, VECTOR_FIELDS
-from viscoroll.scalars import SCALARS
+from viscoroll.solution import FIELDS, VECTOR_FIELDS
+from viscoroll.solution.scalars import SCALARS
 
 MESH = vr.Mesh(nodes_per_revolution=300, max_order=300)
 

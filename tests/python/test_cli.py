@@ -262,7 +262,7 @@ def test_too_little_memory_is_one_line(case_file, monkeypatch, capsys):
     def fails(*arguments, **options):
         raise MemoryError("std::bad_alloc")
 
-    monkeypatch.setattr("viscoroll.case.solve", fails)
+    monkeypatch.setattr("viscoroll.case.case.solve", fails)
     assert call(monkeypatch, "solve", case_file()) == 2
     message = "viscoroll: the memory does not suffice for this case: give a coarser mesh, or a larger accuracy\n"
     assert capsys.readouterr().err == message
@@ -272,7 +272,7 @@ def test_json_has_no_numbers_that_are_none(case_file, monkeypatch, capsys):
     mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
     r = vr.solve(vr.paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
     r = dataclasses.replace(r, residual=np.nan, creepage=-np.inf)
-    monkeypatch.setattr("viscoroll.case.solve", lambda **options: r)
+    monkeypatch.setattr("viscoroll.case.case.solve", lambda **options: r)
     assert call(monkeypatch, "solve", case_file(), "--json") == 0
     values = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert (values["residual"], values["creepage"], values["load"]) == (None, None, 100.0)
@@ -391,7 +391,7 @@ def test_roll_refuses_in_one_line(tmp_path, lines, message):
 
 
 def test_roll_reads_motions_from_files_and_oscillations(tmp_path):
-    from viscoroll.transient.motion_file import load_motion
+    from viscoroll.case.motion import load_motion
 
     head, tail = example_text("motion").split("[motion]")
     numerics = tail[tail.index("[numerics]") :]

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 import viscoroll as vr
-from viscoroll._extras import extra
+from viscoroll._support.extras import extra
 
 BALL = "ball = vr.paper.ball(); case = dict(angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=64)); "
 FIGURE_4 = "from viscoroll.reproduce import ITEMS, Runner; ITEMS['figure4'].compute(Runner(coarse=True))"
@@ -29,9 +29,9 @@ RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
         ("meshio", RESULT + "save('fields.vtu')", "files"),
         ("matplotlib", RESULT + "plot()", "plot"),
         ("matplotlib", "import viscoroll.reproduce", "plot"),
-        ("matplotlib", "import viscoroll.compare", "plot"),
+        ("matplotlib", "import viscoroll.case.compare", "plot"),
         ("pydantic", "import viscoroll.case", "cli"),
-        ("pydantic", "import viscoroll.studies.file", "cli"),
+        ("pydantic", "import viscoroll.case.study", "cli"),
         ("typer", "import viscoroll.cli", "cli"),
         ("rich", "import viscoroll.cli", "cli"),
     ],

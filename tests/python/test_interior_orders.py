@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import interior as reference
-from viscoroll.interior.fields import order_fields
+from viscoroll.interior import order_fields
 
 CORE, SURFACE = 20e-3, 23e-3
 PRONY = [(6e6, [0.5], [0.125]), (2e6, [0.3, 0.2], [0.01, 1.0]), (9e6, [0.4, 0.3], [0.05, 0.3])]

@@ -7,9 +7,9 @@ import pytest
 import viscoroll as vr
 from typer.testing import CliRunner
 from viscoroll.case import load_case
+from viscoroll.case.design import design_case
+from viscoroll.case.study import load_study
 from viscoroll.cli import app
-from viscoroll.design import design_case
-from viscoroll.studies.file import load_study
 
 CASE = """
 [ball]

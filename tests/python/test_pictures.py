@@ -9,9 +9,9 @@ import matplotlib.figure
 import pytest
 import viscoroll as vr
 from viscoroll import paper
-from viscoroll.compare import compare_torques
+from viscoroll._support.pictures import Picture
+from viscoroll.case.compare import compare_torques
 from viscoroll.interior.picture import plot_loss, plot_temperature
-from viscoroll.pictures import Picture
 from viscoroll.studies.picture import plot_study
 
 MESH = vr.Mesh(nodes_per_revolution=100)

@@ -7,11 +7,11 @@ import inspect
 import pytest
 import viscoroll as vr
 from viscoroll import paper
+from viscoroll._support.progress import counted, reporting
 from viscoroll.case import example_text
-from viscoroll.compare import compare_torques
-from viscoroll.design import design_case
+from viscoroll.case.compare import compare_torques
+from viscoroll.case.design import design_case
 from viscoroll.interior import SelfHeating
-from viscoroll.progress import counted, reporting
 from viscoroll.reproduce import Runner
 
 MESH = vr.Mesh(nodes_per_revolution=400)

@@ -16,7 +16,7 @@ import pytest
 import viscoroll as vr
 from viscoroll import paper
 from viscoroll.case import example_text, load_case
-from viscoroll.compare import compare_torques, parse_speeds
+from viscoroll.case.compare import compare_torques, parse_speeds
 from viscoroll.reproduce import ITEMS, Runner, Verdict, write_files, write_verdicts
 from viscoroll.reproduce.convergence import Table2
 from viscoroll.reproduce.speed import Figure12

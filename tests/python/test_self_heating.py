@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from viscoroll import paper
-from viscoroll.shift import shift_factor, shifted
+from viscoroll.materials.shift import shift_factor, shifted
 
 AMBIENT = 293.15
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": AMBIENT}

@@ -12,7 +12,7 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll.case import example_text
-from viscoroll.studies.file import load_study
+from viscoroll.case.study import load_study
 from viscoroll.studies.study import run_plan
 
 NUMERICS = "accuracy = 0.01"

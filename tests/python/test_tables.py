@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll.scalars import SCALARS
-from viscoroll.tables import handy, html_table, unit_text
+from viscoroll._support.tables import handy, html_table, unit_text
+from viscoroll.solution.scalars import SCALARS
 
 LAYER = vr.Layer(thickness=1e-3, shear_modulus=3e6, poisson_ratio=0.5, conductivity=0.2)
 

@@ -17,7 +17,7 @@ Loads and speeds may be arrays.
 All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
 """
 
-from .._keywords import explain_keywords
+from .._support.keywords import explain_keywords
 from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque

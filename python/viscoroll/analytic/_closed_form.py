@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
+from .._support.arguments import as_float
 from ._inputs import Floats, complex_modulus
 from .low_speed import loss_time
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ..geometry import Layer
+    from ..bodies import Layer
     from ..materials import ShearModulusLike
 
 __all__ = ["ClosedForm", "at_rest", "is_homogeneous", "is_known_throughout", "is_real", "shared_loss_time"]

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, TypeAlias
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_float_array
-from ..materials import ShearModulusLike, to_core
+from .._support.arguments import as_float, as_float_array
+from ..materials import ShearModulusLike
+from ..materials.moduli import to_core
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import require_type
 from .._core import InnerBoundary
-from ..geometry import CoatedCylinder, CoatedSphere, RollingBody
+from .._support.arguments import require_type
+from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
 from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
 from ._inputs import Floats, plain, positives
 from .applicable_roller import forms_of_roller

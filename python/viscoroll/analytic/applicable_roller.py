@@ -17,7 +17,7 @@ from .winkler import KNOWN_IN_TIME, longest_time, winkler_torque_line
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from ..geometry import CoatedCylinder
+    from ..bodies import CoatedCylinder
 
 __all__ = ["forms_of_roller"]
 

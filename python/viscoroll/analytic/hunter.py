@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import require_type
-from .._extras import extra
+from .._support.arguments import require_type
+from .._support.extras import extra
 from ..materials import StandardLinearSolid
 from ._inputs import Floats, plain, poisson, positive, positives
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float_array
+from .._support.arguments import as_float_array
 from ._inputs import Floats, plain, poisson, positive, positives
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import require_type
-from .._text import shown
+from .._support.arguments import require_type
+from .._support.text import shown
 from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
 from ._inputs import Floats, plain, poisson, positive, positives
 

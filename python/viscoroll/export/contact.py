@@ -9,15 +9,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from .._text import shown
-from ..result import Result
-from ..rolling_resistance import radius_of
+from .._support.arguments import Floats
+from .._support.text import shown
+from ..rolling import Result
+from ..studies.rolling_resistance import radius_of
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
-from .._text import shown
-from ..result import Result
+from .._support.arguments import as_float
+from .._support.files import write_csv
+from .._support.text import shown
+from ..rolling import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
 from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
 
@@ -84,11 +84,8 @@ class DemInput:
         path = Path(path)
         path.write_text(self.text, encoding="utf-8")
         table = path.with_suffix(".csv")
-        with table.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(["load [N]", "angular_speed [rad/s]", "torque [N m]", "penetration [m]"])
-            for p in self.points:
-                writer.writerow([repr(p.load), repr(p.angular_speed), repr(p.torque), repr(p.penetration)])
+        heads = {"load": "N", "angular_speed": "rad/s", "torque": "N m", "penetration": "m"}
+        write_csv({f"{name} [{unit}]": [getattr(p, name) for p in self.points] for name, unit in heads.items()}, table)
         return table
 
     def __repr__(self) -> str:

@@ -3,7 +3,7 @@
 Fields and loss are methods of `viscoroll.Result`: `interior`, `bonds` and `loss`.
 """
 
-from .fields import COMPONENTS, DIRECTIONS, order_fields
+from ..solution.interior_fields import COMPONENTS, DIRECTIONS, order_fields
 from .self_heating import SelfHeating, SteadyState, self_heating
 from .temperature import Core, Temperature, plane_cooling, temperature
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._extras import extra
-from .fields import COMPONENTS
+from .._support.extras import extra
+from .._support.files import save, write_netcdf
+from ..solution.interior_fields import COMPONENTS
 
 if TYPE_CHECKING:
     import xarray
@@ -34,16 +35,7 @@ def save_interior(inside: xarray.Dataset, path: str | Path) -> None:
     ImportError
         Without the extra `viscoroll[files]`.
     """
-    path = Path(path)
-    match path.suffix.lower():
-        case ".nc":
-            with extra("files"):
-                import netCDF4  # noqa: F401  (what xarray writes with)
-            inside.to_netcdf(path, engine="netcdf4")
-        case ".vtu":
-            _write_volume(inside, path)
-        case _:
-            raise ValueError(f"path must end in .nc or .vtu, got {path.name!r}")
+    save(inside, path, {".nc": write_netcdf, ".vtu": _write_volume})
 
 
 def _write_volume(inside: xarray.Dataset, path: Path) -> None:

@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from ..caution import kept_in_results
-from ..pictures import Picture, drawn
-from .fields import coated_ball, interior_fields
-from .loss import loss_of
+from .._support.cautions import kept_in_results
+from .._support.pictures import Picture, drawn
+from ..solution.interior_fields import coated_ball
+from ..solution.solution import node_angles
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..geometry import CoatedSphere
-    from ..result import Result
+    from ..bodies import CoatedSphere
+    from ..rolling import Result
     from .temperature import Temperature
 
 __all__ = ["plot_loss", "plot_section", "plot_temperature"]
@@ -48,9 +48,9 @@ def plot_section(result: Result) -> Picture:
     shallowest = min(0.25 * spacing, 0.1 * ball.thickness)
     deepest = min(ball.thickness, 4.0 * max(result.semi_axis_x, spacing))
     depths = np.linspace(shallowest, deepest, _DEPTHS)
-    phi = result._angles()[0]
+    phi = node_angles(result)[0]
     with kept_in_results():
-        inside = interior_fields(result, depth=depths, phi=phi, theta=[0.5 * np.pi])
+        inside = result.interior(depth=depths, phi=phi, theta=[0.5 * np.pi])
     inside = inside.isel(theta=0).drop_duplicates("depth")
 
     figure = Picture(figsize=(10.0, 6.0), layout="constrained")
@@ -96,7 +96,7 @@ def plot_loss(result: Result, *, ax: Axes | None = None) -> Figure | Axes:
         A new figure, or `ax`.
     """
     ball = coated_ball(result)
-    loss = loss_of(result, depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
+    loss = result.loss(depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
     return drawn(lambda axes: _draw_loss(axes, result, ball, loss), ax, figsize=(10.0, 4.0))
 
 

@@ -13,15 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._arrays import as_float, as_int, as_kelvin, require_type
 from .._core import ConvergenceError
-from ..caution import kept_in_results, warn
-from ..geometry import CoatedSphere
-from ..progress import ProgressLike, Report, counted, reporting
+from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.cautions import kept_in_results, warn
+from .._support.progress import ProgressLike, Report, counted, reporting
+from .._support.tables import html_table, number_text
+from ..bodies import CoatedSphere
+from ..materials import Shift
+from ..materials.shift import shift_factor, shifted
 from ..rolling import solve
-from ..shift import Shift, shift_factor, shifted
-from ..tables import html_table, number_text
-from .loss import default_max_order
+from ..solution.loss import default_max_order
 from .temperature import QUANTITIES, Core, Temperature, temperature
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from ..result import Result
+    from ..rolling import Result
 
 __all__ = ["SelfHeating", "SteadyState", "self_heating"]
 

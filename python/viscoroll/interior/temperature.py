@@ -9,23 +9,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float, as_kelvin, require_type
 from .._core import InnerBoundary
-from .._extras import extra
-from .._text import shown
-from ..caution import warn
-from ..progress import ProgressLike
-from ..result import Result
-from ..tables import html_table, number_text
+from .._support.arguments import as_float, as_kelvin, require_type
+from .._support.cautions import warn
+from .._support.extras import extra
+from .._support.progress import ProgressLike
+from .._support.tables import html_table, number_text
+from .._support.text import shown
+from ..rolling import Result
+from ..solution.interior_fields import coated_ball
+from ..solution.loss import contact_size
+from ..solution.solution import node_angles
 from .conduction import Conduction, legendre_values
-from .fields import coated_ball
-from .loss import contact_size, loss_of
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ..geometry import CoatedSphere
+    from ..bodies import CoatedSphere
 
 __all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
 
@@ -183,7 +184,7 @@ def temperature(
     if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
-    loss = loss_of(result, max_order=max_order, progress=progress)
+    loss = result.loss(max_order=max_order, progress=progress)
     degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
     layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)
@@ -269,7 +270,7 @@ def plane_cooling(
     if not plane > 0.0:
         raise ValueError(f"plane_effusivity must be > 0 W s^0.5/(m^2 K), got {plane!r}")
     share = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
-    nodes = result._angles()[1]
+    nodes = node_angles(result)[1]
     time = result.contact.sum(axis=0) * result.mesh.spacing / result.angular_speed
     taken = 2.0 * effusivity * share * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from ..pictures import Picture
+from .._support.pictures import Picture
 from ..rolling import solve
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from ..result import Result
+    from ..rolling import Result
 
 __all__ = ["Table2", "arc_torque", "compute_table2"]
 

@@ -9,18 +9,15 @@ import numpy as np
 
 from .. import paper
 from .._core import Curvature
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_friction_law
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ..result import Result
-    from ..studies.least_squares import Fit
-
-    Floats = NDArray[np.float64]
+    from .._support.least_squares import Fit
+    from ..rolling import Result
 
 __all__ = ["Figure9", "compute_figure9"]
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Start
-from ..mesh import Mesh
-from ..pictures import Picture
+from .._support.pictures import Picture
+from ..bodies import Mesh
 from ..transient import roll
 from .item import Runner, Table, Verdict
 

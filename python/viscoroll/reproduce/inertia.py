@@ -9,19 +9,16 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from ..mesh import Mesh
-from ..orders import critical_speed
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
+from ..bodies import Mesh
+from ..bodies.orders import critical_speed
 from ..rolling import solve
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ..geometry import CoatedSphere
-    from ..result import Result
-
-    Floats = NDArray[np.float64]
+    from ..bodies import CoatedSphere
+    from ..rolling import Result
 
 __all__ = ["Figure13", "compute_figure13"]
 

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from .._core import core_count
-from ..mesh import Mesh
-from ..progress import ProgressLike, counted
+from .._support.files import write_csv
+from .._support.progress import ProgressLike
+from ..bodies import Mesh
+from ..studies.runner import run_all
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_csv", "write_files", "write_verdicts"]
+__all__ = ["Item", "Outcome", "Runner", "Table", "Verdict", "write_files", "write_verdicts"]
 
 S = TypeVar("S")
 T = TypeVar("T")
@@ -95,22 +94,13 @@ class Runner:
         self.coarse = coarse
         nodes, order = (300, 300) if coarse else (500, 500)
         self.mesh = Mesh(nodes_per_revolution=nodes, max_order=order)
-        self._workers = workers or core_count()
+        self._workers = workers
         self._progress = progress
         self._memory: dict[Callable[[Runner], Any], Any] = {}
 
     def map(self, function: Callable[[S], T], points: Iterable[S]) -> list[T]:
         """Call the function with every point, on threads; return the values in order."""
-        points = list(points)
-        executor = ThreadPoolExecutor(self._workers)
-        try:
-            futures = [executor.submit(function, point) for point in points]
-            with counted(self._progress, total=len(points), unit="solve") as one_more:
-                for _ in as_completed(futures):
-                    one_more()
-            return [future.result() for future in futures]
-        finally:
-            executor.shutdown(cancel_futures=True)
+        return run_all(function, points, workers=self._workers, progress=self._progress)
 
     def judge(self, outcome: Outcome) -> list[Verdict]:
         """Return the verdicts on an outcome of this runner: a coarse mesh is no witness for or against the paper."""
@@ -155,16 +145,8 @@ def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
         figure.savefig(paths[-1], dpi=150)
     for addition, table in outcome.tables().items():
         paths.append(folder / f"{item.name}{addition}.csv")
-        write_csv(paths[-1], table)
+        write_csv(table, paths[-1])
     return paths
-
-
-def write_csv(path: Path, table: Table) -> None:
-    """Write columns of equal lengths."""
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(table)
-        writer.writerows(zip(*table.values(), strict=True))
 
 
 def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> None:

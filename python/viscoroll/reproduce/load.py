@@ -9,7 +9,8 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from ..studies.fits import fit_power_law
 from .item import Runner, Table, Verdict
@@ -18,11 +19,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
 
-    from ..studies.least_squares import Fit, Parameter
-
-    Floats = NDArray[np.float64]
+    from .._support.least_squares import Fit, Parameter
 
 __all__ = ["Figure10", "Table3", "compute_figure10", "compute_table3"]
 

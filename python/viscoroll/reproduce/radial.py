@@ -9,19 +9,16 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from .._extras import extra
-from ..orders import surface_compliance
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.extras import extra
+from .._support.pictures import Picture
+from ..bodies.orders import surface_compliance
 from ..rolling import solve
 from . import plain
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ..mesh import Mesh
-
-    Floats = NDArray[np.float64]
+    from ..bodies import Mesh
 
 __all__ = ["Figure4", "compute_figure4"]
 

@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .. import paper
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
 from .item import Runner, Table, Verdict
 from .thickness import LOADS, ThicknessSweep, printed_curve, thickness_sweep
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Table4", "compute_table4"]
 

@@ -9,16 +9,13 @@ import numpy as np
 
 from .. import analytic, paper
 from .._core import Compliance, Curvature
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
 from ..rolling import RollingModel
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ..result import Result
-
-    Floats = NDArray[np.float64]
+    from ..rolling import Result
 
 __all__ = ["Figure7", "Figure12", "compute_figure7", "compute_figure12"]
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from .. import paper
 from .._core import Start
-from ..mesh import Mesh
-from ..pictures import Picture
+from .._support.pictures import Picture
+from ..bodies import Mesh
 from ..rolling import solve
 from ..transient import roll
 from .item import Runner, Table, Verdict

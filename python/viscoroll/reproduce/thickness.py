@@ -9,8 +9,9 @@ import numpy as np
 
 from .. import paper
 from .._core import Compliance, Curvature
-from ..mesh import Mesh
-from ..pictures import Picture
+from .._support.arguments import Floats
+from .._support.pictures import Picture
+from ..bodies import Mesh
 from ..rolling import RollingModel
 from ..studies.fits import fit_thickness_law
 from .item import Runner, Table, Verdict
@@ -18,9 +19,7 @@ from .item import Runner, Table, Verdict
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..studies.least_squares import Fit
-
-    Floats = NDArray[np.float64]
+    from .._support.least_squares import Fit
 
 __all__ = ["LOADS", "Figure11", "ThicknessSweep", "compute_figure11", "printed_curve", "thickness_sweep"]
 

@@ -3,9 +3,9 @@
 from importlib import resources
 from pathlib import Path
 
+from ..materials import LossFactor
 from .checks import Check, check_modulus, check_range, rolling_range
 from .hardness import hardness_to_modulus
-from .loss_factor import LossFactor
 from .material_file import load_material, save_material
 from .prony_fit import PronyFit, fit_prony
 from .reading import Isotherm, RheologyData, read_rheology

@@ -10,18 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._extras import extra
+from .._support.arguments import Floats
+from .._support.extras import extra
 from .reading import Isotherm
 from .series import SeriesFit, basis, fit_series, time_grid
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Alignment", "align", "shift_pairs", "undetermined_pairs"]
 

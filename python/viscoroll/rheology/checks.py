@@ -5,21 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_float
-from ..geometry import CoatedSphere
-from ..materials import MasterCurve, to_core
+from .._support.arguments import Floats, as_float
+from ..bodies import CoatedSphere
+from ..materials import MasterCurve
+from ..materials.moduli import to_core
 from .prony_fit import MeasuredModulus, fit_prony, measured
 from .series import basis, time_grid
 from .superposition import Superposition, tabulated
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Check", "check_modulus", "check_range", "rolling_range"]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from .._arrays import as_float
-from .._text import shown
-from ..studies.least_squares import Parameter
+from .._support.arguments import as_float
+from .._support.least_squares import Parameter
+from .._support.text import shown
 
 __all__ = ["hardness_to_modulus"]
 

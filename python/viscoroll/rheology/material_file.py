@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import Extrapolation
-from .._text import one_line, shown
+from .._support.text import one_line, shown
 from ..materials import MasterCurve, Prony
 from .prony_fit import PronyFit, fit_prony
 from .shift_laws import ShiftFactors

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Protocol, overload
 
 import numpy as np
 
-from .._arrays import as_float, as_float_array, as_int
-from .._extras import extra
-from .._text import shown
+from .._support.arguments import Floats, as_float, as_float_array, as_int
+from .._support.extras import extra
+from .._support.text import shown
 from ..materials import Prony
 from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, nonnegative, time_grid
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["MeasuredModulus", "PronyFit", "fit_prony"]
 
@@ -184,9 +182,10 @@ class PronyFit:
         matplotlib.figure.Figure or matplotlib.axes.Axes
             A new figure, moduli above, relative error below; or `ax`.
         """
-        from .picture import draw_moduli, plot_fit
+        from .picture import plot_fit
 
-        return plot_fit(self) if ax is None else draw_moduli(self, ax)
+        data = (self.frequency, self.storage, self.loss)
+        return plot_fit(data, self.series, errors=(self.storage_error, self.loss_error), ax=ax)
 
     def __repr__(self) -> str:
         """Return what was fitted, and how well."""

@@ -10,15 +10,13 @@ from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
 
-from .._arrays import as_float
-from .._text import shown
+from .._support.arguments import Floats, as_float
+from .._support.text import shown
 from .names import role_of
 from .text import Table, find_tables, read_text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Isotherm", "RheologyData", "read_rheology"]
 

@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import ConvergenceError
-from .._extras import extra
+from .._support.arguments import Floats
+from .._support.extras import extra
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["SeriesFit", "basis", "fit_series", "fit_sparse", "nonnegative", "time_grid"]
 

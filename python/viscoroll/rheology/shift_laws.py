@@ -11,17 +11,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._arrays import as_floats
-from .._extras import extra
-from ..shift import Arrhenius, WilliamsLandelFerry
-from ..studies.least_squares import Parameter
+from .._support.arguments import Floats, as_floats
+from .._support.extras import extra
+from .._support.least_squares import Parameter
+from ..materials import Arrhenius, WilliamsLandelFerry
 from .names import parse_header
 from .text import read_text
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
 
 __all__ = ["ShiftFactors", "ShiftLaw", "fit_arrhenius", "fit_wlf"]
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from .._arrays import as_float, require_type
 from .._core import Extrapolation
+from .._support.arguments import Floats, as_float, require_type
 from ..materials import MasterCurve, Prony
 from .alignment import align, shift_pairs, undetermined_pairs
 from .prony_fit import PronyFit, fit_prony
@@ -21,9 +21,6 @@ from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["Superposition", "superpose", "tabulated"]
 
@@ -82,14 +79,15 @@ class Superposition:
         """Loss modulus of all points [Pa]."""
         return self._points[2]
 
+    @property
+    def _shifted(self) -> list[tuple[Floats, Floats, Floats]]:
+        """Frequency, storage and loss of each sweep, shifted."""
+        moved = zip(self.data.isotherms, self.factors.log10_factor, self.vertical, strict=True)
+        return [(s.frequency * 10.0**a, s.storage * 10.0**-b, s.loss * 10.0**-b) for s, a, b in moved]
+
     @cached_property
     def _points(self) -> tuple[Floats, Floats, Floats]:
-        sweeps = self.data.isotherms
-        shifted = [10.0**a for a in self.factors.log10_factor]
-        frequency = np.concatenate([s.frequency * a for s, a in zip(sweeps, shifted, strict=True)])
-        lifted = [10.0**-b for b in self.vertical]
-        storage = np.concatenate([s.storage * b for s, b in zip(sweeps, lifted, strict=True)])
-        loss = np.concatenate([s.loss * b for s, b in zip(sweeps, lifted, strict=True)])
+        frequency, storage, loss = (np.concatenate(parts) for parts in zip(*self._shifted, strict=True))
         order = np.argsort(frequency, kind="stable")
         return frequency[order], storage[order], loss[order]
 
@@ -172,9 +170,10 @@ class Superposition:
 
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the master curve and its shift factors, or the curve alone into `ax` (the extra `viscoroll[plot]`)."""
-        from .picture import draw_sweeps, plot_superposition
+        from .picture import plot_superposition
 
-        return plot_superposition(self) if ax is None else draw_sweeps(self, ax)
+        laws = (getattr(self, name) for name in ("wlf", "arrhenius"))  # fitted where they are drawn
+        return plot_superposition(self._shifted, self.factors, laws, reference=self.reference, ax=ax)
 
     def __repr__(self) -> str:
         """Return what was shifted, how well, and what is open."""

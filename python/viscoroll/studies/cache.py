@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import __commit__, __version__
-from .._extras import extra
+from .._support.extras import extra
 from .run import Outcome
 
 if TYPE_CHECKING:

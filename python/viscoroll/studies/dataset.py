@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._core import __commit__, __version__
-from .._extras import extra
-from ..result import FIELDS, VECTOR_FIELDS
-from ..scalars import PER_LENGTH, SCALARS, scalar_units
-from ..units import UNITS
+from .._support.extras import extra
+from .._support.units import UNITS
+from ..solution import FIELDS, VECTOR_FIELDS
+from ..solution.scalars import PER_LENGTH, SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
 from .plan import LoadCase, Plan
 from .run import Outcome

@@ -10,12 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
-from ..drive import Drive
-from ..geometry import CoatedCylinder, CoatedPlane, Groove
-from ..mesh import Mesh
-from ..units import UNITS
+from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.units import UNITS
+from ..bodies import CoatedCylinder, CoatedPlane, Drive, Groove, Mesh
 
 __all__ = ["LOAD_CASE", "Dimension", "checked", "label", "split"]
 

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .least_squares import Fit, Parameter, fit_law
+from .._support.arguments import Floats
+from .._support.least_squares import Fit, Parameter, fit_law
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    Floats = NDArray[np.float64]
+    from numpy.typing import ArrayLike
 
 __all__ = ["fit_friction_law", "fit_power_law", "fit_thickness_law"]
 

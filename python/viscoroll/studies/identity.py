@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..geometry import CoatedCylinder, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..bodies import CoatedCylinder, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
-    from ..geometry import RollingBody
-    from ..mesh import Mesh
+    from ..bodies import Mesh, RollingBody
 
 __all__ = ["PointKeys", "digest"]
 

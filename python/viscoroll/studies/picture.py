@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from .._extras import extra
-from ..pictures import drawn
-from ..units import UNITS
+from .._support.arguments import Floats
+from .._support.extras import extra
+from .._support.pictures import drawn
+from .._support.units import UNITS
 
 with extra("plot"):
     from matplotlib import colormaps
@@ -26,9 +27,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
-    from numpy.typing import NDArray
-
-    Floats = NDArray[np.float64]
 
 __all__ = ["plot_study"]
 

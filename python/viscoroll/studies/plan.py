@@ -9,8 +9,8 @@ from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from typing import Any
 
-from .._keywords import meant
-from ..geometry import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
+from .._support.keywords import meant
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
 

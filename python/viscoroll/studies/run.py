@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._core import ConvergenceError, core_count
-from ..caution import kept_in_results
-from ..geometry import RollingBody
-from ..progress import Report
-from ..result import Result
-from ..rolling import RollingModel, solve
+from .._support.cautions import kept_in_results
+from .._support.progress import Report
+from ..bodies import RollingBody
+from ..rolling import Result, RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
 
 __all__ = ["Outcome", "run", "solve_group", "solve_point"]

@@ -11,11 +11,11 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .._keywords import meant
-from ..caution import warn
-from ..geometry import RollingBody
-from ..progress import ProgressLike, counted
-from ..result import FIELDS, VECTOR_FIELDS
+from .._support.cautions import warn
+from .._support.keywords import meant
+from .._support.progress import ProgressLike, counted
+from ..bodies import RollingBody
+from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, overload
@@ -10,11 +9,10 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from .._extras import extra
-from ..drive import Drive
-from ..geometry import CoatedSphere
-from ..mesh import Mesh
-from ..tables import html_table, number_text, unit_text
+from .._support.extras import extra
+from .._support.files import save, write_csv, write_netcdf
+from .._support.tables import html_table, number_text, unit_text
+from ..bodies import CoatedSphere, Drive, Mesh
 from .rolling_history import RollingState
 from .series import SERIES
 
@@ -26,10 +24,7 @@ if TYPE_CHECKING:
 
     from .. import _core
 
-__all__ = ["SUFFIXES", "ContactInstant", "History"]
-
-#: Of the files that `History.save` writes.
-SUFFIXES = (".csv", ".nc")
+__all__ = ["FORMATS", "ContactInstant", "History"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -147,8 +142,12 @@ class History:
 
     def __post_init__(self) -> None:
         """Freeze the arrays."""
-        for name in ("time", *SERIES):
-            getattr(self, name).flags.writeable = False
+        for values in self._series().values():
+            values.flags.writeable = False
+
+    def _series(self) -> dict[str, NDArray[np.float64]]:
+        """Return the time series by name, the time first."""
+        return {name: getattr(self, name) for name in ("time", *SERIES)}
 
     @property
     def energy_balance_error(self) -> NDArray[np.float64]:
@@ -256,20 +255,7 @@ class History:
         ImportError
             For ``.nc``, without the extra `viscoroll[files]`.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".csv":
-                with path.open("w", newline="") as file:
-                    writer = csv.writer(file)
-                    writer.writerow(["time [s]", *(f"{name} [{unit}]" for name, (unit, _) in SERIES.items())])
-                    columns = [getattr(self, name).tolist() for name in ("time", *SERIES)]
-                    writer.writerows(zip(*columns, strict=True))
-            case ".nc":
-                with extra("files"):
-                    import netCDF4  # noqa: F401  (what xarray writes with)
-                self.to_xarray().to_netcdf(path, engine="netcdf4")
-            case _:
-                raise ValueError(f"path must end in .csv or .nc, got {path.name!r}")
+        save(self, path, FORMATS)
 
     @overload
     def plot(self) -> Figure: ...
@@ -295,6 +281,18 @@ class History:
         ImportError
             Without the extra `viscoroll[plot]`.
         """
-        from .picture import draw_torque, plot_history
+        from .picture import plot_history
 
-        return plot_history(self) if ax is None else draw_torque(self, ax)
+        return plot_history(self._series(), ax)
+
+
+def _write_table(history: History, path: Path) -> None:
+    units = {"time": "s"} | {name: unit for name, (unit, _) in SERIES.items()}
+    write_csv({f"{name} [{units[name]}]": values.tolist() for name, values in history._series().items()}, path)
+
+
+#: What writes the time series of a history, by suffix; see `History.save`.
+FORMATS = {
+    ".csv": _write_table,
+    ".nc": lambda history, path: write_netcdf(history.to_xarray(), path),
+}

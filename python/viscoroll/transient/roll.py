@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float_array, as_member, require_type
 from .._core import Compliance, Curvature, Start
-from .._si import si_hints
-from ..drive import Drive
-from ..geometry import CoatedSphere
-from ..progress import ProgressLike, Report, reporting
+from .._support.arguments import as_float_array, as_member, require_type
+from .._support.progress import ProgressLike, Report, reporting
+from ..bodies import CoatedSphere, Drive
+from ..bodies.si_hints import si_hints
 from .history import ContactInstant, History
 from .rolling_history import RollingHistory, RollingState
 
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from ..mesh import Mesh
+    from ..bodies import Mesh
 
 __all__ = ["roll"]
 

@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
-from .._arrays import as_float, as_int, as_member, require_type
 from .._core import Compliance, Curvature, Start
-from .._si import si_hints
-from ..drive import Drive
-from ..geometry import CoatedSphere
-from ..mesh import Mesh
-from ..progress import ProgressLike, reporting
+from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.progress import ProgressLike, reporting
+from ..bodies import CoatedSphere, Drive, Mesh
+from ..bodies.si_hints import si_hints
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

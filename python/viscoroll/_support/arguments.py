@@ -1,0 +1,229 @@
+"""Shape and type of arguments, settled once before they reach the core, which checks their values."""
+
+from __future__ import annotations
+
+import operator
+import sys
+from collections.abc import Callable, Sequence
+from enum import Enum
+from numbers import Real
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .text import shown
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+Member = TypeVar("Member", bound=Enum)
+
+#: An array of real numbers, of any shape.
+Floats: TypeAlias = NDArray[np.float64]
+
+__all__ = [
+    "Floats",
+    "as_float",
+    "as_float_array",
+    "as_floats",
+    "as_int",
+    "as_kelvin",
+    "as_member",
+    "as_orders",
+    "require_callable",
+    "require_type",
+    "store_floats",
+]
+
+
+def require_type(name: str, value: object, *kinds: type, optional: bool = False) -> None:
+    """Refuse a value that is of none of some classes of this package.
+
+    Raises
+    ------
+    TypeError
+        Where `value` is of none of the `kinds`, nor None where that is `optional`.
+    """
+    if not (isinstance(value, kinds) or (optional and value is None)):
+        names = " or ".join(f"viscoroll.{kind.__name__}" for kind in kinds)
+        wanted = f"a {names}{' or None' if optional else ''}"
+        raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
+
+
+def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
+    """Return a member of an enumeration, of which the name in any case serves as well.
+
+    Raises
+    ------
+    TypeError
+        Where `value` is neither a member nor a text.
+    ValueError
+        For a text that names none.
+    """
+    if isinstance(value, kind):
+        return value
+    names = [member.name.lower() for member in kind]
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a viscoroll.{kind.__name__}, or one of {', '.join(names)}, got {shown(value)}")
+    if value.lower() not in names:
+        raise ValueError(f"{name} must be one of {', '.join(names)}, got {shown(value)}")
+    return kind[value.upper()]
+
+
+def require_callable(name: str, value: object) -> None:
+    """Refuse a value that is neither callable nor None.
+
+    Raises
+    ------
+    TypeError
+        Where it is something else.
+    """
+    if value is not None and not callable(value):
+        raise TypeError(f"{name} must be callable or None, got {shown(value)}")
+
+
+def as_float(name: str, value: object) -> float:
+    """Return a real number as a float.
+
+    Raises
+    ------
+    TypeError
+        Where `value` is not a real number: a string, a complex number, an array of several, None.
+    ValueError
+        Where it is beyond the range of a float.
+    """
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name} must be a real number, got {_described(value)}")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in size, got {shown(value)}") from None
+
+
+def as_kelvin(name: str, value: object) -> float:
+    """Return a temperature [K].
+
+    Raises
+    ------
+    TypeError
+        Where `value` is not a real number.
+    ValueError
+        Where it is not finite or is below 100 K, where no rubber is rubber: degrees Celsius, most likely.
+    """
+    temperature = as_float(name, value)
+    if not 100.0 <= temperature < float("inf"):
+        raise ValueError(f"{name} must be finite and >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
+    return temperature
+
+
+def as_int(name: str, value: object) -> int:
+    """Return a whole number as an int.
+
+    Raises
+    ------
+    TypeError
+        Where `value` is not an integer.
+    ValueError
+        Where it does not fit into 32 bits.
+    """
+    try:
+        if isinstance(value, bool):
+            raise TypeError
+        number = operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number, got {_described(value)}") from None
+    if abs(number) > 2**31 - 1:
+        raise ValueError(f"{name} must fit into 32 bits, got {shown(number)}")
+    return number
+
+
+def as_float_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return real numbers of any shape as an array of floats.
+
+    Raises
+    ------
+    TypeError
+        Where an entry is not a real number.
+    ValueError
+        Where an entry is beyond the range of a float, or rows differ in length.
+    """
+    array = _each(as_float, name, _as_array(name, values))
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must hold real numbers, got {array.dtype} entries")
+    return array.astype(np.float64)
+
+
+def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
+    """Return a one-dimensional sequence of real numbers as a tuple of floats.
+
+    Raises
+    ------
+    TypeError
+        Where an entry is not a real number.
+    ValueError
+        Where `values` is not one-dimensional, or an entry is beyond the range of a float.
+    """
+    array = _as_array(name, values, wanted="one-dimensional")
+    if array.ndim != 1:
+        raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")
+    return tuple(as_float_array(name, array).tolist())
+
+
+def as_orders(name: str, values: ArrayLike) -> NDArray[np.int32]:
+    """Return whole numbers of any shape as 32-bit integers.
+
+    Raises
+    ------
+    TypeError
+        Where the entries are not integers.
+    ValueError
+        Where an entry is above 1e6 in size, beyond any order of use, or rows differ in length.
+    """
+    array = _each(as_int, name, _as_array(name, values))
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} must hold whole numbers, got {array.dtype} entries")
+    if array.size and max(-int(array.min()), int(array.max())) > 10**6:
+        raise ValueError(f"{name} must be in [-1e6, 1e6], got {array.min()} to {array.max()}")
+    return array.astype(np.int32)
+
+
+def store_floats(target: object, names: Sequence[str], *, optional: Sequence[str] = (), prefix: str = "") -> None:
+    """Replace attributes of a frozen object by floats, so that it holds nothing mutable; `optional` ones may be None.
+
+    Raises
+    ------
+    TypeError
+        Where one is not a real number; the message names it behind `prefix`.
+    ValueError
+        Where one is beyond the range of a float.
+    """
+    given = [name for name in optional if getattr(target, name) is not None]
+    for name in (*names, *given):
+        object.__setattr__(target, name, as_float(f"{prefix}{name}", getattr(target, name)))
+
+
+def _as_array(name: str, values: ArrayLike, *, wanted: str = "an array") -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} must be {wanted}, got rows of different lengths") from None
+
+
+def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any]) -> NDArray[Any]:
+    """Convert the entries of an array of objects one by one: NumPy keeps integers beyond 64 bits as such."""
+    if array.dtype.kind != "O":
+        return array
+    entries = [
+        convert(f"{name}[{', '.join(map(str, index))}]" if index else name, value)
+        for index, value in np.ndenumerate(array)
+    ]
+    return np.array(entries).reshape(array.shape)
+
+
+def _described(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"array of shape {value.shape}"
+    return f"{type(value).__name__} {shown(value)}"

@@ -1,0 +1,126 @@
+"""Small tables with units, as notebooks show them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from html import escape
+from typing import Any
+
+from .text import shown
+from .units import UNITS
+
+__all__ = ["ParameterTable", "handy", "html_table", "number_text", "unit_text"]
+
+#: Of a long sequence so many entries are shown at its beginning, and one at its end.
+_SHOWN = 4
+
+#: Prefixes of units that people read, and of which units.
+_PREFIXES = {"M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3}
+_PREFIXED = frozenset({"m", "m^2", "m/s", "N", "N m", "N/m", "Pa", "W", "W/m"})
+
+#: Notebooks align text to the right, which suits numbers alone.
+_LEFT = ' style="text-align: left"'
+
+
+def html_table(title: str, rows: Iterable[Sequence[str]], *, head: Sequence[str] = ()) -> str:
+    """Return a table in HTML; all texts are escaped.
+
+    Parameters
+    ----------
+    title : str
+        What stands above it.
+    rows : iterable of sequence of str
+        Texts of the cells.
+    head : sequence of str, optional
+        Names of the columns.
+    """
+    above = f"<thead><tr>{''.join(f'<th{_LEFT}>{escape(text)}</th>' for text in head)}</tr></thead>" if head else ""
+    return _framed(title, above + "".join(_row([escape(text) for text in row]) for row in rows))
+
+
+def number_text(value: object) -> str:
+    """Return a number with six digits, and "undetermined" for none."""
+    return "undetermined" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def unit_text(unit: str) -> str:
+    """Return a unit as it is written: nothing for a pure number."""
+    return "" if unit == "1" else unit
+
+
+def handy(values: Sequence[float | None], unit: str) -> tuple[list[str], str]:
+    """Return numbers as people read them: five digits, and one unit for all with the prefix that suits the largest.
+
+    Examples
+    --------
+    >>> handy([8.461538e6], "Pa")
+    (['8.4615'], 'MPa')
+    >>> handy([2.27419e-5, None], "m^2")
+    (['22.742', 'undetermined'], 'mm^2')
+    """
+    largest = max((abs(value) for value in values if value is not None), default=0.0)
+    prefix = _prefix(largest, unit) if unit in _PREFIXED and largest > 0.0 else ""
+    factor = _factor(prefix, unit)
+    return ["undetermined" if value is None else f"{value / factor:.5g}" for value in values], prefix + unit
+
+
+def _prefix(largest: float, unit: str) -> str:
+    return next((prefix for prefix in _PREFIXES if largest >= _factor(prefix, unit)), "m")
+
+
+def _factor(prefix: str, unit: str) -> float:
+    return float(_PREFIXES[prefix] ** (2 if unit == "m^2" else 1))
+
+
+class ParameterTable:
+    """Base of inputs whose parameters a notebook shows as a table, those of what they hold in tables within."""
+
+    __slots__ = ()
+
+    def _repr_html_(self) -> str:
+        """Return the parameters with units."""
+        rows = [_row([escape(name.replace("_", " ")), *_cells(name, value)]) for name, value in _given(self)]
+        return _framed(type(self).__name__, "".join(rows))
+
+
+def _given(holder: Any) -> list[tuple[str, Any]]:
+    """Return name and value of what was given, and of what of the shape follows from it."""
+    pairs = [(field.name, getattr(holder, field.name)) for field in fields(holder)]
+    if hasattr(holder, "outer_radius"):
+        pairs.append(("outer_radius", holder.outer_radius))
+    return [(name, value) for name, value in pairs if value is not None]
+
+
+def _cells(name: str, value: Any) -> tuple[str, str]:
+    """Return value and unit of a parameter, as HTML."""
+    unit = escape(unit_text(UNITS.get(name, "1")))
+    match value:
+        case ParameterTable():
+            return value._repr_html_(), ""
+        case Enum():
+            return escape(value.name), ""
+        case float() | int():
+            return number_text(value), unit
+        case tuple() if value and all(isinstance(entry, ParameterTable) for entry in value):
+            return "".join(entry._repr_html_() for entry in value), ""
+        case tuple() if all(isinstance(entry, float) for entry in value):
+            return _few(value), unit
+        case _:
+            return escape(f"{value}" if is_dataclass(value) else shown(value)), ""
+
+
+def _few(values: tuple[float, ...]) -> str:
+    """Return some of many numbers, and how many there are."""
+    if len(values) <= _SHOWN + 1:
+        return ", ".join(map(number_text, values)) or "none"
+    return f"{', '.join(map(number_text, values[:_SHOWN]))}, …, {number_text(values[-1])} ({len(values)})"
+
+
+def _row(cells: Sequence[str]) -> str:
+    return f"<tr>{''.join(f'<td{_LEFT}>{cell}</td>' for cell in cells)}</tr>"
+
+
+def _framed(title: str, rows: str) -> str:
+    return f"<table><caption{_LEFT}>{escape(title)}</caption>{rows}</table>"

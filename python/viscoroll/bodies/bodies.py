@@ -1,0 +1,204 @@
+"""What rolls, and what it rolls on: bonded viscoelastic layers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from .. import _core
+from .._core import InnerBoundary
+from .._support.arguments import as_member, require_type, store_floats
+from .._support.tables import ParameterTable
+from .layers import HalfSpace, Layer, as_layers
+from .si_hints import si_hint
+
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
+
+
+class _RoundBody(ParameterTable):
+    """What balls and rollers have in common: layers around a core."""
+
+    __slots__ = ()
+
+    core_radius: float
+    layers: Sequence[Layer]
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    @property
+    def outer_radius(self) -> float:
+        """Outer radius r_o [m]."""
+        return self.core_radius + self.thickness
+
+    def __str__(self) -> str:
+        """Return the parameters, and how they read in SI units where that is implausible."""
+        return "\n".join(filter(None, [repr(self), si_hint(self)]))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedSphere(_RoundBody):
+    """Layers bonded to one another, and to a rigid core if there is one.
+
+    Parameters
+    ----------
+    core_radius : float
+        Radius of the core or the cavity [m], > 0; 0, which may be left out, for a solid ball.
+    layers : sequence of Layer
+        From the center outwards; with none a rigid ball, which rolls on what deforms.
+    inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
+        What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
+        core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    >>> CoatedSphere(core_radius=20e-3, layers=[layer, layer]).outer_radius
+    0.022
+    """
+
+    core_radius: float = 0.0
+    layers: Sequence[Layer] = ()
+    inner_boundary: InnerBoundary = InnerBoundary.RIGID
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers, store the radius as a float, and check the parameters."""
+        store_floats(self, ("core_radius",))
+        object.__setattr__(self, "layers", as_layers(self.layers))
+        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
+        self._to_core()
+
+    def _to_core(self) -> _core.CoatedSphere:
+        return _core.CoatedSphere(
+            core_radius=self.core_radius,
+            layers=[layer._to_core() for layer in self.layers],
+            inner_boundary=self.inner_boundary,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedCylinder(_RoundBody):
+    """A roller: layers bonded to one another and to a rigid core, in line contact.
+
+    It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
+    load would have no finite compliance.
+
+    Parameters
+    ----------
+    core_radius : float
+        Radius of the core [m], > 0.
+    layers : sequence of Layer
+        From the core outwards; none: rigid.
+
+    Examples
+    --------
+    >>> from viscoroll import StandardLinearSolid
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> layer = Layer(thickness=10e-3, shear_modulus=rubber, poisson_ratio=0.5)
+    >>> CoatedCylinder(core_radius=50e-3, layers=[layer]).outer_radius
+    0.060000000000000005
+    """
+
+    core_radius: float
+    layers: Sequence[Layer] = ()
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers, store the radius as a float, and check the parameters."""
+        store_floats(self, ("core_radius",))
+        object.__setattr__(self, "layers", as_layers(self.layers))
+        self._to_core()
+
+    def _to_core(self) -> _core.CoatedCylinder:
+        return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CoatedPlane(ParameterTable):
+    """An unbounded plane of bonded layers on a rigid base or a half-space.
+
+    Parameters
+    ----------
+    layers : sequence of Layer
+        From the base outwards.
+    base : HalfSpace, optional
+        What carries them; rigid without it.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> mat = Layer(thickness=5e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    >>> CoatedPlane(layers=[mat]).thickness
+    0.005
+    """
+
+    layers: Sequence[Layer] = ()
+    base: HalfSpace | None = None
+
+    def __post_init__(self) -> None:
+        """Freeze the list of layers and check the parameters."""
+        object.__setattr__(self, "layers", as_layers(self.layers))
+        require_type("base", self.base, HalfSpace, optional=True)
+        self._to_core()
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    def _to_core(self) -> _core.CoatedPlane:
+        return _core.CoatedPlane(
+            layers=[layer._to_core() for layer in self.layers],
+            base=None if self.base is None else self.base._to_core(),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Groove(ParameterTable):
+    """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
+
+    Layers and base are taken to be flat, which is as good as they are thin beside the radii.
+
+    Parameters
+    ----------
+    radius : float, optional
+        Of curvature across the path [m]: at least 1.02 times the ball's where it is hollow, < 0 where it bulges;
+        straight without it.
+    path_radius : float, optional
+        The same along the path: a dish, or the race of a bearing.
+    layers : sequence of Layer
+        From the base outwards; none: rigid.
+    base : HalfSpace, optional
+        What carries them; rigid without it.
+
+    Examples
+    --------
+    >>> Groove(radius=30e-3).path_radius is None
+    True
+    """
+
+    radius: float | None = None
+    path_radius: float | None = None
+    layers: Sequence[Layer] = ()
+    base: HalfSpace | None = None
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats, freeze the list of layers and check the parameters."""
+        store_floats(self, (), optional=("radius", "path_radius"))
+        object.__setattr__(self, "layers", as_layers(self.layers))
+        require_type("base", self.base, HalfSpace, optional=True)
+        self._to_core()
+
+    def _to_core(self) -> _core.Groove:
+        surface = CoatedPlane(layers=self.layers, base=self.base)
+        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=surface._to_core())
+
+
+#: What rolls: a ball, or a roller, whose load and results are per length.
+RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+
+#: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
+Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove

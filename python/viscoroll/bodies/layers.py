@@ -1,0 +1,124 @@
+"""What bodies are made of: bonded viscoelastic layers, and material without end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .. import _core
+from .._support.arguments import require_type, store_floats
+from .._support.tables import ParameterTable
+from .._support.text import shown
+from ..materials import ShearModulusLike
+from ..materials.moduli import as_modulus, to_core
+
+__all__ = ["HalfSpace", "Layer", "as_layers"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layer(ParameterTable):
+    """One homogeneous, isotropic, linear viscoelastic layer.
+
+    Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+
+    Parameters
+    ----------
+    thickness : float
+        [m], > 0.
+    shear_modulus : ShearModulus, callable or float
+        μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
+        angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,
+        or one for all.
+    poisson_ratio : float, optional
+        Real, constant Poisson's ratio ν in (-1, 0.5]; 0.5 is incompressible.
+    bulk_modulus : float, optional
+        Real, constant bulk modulus [Pa], > 0; Poisson's ratio is then complex and depends on frequency.
+    density : float, default 0
+        [kg/m³], ≥ 0; 0 leaves inertia out.
+    conductivity : float, optional
+        Of heat [W/(m K)], > 0; only temperatures need it.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> Layer(thickness=1e-3, shear_modulus=Elastic(modulus=3e6), poisson_ratio=0.5)
+    Layer(thickness=0.001, shear_modulus=Elastic(modulus=3000000.0), poisson_ratio=0.5, bulk_modulus=None, \
+density=0.0, conductivity=None)
+    """
+
+    thickness: float
+    shear_modulus: ShearModulusLike
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+    conductivity: float | None = None
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus", "conductivity"))
+        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
+        if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
+            raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
+        self._to_core()
+
+    def _to_core(self) -> _core.Layer:
+        return _core.Layer(
+            thickness=self.thickness,
+            shear_modulus=to_core(self.shear_modulus),
+            poisson_ratio=self.poisson_ratio,
+            bulk_modulus=self.bulk_modulus,
+            density=self.density,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HalfSpace(ParameterTable):
+    """Material without end below a plane. Exactly one of `poisson_ratio` and `bulk_modulus` is given.
+
+    Parameters
+    ----------
+    shear_modulus, poisson_ratio, bulk_modulus, density
+        As of `Layer`.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic
+    >>> HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.5).density
+    0.0
+    """
+
+    shear_modulus: ShearModulusLike
+    poisson_ratio: float | None = None
+    bulk_modulus: float | None = None
+    density: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, ("density",), optional=("poisson_ratio", "bulk_modulus"))
+        _core.CoatedPlane(layers=[], base=self._to_core())
+
+    def _to_core(self) -> _core.HalfSpace:
+        return _core.HalfSpace(
+            shear_modulus=to_core(self.shear_modulus),
+            poisson_ratio=self.poisson_ratio,
+            bulk_modulus=self.bulk_modulus,
+            density=self.density,
+        )
+
+
+def as_layers(layers: object) -> tuple[Layer, ...]:
+    """Return layers as a tuple; a layer alone is one.
+
+    Raises
+    ------
+    TypeError
+        For anything but layers.
+    """
+    layers = (layers,) if isinstance(layers, Layer) else layers
+    if not isinstance(layers, Iterable):
+        raise TypeError(f"layers must be a sequence of viscoroll.Layer, got {shown(layers)}")
+    layers = tuple(layers)
+    for j, layer in enumerate(layers):
+        require_type(f"layers[{j}]", layer, Layer)
+    return layers

@@ -1,0 +1,326 @@
+"""Response of the coating to single orders (m, n) of the two-variable Fourier series, and their sums over the surface.
+
+A field Σ f_mn(r) exp(i(mφ + nθ)) is steady in space while the material turns, so a material point sees order m at the
+angular frequency mΩ. Components are ordered (r, φ, θ).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import _core
+from .._core import Curvature
+from .._support.arguments import as_float, as_int, as_member, as_orders, require_type
+from .._support.progress import ProgressLike, reporting
+from .._support.text import shown
+from .bodies import CoatedCylinder, CoatedSphere, RollingBody
+from .layers import Layer
+from .mesh import Mesh
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "centrifugal_displacement",
+    "critical_speed",
+    "degree_compliance",
+    "influence_tables",
+    "state_matrix",
+    "surface_compliance",
+]
+
+
+def surface_compliance(
+    ball: CoatedSphere,
+    angular_speed: float,
+    m: ArrayLike,
+    n: ArrayLike,
+    *,
+    curvature: Curvature | str = Curvature.SPHERE,
+) -> NDArray[np.complex128]:
+    """Surface compliance of single orders: displacement per surface stress.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    m, n : array_like of int
+        Orders in φ and θ, of any sign and of shapes that broadcast.
+    curvature : Curvature or str, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 3, 3)
+        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ).
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type, and orders that are not integers.
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+
+    References
+    ----------
+    Equation (31) of the paper, by a recursion that carries the compliance from the core outwards and so neither
+    overflows nor loses digits.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic, Layer, CoatedSphere
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=1.0), poisson_ratio=0.5)
+    >>> ball = CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> surface_compliance(ball, 1.0, [10, 20], 0).shape
+    (2, 3, 3)
+    """
+    require_type("ball", ball, CoatedSphere)
+    curvature = as_member("curvature", curvature, Curvature)
+    orders_m, orders_n = _broadcast("m and n", as_orders("m", m), as_orders("n", n))
+    compliance = _core.surface_compliance(
+        ball._to_core(),
+        np.ascontiguousarray(orders_m.ravel()),
+        np.ascontiguousarray(orders_n.ravel()),
+        angular_speed=as_float("angular_speed", angular_speed),
+        curvature=curvature,
+    )
+    return compliance.reshape(*orders_m.shape, 3, 3)
+
+
+def degree_compliance(
+    ball: CoatedSphere, angular_speed: float, degree: ArrayLike, order: ArrayLike
+) -> NDArray[np.complex128]:
+    """Surface compliance of the exact sphere without inertia: displacement per surface stress of single harmonics.
+
+    These are the vector spherical harmonics Y, Ψ = r∇Y/√(l(l+1)) and Φ = e_r × Ψ about the rolling axis.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Core and layers; densities do not count.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    degree, order : array_like of int
+        Degrees l ≥ 0 and orders m, |m| ≤ l, of shapes that broadcast. The material sees the frequency mΩ.
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 3, 3)
+        Compliance [m/Pa], rows and columns in the order (Y, Ψ, Φ). Degree 0 has Y alone. Without a core, degree 1 is
+        what is left beyond the rigid motions: its loads are balanced by a uniform force on the volume, and the mean
+        displacement of the volume and the mean turning of the surface are 0.
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input.
+
+    Examples
+    --------
+    >>> from viscoroll import Elastic, Layer, CoatedSphere
+    >>> layer = Layer(thickness=1e-3, shear_modulus=Elastic(modulus=1.0), poisson_ratio=0.5)
+    >>> ball = CoatedSphere(core_radius=20e-3, layers=[layer])
+    >>> degree_compliance(ball, 1.0, [10, 20], 0).shape
+    (2, 3, 3)
+    """
+    require_type("ball", ball, CoatedSphere)
+    degrees, orders = _broadcast("degree and order", as_orders("degree", degree), as_orders("order", order))
+    compliance = _core.degree_compliance(
+        ball._to_core(),
+        np.ascontiguousarray(degrees.ravel()),
+        np.ascontiguousarray(orders.ravel()),
+        angular_speed=as_float("angular_speed", angular_speed),
+    )
+    return compliance.reshape(*degrees.shape, 3, 3)
+
+
+def state_matrix(
+    layer: Layer, angular_speed: float, radius: float, m: int, n: int, *, curvature: Curvature | str = Curvature.SPHERE
+) -> NDArray[np.complex128]:
+    """Matrix B of the layer's equations dz/d(ln r) = B z with z = (u_r, u_φ, u_θ, rσ_rr, rσ_rφ, rσ_rθ).
+
+    Parameters
+    ----------
+    layer : Layer
+        Gives the material.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    radius : float
+        r [m], > 0.
+    m, n : int
+        Orders in φ and θ.
+    curvature : Curvature or str, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
+
+    Returns
+    -------
+    ndarray of complex, shape (6, 6)
+        B, its blocks in the units [-, 1/Pa; Pa, -].
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input.
+
+    References
+    ----------
+    Equation (23) of the paper, multiplied out so that it stays finite at Poisson's ratio 1/2.
+    """
+    require_type("layer", layer, Layer)
+    curvature = as_member("curvature", curvature, Curvature)
+    return _core.state_matrix(
+        layer._to_core(),
+        angular_speed=as_float("angular_speed", angular_speed),
+        radius=as_float("radius", radius),
+        m=as_int("m", m),
+        n=as_int("n", n),
+        curvature=curvature,
+    )
+
+
+def centrifugal_displacement(ball: CoatedSphere, angular_speed: float) -> float:
+    """Uniform radial displacement of the surface by centrifugal load, equation (36) of the paper.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+
+    Returns
+    -------
+    float
+        d_R^(c) [m], outwards; 0 for incompressible layers.
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+    """
+    require_type("ball", ball, CoatedSphere)
+    return _core.centrifugal_displacement(ball._to_core(), angular_speed=as_float("angular_speed", angular_speed))
+
+
+def critical_speed(
+    ball: RollingBody, *, highest_frequency: float = 1e9, curvature: Curvature | str = Curvature.SPHERE
+) -> float:
+    """Lowest rolling speed at which the coating radiates waves, so that the steady problem here ceases to hold.
+
+    For one layer it is the speed at which the surface keeps up with the Rayleigh wave of the short-time modulus; a soft
+    layer below a stiff one lowers it. A Kelvin-Voigt layer counts as rigid, since it is at infinite frequency.
+
+    Parameters
+    ----------
+    ball : CoatedSphere or CoatedCylinder
+        Rigid core and layers.
+    highest_frequency : float, default 1e9
+        Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
+    curvature : Curvature or str, default Curvature.SPHERE
+        How much of a sphere's curvature the equations keep.
+
+    Returns
+    -------
+    float
+        Critical Ω [rad/s]; infinite without density.
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input.
+    """
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    curvature = as_member("curvature", curvature, Curvature)
+    frequency = as_float("highest_frequency", highest_frequency)
+    if isinstance(ball, CoatedCylinder):
+        return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
+    return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+
+
+def influence_tables(
+    ball: CoatedSphere,
+    angular_speed: float,
+    mesh: Mesh,
+    *,
+    reach: int | tuple[int, int],
+    curvature: Curvature | str = Curvature.SPHERE,
+    threads: int = 0,
+    progress: ProgressLike = None,
+) -> NDArray[np.float64]:
+    """Influence tables: displacement of one surface node by a unit force on the flat patch (53) of another.
+
+    Parameters
+    ----------
+    ball : CoatedSphere
+        Rigid core and layers.
+    angular_speed : float
+        Ω [rad/s], > 0.
+    mesh : Mesh
+        Spacing and truncation.
+    reach : int or (int, int)
+        Largest offsets in φ and θ, in spacings, at most half of the nodes per revolution.
+    curvature : Curvature or str, default Curvature.SPHERE
+        The membrane stiffness of a sphere, or PAPER's; on the exact sphere influence is no function of the
+        offset alone.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms.
+
+    Returns
+    -------
+    ndarray, shape (3, 3, 2 * reach[0] + 1, 2 * reach[1] + 1)
+        c[P, Q, J + j, L + l] [m/N]: displacement along P of the node that lies j spacings in φ and l in θ from the node
+        loaded along Q, with P and Q in the order (r, φ, θ), J = reach[0] and L = reach[1].
+
+    Raises
+    ------
+    TypeError
+        For arguments of another type.
+    ValueError
+        For bad input, and for speeds at or above the critical one.
+    """
+    require_type("ball", ball, CoatedSphere)
+    require_type("mesh", mesh, Mesh)
+    curvature = as_member("curvature", curvature, Curvature)
+    phi_reach, theta_reach = _pair("reach", reach)
+    with reporting(progress) as report:
+        return _core.influence_tables(
+            ball._to_core(),
+            mesh._to_core(),
+            angular_speed=as_float("angular_speed", angular_speed),
+            phi_reach=phi_reach,
+            theta_reach=theta_reach,
+            threads=as_int("threads", threads),
+            curvature=curvature,
+            progress=report,
+        )
+
+
+def _broadcast(names: str, m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    try:
+        shape = np.broadcast_shapes(m.shape, n.shape)
+    except ValueError:
+        raise ValueError(f"{names} must have shapes that broadcast, got {m.shape} and {n.shape}") from None
+    return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
+
+
+def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:
+    """Return one number twice, and two as they are."""
+    if not isinstance(value, tuple):
+        return (as_int(name, value),) * 2
+    if len(value) != 2:
+        raise ValueError(f"{name} must be one whole number or two, got {shown(value)}")
+    return as_int(f"{name}[0]", value[0]), as_int(f"{name}[1]", value[1])

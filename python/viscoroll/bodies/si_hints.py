@@ -1,0 +1,76 @@
+"""Hints for those who gave millimeters, megapascals or revolutions per minute."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from typing import Protocol
+
+import numpy as np
+
+from .._core import ConvergenceError, complex_modulus
+from ..materials import ShearModulusLike
+from ..materials.moduli import to_core
+from .layers import Layer
+
+__all__ = ["si_hint", "si_hints"]
+
+
+class _Layered(Protocol):
+    """Any body, and any plane."""
+
+    @property
+    def layers(self) -> Sequence[Layer]:
+        """From the inside outwards."""
+
+
+#: What is hardly meant: no ball or roller is as large, no layer as thick, no solid as soft.
+_LARGEST_RADIUS = 1.5  # [m]
+_LARGEST_THICKNESS = 0.5  # [m]
+_SMALLEST_MODULUS = 1e3  # [Pa]
+_FAST = 100.0  # [rad/s]
+
+#: How messages begin of which units may be the cause.
+_TELLING = ("load must be small enough", "angular_speed must be below", "angular_speed must be such")
+
+
+def si_hint(body: _Layered, on: _Layered | None = None) -> str:
+    """Return how implausible lengths and moduli of what rolls, and what it rolls on, read in SI units, or nothing."""
+    doubtful = [*_doubtful(body, ""), *([] if on is None else _doubtful(on, "on."))]
+    return f"viscoroll takes SI units: {', '.join(doubtful)}" if doubtful else ""
+
+
+@contextmanager
+def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float = 0.0) -> Iterator[None]:
+    """End messages about loads and speeds that are too large with how doubtful input reads in SI units."""
+    try:
+        yield
+    except (ValueError, ConvergenceError) as error:
+        message = str(error)
+        hints = [si_hint(body, on)]
+        if message.startswith("angular_speed") and angular_speed >= _FAST:
+            hints.append(f"{angular_speed:g} rad/s are {angular_speed * 30.0 / math.pi:.0f} revolutions per minute")
+        told = [hint for hint in hints if hint]
+        if not told or not (isinstance(error, ConvergenceError) or message.startswith(_TELLING)):
+            raise
+        raise type(error)("; ".join([message, *told])) from None
+
+
+def _doubtful(body: _Layered, where: str) -> Iterator[str]:
+    if (radius := getattr(body, "outer_radius", 0.0)) > _LARGEST_RADIUS:
+        yield f"{where}outer_radius = {radius:g} m"
+    for j, layer in enumerate(body.layers):
+        if layer.thickness > _LARGEST_THICKNESS:
+            yield f"{where}layers[{j}].thickness = {layer.thickness:g} m"
+        yield from _soft(layer.shear_modulus, f"{where}layers[{j}]")
+    if (base := getattr(body, "base", None)) is not None:
+        yield from _soft(base.shear_modulus, f"{where}base")
+
+
+def _soft(modulus: ShearModulusLike, where: str) -> Iterator[str]:
+    """Yield a modulus at rest that is too low for a solid; tables that hold none at rest are passed over."""
+    with suppress(ValueError):
+        at_rest = complex_modulus(to_core(modulus), np.zeros(1))[0].real
+        if at_rest < _SMALLEST_MODULUS:
+            yield f"{where}.shear_modulus = {at_rest:.3g} Pa at rest"

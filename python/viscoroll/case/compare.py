@@ -1,0 +1,193 @@
+"""Torque against speed by the solver and by closed forms (the extras `viscoroll[cli,plot]`)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, overload
+
+import numpy as np
+
+from .._core import Compliance, Status
+from .._support.arguments import Floats
+from .._support.files import write_csv
+from .._support.pictures import drawn
+from .._support.progress import ProgressLike
+from ..analytic import applicable
+from ..bodies import CoatedCylinder, Drive
+from ..bodies.orders import critical_speed
+from ..solution.scalars import scalar_units
+from ..studies.runner import run_all
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    from ..rolling import Result
+    from .case import Case
+
+__all__ = ["Comparison", "compare_torques", "parse_speeds"]
+
+_LABELS = {
+    "low_speed": "low speed",
+    "greenwood_tabor": "Greenwood and Tabor (64)",
+    "persson": "Persson",
+    "winkler": "viscoelastic springs (Winkler)",
+    "hunter": "Hunter's half-plane",
+    "winkler_line": "viscoelastic springs (Winkler)",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Comparison:
+    """Torques [N m], of a roller per length [N], against Ω [rad/s].
+
+    Attributes
+    ----------
+    case : Case
+        Ball, load and mesh or accuracy.
+    speeds, torques : ndarray
+        Ω [rad/s], and T_r of the solver.
+    errors : ndarray
+        The solver's error estimates [-].
+    statuses : list of Status
+        How each solve ended.
+    forms : dict of str to (ndarray, ndarray of bool)
+        Torque of each closed form, and where it holds.
+    """
+
+    case: Case
+    speeds: Floats
+    torques: Floats
+    errors: Floats
+    statuses: list[Status]
+    forms: dict[str, tuple[Floats, NDArray[np.bool_]]]
+
+    def unsettled(self) -> dict[Status, int]:
+        """Count the speeds at which the solver ended otherwise than converged."""
+        return dict(Counter(status for status in self.statuses if status is not Status.CONVERGED))
+
+    def _unit(self) -> str:
+        """Return the unit of the torques."""
+        return scalar_units(line_contact=isinstance(self.case.ball, CoatedCylinder))["resisting_torque"]
+
+    @overload
+    def draw(self) -> Figure: ...
+
+    @overload
+    def draw(self, ax: Axes) -> Axes: ...
+
+    def draw(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw all torques, into `ax` or a new figure; closed forms are dashed where they do not hold."""
+        return drawn(self._draw, ax, figsize=(8.4, 5.2))
+
+    def _draw(self, axes: Axes) -> None:
+        axes.errorbar(
+            self.speeds,
+            self.torques,
+            yerr=self.errors * self.torques,
+            fmt="ko-",
+            markersize=3.5,
+            linewidth=1.0,
+            label="solver, radial compliance",
+        )
+        for place, (name, (torque, holds)) in enumerate(self.forms.items()):
+            color, label = f"C{place}", _LABELS.get(name, name)
+            axes.plot(self.speeds, torque, "--", color=color, linewidth=1.0, label=f"{label}, outside its validity")
+            if holds.any():
+                axes.plot(self.speeds, np.where(holds, torque, np.nan), color=color, linewidth=2.5, label=label)
+        axes.set(
+            xscale="log",
+            yscale="log",
+            xlabel="rolling speed $Ω$ [rad/s]",
+            ylabel=f"resisting torque $T_r$ [{self._unit()}]",
+        )
+        axes.set_ylim(0.3 * self.torques.min(), 5.0 * self.torques.max())
+        axes.set_title(f"$P$ = {self.case.load:g} {'N/m' if self._unit() == 'N' else 'N'}")
+        axes.legend(fontsize="small")
+
+    def write_csv(self, path: Path) -> None:
+        """Write one row for each speed."""
+        columns: dict[str, list[object]] = {
+            "angular_speed [rad/s]": self.speeds.tolist(),
+            f"torque [{self._unit()}]": self.torques.tolist(),
+            "error_estimate [1]": self.errors.tolist(),
+            "status": [status.name for status in self.statuses],
+        }
+        for name, (torque, holds) in self.forms.items():
+            columns[f"{name} [{self._unit()}]"] = torque.tolist()
+            columns[f"{name}_holds"] = holds.tolist()
+        write_csv(columns, path)
+
+
+def parse_speeds(text: str) -> tuple[float, float]:
+    """Read a range of speeds, as 0.05..25 [rad/s].
+
+    Raises
+    ------
+    ValueError
+        For anything else, and unless 0 < from < to < ∞.
+    """
+    first, found, last = text.partition("..")
+    try:
+        low, high = float(first), float(last)
+    except ValueError:
+        low = high = 0.0
+    if not (found and 0.0 < low < high < np.inf):
+        raise ValueError(f"speeds must be from..to with 0 < from < to in rad/s, got {text!r}")
+    return low, high
+
+
+def compare_torques(
+    case: Case,
+    *,
+    speeds: tuple[float, float] | None = None,
+    points: int = 25,
+    progress: ProgressLike = None,
+) -> Comparison:
+    """Solve a case at speeds of equal ratios, without friction and with the radial compliance; evaluate closed forms.
+
+    With the vertical compliance the moment of the pressure is not the power lost per speed, which closed forms give.
+
+    Parameters
+    ----------
+    case : Case
+        Its friction, drive and compliance do not count.
+    speeds : (float, float), optional
+        First and last Ω [rad/s]; by default from a thirtieth to ten times that of the case, below the critical one.
+    points : int, default 25
+        Number of speeds, ≥ 2.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) after every speed.
+
+    Raises
+    ------
+    ValueError, ConvergenceError
+        As of `viscoroll.solve`.
+    """
+    low, high = speeds or (
+        case.angular_speed / 30.0,
+        min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.ball), case.angular_speed)),
+    )
+    omega = np.geomspace(low, high, points)
+    radial = replace(case, friction=0.0, drive=Drive(force=0.0), compliance=Compliance.RADIAL)
+
+    def point(speed: float) -> Result:
+        return replace(radial, angular_speed=speed).solve(threads=1)
+
+    results = run_all(point, omega.tolist(), progress=progress)
+    forms = {
+        name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
+        for name, form in (applicable(case.ball) if case.on is None else {}).items()
+    }
+    return Comparison(
+        case=case,
+        speeds=omega,
+        torques=np.array([result.resisting_torque for result in results]),
+        errors=np.array([result.error_estimate for result in results]),
+        statuses=[result.status for result in results],
+        forms=forms,
+    )

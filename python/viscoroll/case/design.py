@@ -1,0 +1,335 @@
+"""The number of a case that costs the least power, under limits on what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._support.cautions import kept_in_results
+from .._support.extras import extra
+from .._support.progress import ProgressLike, Report, reporting
+from .._support.text import shown
+from ..rolling import Result
+from ..solution.scalars import SCALARS
+from .case import build_case, errors_in, read_toml
+from .study import place_of, substituted
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["Design", "design_case"]
+
+_POINTS = 15
+
+
+#: The limit that is no scalar result: the hottest place of the coating.
+_TEMPERATURE = "temperature"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Outcome:
+    """What came of one value.
+
+    Attributes
+    ----------
+    result : Result
+        The solved case.
+    temperature : float or None
+        Of the hottest place of the coating [K], where that is limited.
+    """
+
+    result: Result
+    temperature: float | None
+
+    def value(self, name: str) -> float:
+        """Return a scalar result, or the temperature [K], by its name."""
+        return float(self.temperature if name == _TEMPERATURE else getattr(self.result, name))  # type: ignore[arg-type]
+
+    def violation(self, limits: Mapping[str, float]) -> float:
+        """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
+        return max((self.value(name) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Design:
+    """What a search found.
+
+    Attributes
+    ----------
+    variable : str
+        Place of the number in the case file.
+    best : float
+        Its value, in the unit of the file.
+    outcome : Outcome
+        At the best value.
+    limits : mapping of str to float
+        Largest values allowed, by the names of scalar results, or "temperature" [SI].
+    values : tuple of float
+        All that were tried, increasing.
+    outcomes : tuple of Outcome or None
+        Of each; None where it was refused or not found.
+    active : tuple of str
+        Limits that the best value exhausts, to 1 %.
+    """
+
+    variable: str
+    best: float
+    outcome: Outcome
+    limits: Mapping[str, float]
+    values: tuple[float, ...]
+    outcomes: tuple[Outcome | None, ...]
+    active: tuple[str, ...]
+
+    @property
+    def result(self) -> Result:
+        """The solved case of the best value."""
+        return self.outcome.result
+
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, ax: Axes) -> Axes: ...
+
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`).
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the power alone.
+
+        Returns
+        -------
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
+        """
+        from .._support.pictures import Picture, drawn
+
+        if ax is not None:
+            drawn(self._draw_power, ax, figsize=(7.0, 4.0))
+            ax.set_xlabel(self.variable)
+            return ax
+        figure = Picture(figsize=(7.0, 5.0), layout="constrained")
+        above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
+        self._draw_power(above)
+        for name, limit in self.limits.items():
+            x, values = _column(self._solved(), name)
+            below.plot(x, np.array(values) / limit, label=name.replace("_", " "))
+        below.axhline(1.0, color="gray", linewidth=0.8)
+        below.set_ylabel("result / limit")
+        below.set_xlabel(self.variable)
+        below.legend()
+        return figure
+
+    def _solved(self) -> list[tuple[float, Outcome]]:
+        return [(v, r) for v, r in zip(self.values, self.outcomes, strict=True) if r is not None]
+
+    def _draw_power(self, axes: Axes) -> None:
+        solved = self._solved()
+        axes.plot(*_column(solved, "dissipated_power"), "k-", linewidth=1)
+        kept = [pair for pair in solved if pair[1].violation(self.limits) <= 0.0]
+        axes.plot(*_column(kept, "dissipated_power"), "go", label="allowed")
+        left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
+        axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
+        axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
+        axes.set_ylabel("power lost [W]")
+        axes.legend()
+
+
+def _column(solved: list[tuple[float, Outcome]], name: str) -> tuple[list[float], list[float]]:
+    """Return values and what came of them."""
+    return [value for value, _ in solved], [outcome.value(name) for _, outcome in solved]
+
+
+@dataclass(slots=True)
+class _Search:
+    """Results by value, each solved once."""
+
+    solve: Callable[[float, Report | None], Outcome]
+    report: Report | None
+    found: dict[float, Outcome | None] = field(default_factory=dict)
+    reasons: list[str] = field(default_factory=list)
+
+    def __call__(self, value: float) -> Outcome | None:
+        if value not in self.found:
+            try:
+                self.found[value] = self.solve(value, self._report_of_case)
+            except (ValueError, ConvergenceError) as error:
+                self.found[value] = None
+                self.reasons.append(str(error))
+        return self.found[value]
+
+    def _report_of_case(self, stage: str, fraction: float) -> None:
+        if self.report is not None:
+            self.report(f"case {len(self.found) + 1}: {stage}", fraction)
+
+
+def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
+    """Find the value of one number of a case file that minimizes the power lost.
+
+    The file is a case file with one more table::
+
+        [design]
+        vary = "ball.layers[0].thickness"
+        from = 0.5e-3
+        to = 5e-3
+        limits = { max_pressure = 2e6, strain = 0.2 }
+
+    where limits are upper bounds of scalar results, by their names, or of the temperature [K] of the hottest place of
+    the coating, where the file has a table [thermal]. Values at equal ratios show where the limits are
+    kept; then SciPy finds the ends of that range, and the least power in it.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) about every 20 ms, with the share of the case at hand.
+
+    Returns
+    -------
+    Design
+        Best value, its result, and all that was tried.
+
+    Raises
+    ------
+    ValueError
+        Where the file is not valid, or no value keeps all limits: then with what the nearest one exceeds.
+    """
+    path = Path(path)
+    with errors_in(path):
+        document = read_toml(path)
+        variable, low, high, limits = _checked(document.pop("design", None))
+        place = place_of(variable)
+
+        def solve(value: float, report: Report | None = None) -> Outcome:
+            case = build_case(substituted(document, {place: value}), path.parent)
+            result = case.solve(progress=report)
+            if _TEMPERATURE not in limits:
+                return Outcome(result=result, temperature=None)
+            if case.thermal is None:
+                raise ValueError(
+                    "design.limits.temperature needs a table [thermal] that says how the coating is cooled"
+                )
+            heated = case.thermal.temperature(result)
+            return Outcome(result=result, temperature=heated.ambient + heated.maximum)
+
+        with kept_in_results(), reporting(progress) as report:
+            search = _Search(solve, report)
+            solve(float(np.sqrt(low * high)))  # says what is wrong with the file, if anything is
+            return _best(variable, low, high, limits, search)
+
+
+def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
+    if not isinstance(table, dict):
+        raise ValueError('design must be a table, as vary = "ball.layers[0].thickness", from = ..., to = ...')
+    if unknown := sorted(table.keys() - {"vary", "from", "to", "limits"}):
+        raise ValueError(f"design has no parameter {', '.join(unknown)}")
+    variable, limits = table.get("vary"), table.get("limits")
+    low, high = (_number(name, table.get(name)) for name in ("from", "to"))
+    if not isinstance(variable, str):
+        raise ValueError(f"design.vary must be a place in the file, got {shown(variable)}")
+    if not 0.0 < low < high:
+        raise ValueError(f"design.from and design.to must be 0 < from < to, got {low!r} and {high!r}")
+    limits = {} if limits is None else limits
+    if not isinstance(limits, dict):
+        raise ValueError(f"design.limits must be a table, got {shown(limits)}")
+    for name, value in limits.items():
+        if name not in SCALARS and name != _TEMPERATURE:
+            raise ValueError(f"design.limits must be of {', '.join([*SCALARS, _TEMPERATURE])}, got {name!r}")
+        if not _number(f"limits.{name}", value) > 0.0:
+            raise ValueError(f"design.limits.{name} must be > 0, got {shown(value)}")
+    return variable, low, high, {name: float(value) for name, value in limits.items()}
+
+
+def _number(name: str, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"design.{name} must be a number, got {shown(value)}")
+    return float(value)
+
+
+def _best(variable: str, low: float, high: float, limits: dict[str, float], search: _Search) -> Design:
+    grid = [float(value) for value in np.geomspace(low, high, _POINTS)]
+    excess = [_excess(search, value, limits) for value in grid]
+    if min(excess) > 0.0:
+        nearest = int(np.argmin(excess))
+        why = (
+            f"the nearest, {grid[nearest]:g}, exceeds one by {excess[nearest]:.1%}"
+            if np.isfinite(min(excess))
+            else (search.reasons[-1] if search.reasons else "none could be solved")
+        )
+        raise ValueError(f"design.limits must leave a value of {variable} in [{low:g}, {high:g}]: {why}")
+    candidates = []
+    for first, last in _ranges(grid, excess):
+        start = _edge(search, limits, grid, first, -1)
+        stop = _edge(search, limits, grid, last, +1)
+        candidates += _least(search, limits, start, stop)
+    best = min(candidates, key=lambda pair: pair[1].value("dissipated_power"))
+    values = sorted(search.found)
+    active = tuple(name for name, limit in limits.items() if best[1].value(name) > 0.99 * limit)
+    return Design(
+        variable=variable,
+        best=best[0],
+        outcome=best[1],
+        limits=limits,
+        values=tuple(values),
+        outcomes=tuple(search.found[value] for value in values),
+        active=active,
+    )
+
+
+def _excess(search: _Search, value: float, limits: Mapping[str, float]) -> float:
+    outcome = search(value)
+    return np.inf if outcome is None else outcome.violation(limits)
+
+
+def _ranges(grid: list[float], excess: list[float]) -> list[tuple[int, int]]:
+    """Return first and last index of each run of values that keep the limits."""
+    allowed = [False, *(value <= 0.0 for value in excess), False]
+    starts = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i]]
+    stops = [i for i in range(len(grid)) if allowed[i + 1] and not allowed[i + 2]]
+    return list(zip(starts, stops, strict=True))
+
+
+def _edge(search: _Search, limits: Mapping[str, float], grid: list[float], index: int, step: int) -> float:
+    """Return where the limits begin to be exceeded next to an allowed value, on the allowed side."""
+    with extra("studies"):
+        from scipy.optimize import brentq
+
+    neighbor = index + step
+    if not 0 <= neighbor < len(grid):
+        return grid[index]
+    if search(grid[neighbor]) is None:
+        return grid[index]
+    inside, outside = grid[index], grid[neighbor]
+    if _excess(search, inside, limits) == 0.0:
+        return inside
+    edge = float(brentq(lambda value: min(_excess(search, value, limits), 1e3), inside, outside, rtol=1e-4))
+    # The root is known to its tolerance: step back onto the side where the limit is kept.
+    return edge + 2e-4 * (inside - edge) if _excess(search, edge, limits) > 0.0 else edge
+
+
+def _least(search: _Search, limits: Mapping[str, float], start: float, stop: float) -> list[tuple[float, Outcome]]:
+    """Return the ends of an allowed range, and the least power between them."""
+    with extra("studies"):
+        from scipy.optimize import minimize_scalar
+
+    found = [start, stop]
+    if stop > start * (1.0 + 1e-9):
+
+        def power(x: float) -> float:
+            outcome = search(float(np.exp(x)))
+            return np.inf if outcome is None else outcome.value("dissipated_power")
+
+        inner = minimize_scalar(power, bounds=(np.log(start), np.log(stop)), method="bounded", options={"xatol": 1e-3})
+        found.append(float(np.exp(inner.x)))
+    found += [value for value in search.found if start <= value <= stop]
+    pairs = [(value, outcome) for value in found if (outcome := search(value)) is not None]
+    return [(value, outcome) for value, outcome in pairs if outcome.violation(limits) <= 1e-9] or pairs[:1]

@@ -1,0 +1,179 @@
+"""Studies in TOML files: a case file with a table of what varies (the extra `viscoroll[cli]`)."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from .._support.extras import extra
+from .._support.text import shown
+from .._support.units import UNITS
+from ..bodies import RollingBody
+from ..studies.dimensions import Dimension
+from ..studies.plan import LoadCase, Plan
+from .case import Case, build_case, errors_in, read_toml
+
+with extra("cli"):
+    from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+__all__ = ["load_study", "place_of", "substituted"]
+
+#: A place in the file, as "ball.layers[0].thickness".
+_PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
+
+_Place = tuple[str | int, ...]
+
+
+class _Range(BaseModel):
+    """Numbers from one to another, both included."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+    start: float = Field(alias="from")
+    stop: float = Field(alias="to")
+    count: int = Field(ge=2, le=1_000_000)
+    scale: Literal["linear", "log"] = "linear"
+
+    def values(self) -> list[float] | list[int]:
+        if self.scale == "log" and not (self.start > 0.0 and self.stop > 0.0):
+            raise ValueError(f"from and to must be > 0 where the scale is log, got {self.start:g} and {self.stop:g}")
+        spaced = np.geomspace if self.scale == "log" else np.linspace
+        values = spaced(self.start, self.stop, self.count)
+        # Counts, as of nodes, must stay whole numbers.
+        whole = self.start.is_integer() and self.stop.is_integer() and bool((values == values.round()).all())
+        return [int(value) for value in values] if whole else [float(value) for value in values]
+
+
+def load_study(path: str | Path) -> Plan:
+    """Read a study from a TOML file.
+
+    Parameters
+    ----------
+    path : path-like
+        A case file with a table ``sweep``. Its keys are places in the file, its values lists of numbers, or tables
+        ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``.
+
+    Returns
+    -------
+    Plan
+        Ready to run. Dimensions are named by the last part of their place, or by all of it where that is not enough.
+
+    Raises
+    ------
+    ValueError
+        Where the file is not valid: in one line, with the place in the file.
+    OSError
+        Where it cannot be read.
+    """
+    path = Path(path)
+    with errors_in(path):
+        return _study(read_toml(path), path.parent)
+
+
+def _study(document: dict[str, Any], folder: Path) -> Plan:
+    table = document.pop("sweep", None)
+    if not isinstance(table, dict) or not table:
+        raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
+    places = [place_of(key) for key in table]
+    values = [_values(key, entry) for key, entry in table.items()]
+    dimensions = [
+        Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
+        for name, place, numbers in zip(_names(places), places, values, strict=True)
+    ]
+    return _plan(document, folder, places, dimensions)
+
+
+def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension]) -> Plan:
+    cases: list[LoadCase | str] = []
+    balls: dict[tuple[Any, ...], RollingBody] = {}
+    for point in itertools.product(*(dimension.values for dimension in dimensions)):
+        chosen = dict(zip(places, point, strict=True))
+        try:
+            case = build_case(substituted(document, chosen), folder)
+        except (TypeError, ValueError) as error:
+            cases.append(f"{type(error).__name__}: {error}")
+            continue
+        of_ball = tuple(number for place, number in chosen.items() if place[0] in ("ball", "cylinder"))
+        ball = balls.setdefault(of_ball, case.ball)
+        cases.append(LoadCase(ball=ball, arguments=_arguments(case)))
+    every = [case.arguments for case in cases if isinstance(case, LoadCase)]
+    names = {dimension.name for dimension in dimensions}
+    same = {k: v for k, v in (every[0] if every else {}).items() if all(other[k] == v for other in every)}
+    fixed = {name: value for name, value in same.items() if name not in names}
+    return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases))
+
+
+def _arguments(case: Case) -> dict[str, Any]:
+    return {name: value for name, value in case.arguments().items() if name != "ball"}
+
+
+def place_of(key: str) -> _Place:
+    """Return the place in a document that a key names, as "ball.layers[0].thickness".
+
+    Raises
+    ------
+    ValueError
+        Where it names none.
+    """
+    if not _PLACE.fullmatch(key):
+        raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
+    return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
+
+
+def _values(key: str, entry: object) -> list[float] | list[int]:
+    if isinstance(entry, list) and all(isinstance(v, int | float) and not isinstance(v, bool) for v in entry):
+        return entry
+    if not isinstance(entry, dict):
+        raise ValueError(
+            f'sweep."{key}" must be a list of numbers or a table with from, to and count, got {shown(entry)}'
+        )
+    if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
+        raise ValueError(f'sweep.{key}: write the whole place in quotes, as "{key}.{next(iter(entry))}"')
+    try:
+        return _Range.model_validate(entry).values()
+    except ValidationError as error:
+        first = error.errors()[0]
+        raise ValueError(f'sweep."{key}".{".".join(map(str, first["loc"]))}: {first["msg"].lower()}') from None
+    except ValueError as error:
+        raise ValueError(f'sweep."{key}": {error}') from None
+
+
+def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:
+    """Return the document with other numbers at some places; tables on the way are made where they are not there."""
+    document = copy.deepcopy(document)
+    for place, number in chosen.items():
+        target: Any = document
+        try:
+            for part in place[:-1]:
+                target = target.setdefault(part, {}) if isinstance(target, dict) else target[part]
+            last: Any = place[-1]
+            if isinstance(target, list):
+                target[last]  # no new entries
+            target[last] = number
+        except (IndexError, KeyError, TypeError):
+            raise ValueError(f'sweep: the file has no place "{_text(place)}"') from None
+    return document
+
+
+def _names(places: list[_Place]) -> list[str]:
+    short = [_text(place[_leaf_position(place) :]) for place in places]
+    chosen = [s if short.count(s) == 1 else _text(place[1:]) for s, place in zip(short, places, strict=True)]
+    return [re.sub(r"\W+", "_", name).strip("_") for name in chosen]
+
+
+def _leaf(place: _Place) -> str:
+    return str(place[_leaf_position(place)])
+
+
+def _leaf_position(place: _Place) -> int:
+    return max(i for i, part in enumerate(place) if isinstance(part, str))
+
+
+def _text(place: _Place) -> str:
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in place).lstrip(".")

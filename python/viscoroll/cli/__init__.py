@@ -1,0 +1,5 @@
+"""The command line (the extra `viscoroll[cli]`)."""
+
+from .app import app, run
+
+__all__ = ["app", "run"]

@@ -1,0 +1,408 @@
+"""The command line, with typer and rich (the extra `viscoroll[cli]`)."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import sys
+import warnings
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+from .. import paper
+from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
+from .._support.cautions import ResultWarning
+from .._support.extras import extra
+from .._support.tables import handy
+from ..case import example_text, load_case
+from ..interior.temperature import QUANTITIES
+from ..rolling import Result
+from ..rolling import solve as solve_rolling
+from ..solution.files import FORMATS
+from ..solution.text import result_lines, result_title, with_unit
+from .commands import design, export, material
+from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
+
+with extra("cli"):
+    import typer
+    from rich.markup import escape
+    from rich.table import Table
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from ..interior import SelfHeating, Temperature
+    from ..reproduce import Verdict
+
+__all__ = ["run"]
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="rich",
+    help="Rolling resistance of balls and rollers with soft viscoelastic layers: on a plane or in a groove, rigid or "
+    "as soft, or on another roller; steady, or starting, stopping and turning back. SI units throughout.",
+)
+
+_INVALID, _FAILED, _STOPPED = 2, 1, 130
+
+
+def run() -> None:
+    """Run the command line: exit code 2 for bad input, 1 where no answer was found, 130 on Ctrl-C."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # where Ω cannot be written, "?" will do; stderr writes escapes
+    warnings.simplefilter("ignore", ResultWarning)  # they are printed below the results
+    try:
+        app()
+    except OSError as error:
+        _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), _INVALID)
+    except (ValueError, TypeError) as error:
+        _fail(str(error), _INVALID)
+    except ConvergenceError as error:
+        _fail(str(error), _FAILED)
+    except ImportError as error:
+        _fail(str(error), _INVALID)
+    except MemoryError:
+        _fail("the memory does not suffice for this case: give a coarser mesh, or a larger accuracy", _INVALID)
+
+
+def _fail(message: str, code: int) -> NoReturn:
+    write_message(f"viscoroll: {message}")
+    sys.exit(code)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        OUTPUT.print(f"viscoroll {__version__} ({__fft__})", highlight=False)
+        raise typer.Exit
+
+
+@app.callback()
+def _main(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show version and transforms.")
+    ] = False,
+) -> None:
+    pass
+
+
+@app.command()
+def solve(
+    case: Annotated[Path, typer.Argument(help="Case file in TOML; `viscoroll example` prints a commented one.")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print all scalar results as JSON in SI units.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Draw the contact to this picture (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the fields to this file (.csv, .nc, .vtu, .vtk).")] = None,
+    section: Annotated[
+        Path | None, typer.Option(help="Draw the stress in the section through the contact to this picture.")
+    ] = None,
+) -> None:
+    """Solve the load case of a file and report torque, penetration, pressure and power balance."""
+    check_target("--plot", plot, PICTURES)
+    check_target("--section", section, PICTURES)
+    check_target("--save", save, tuple(FORMATS))
+    loaded = load_case(case)
+    heated = None
+    with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
+        warnings.simplefilter("always", ResultWarning)
+        if loaded.thermal is not None and loaded.thermal.shift is not None:
+            heated = loaded.self_heating(progress=report)
+            result = heated.states[0].result  # of a cold start
+        else:
+            result = loaded.solve(progress=report)
+        temperatures = [] if heated is None else [state.temperature for state in heated.states]
+        if loaded.thermal is not None and heated is None:
+            temperatures = [loaded.thermal.temperature(result, progress=report)]
+    if as_json:
+        scalars = result.scalars()
+        if temperatures:
+            scalars["thermal"] = _thermal_scalars(temperatures, heated)  # type: ignore[assignment]
+        typer.echo(_json(scalars))
+    else:
+        _print_result(result)
+        if temperatures:
+            OUTPUT.print(_thermal_table(_thermal_scalars(temperatures, heated)))
+    said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
+    for message in dict.fromkeys([*result.warnings.values(), *said]):
+        write_message(f"warning: {message}")
+    if plot is not None:
+        result.plot().savefig(plot, dpi=150)
+    if section is not None:
+        from ..interior.picture import plot_section
+
+        plot_section(result).savefig(section, dpi=150)
+    if save is not None:
+        result.save(save)
+
+
+@app.command()
+def roll(
+    case: Annotated[
+        Path, typer.Argument(help="Case file with a table \\[motion]; `viscoroll example --motion` prints one.")
+    ],
+    as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
+    plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
+    checkpoint: Annotated[Path | None, typer.Option(help="State of an interrupted run, to go on from (.npy).")] = None,
+) -> None:
+    """Roll, stop, stand and turn back: follow the motion of a file."""
+    from ..case.motion import load_motion
+    from ..transient.history import FORMATS as HISTORY_FORMATS
+    from ..transient.rolling_history import RollingState
+
+    check_target("--plot", plot, PICTURES)
+    check_target("--save", save, tuple(HISTORY_FORMATS))
+    check_target("--checkpoint", checkpoint, (".npy",))
+    loaded = load_motion(case)
+    resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
+    with progress_bar() as report:
+        history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
+    if as_json:
+        typer.echo(_json(history.scalars()))
+    else:
+        write_line(repr(history))
+    if plot is not None:
+        history.plot().savefig(plot, dpi=150)
+    if save is not None:
+        history.save(save)
+
+
+@app.command()
+def sweep(
+    study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
+    output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
+    retry_failed: Annotated[bool, typer.Option("--retry-failed", help="Solve points again that failed.")] = False,
+) -> None:
+    """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
+    from ..case.study import load_study
+    from ..studies.study import doubts, run_plan
+
+    check_target("--output", output, (".nc",))
+    path = study.with_suffix(".nc") if output is None else output
+    try:
+        dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
+    except KeyboardInterrupt:
+        _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
+    for message in sorted(set(dataset.error.values.ravel()) - {""}):
+        write_message(f"warning: a point failed: {message}")
+    for message in doubts(dataset):
+        write_message(f"warning: {message}")
+    sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
+    summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
+    write_line(summary)
+
+
+@app.command()
+def plot(
+    study: Annotated[Path, typer.Argument(help="Result of `viscoroll sweep` (.nc).")],
+    output: Annotated[Path | None, typer.Option(help="Picture (.png, .svg, .pdf); by default beside it.")] = None,
+    variable: Annotated[str, typer.Option(help="Scalar result to draw.")] = "resisting_torque",
+) -> None:
+    """Draw a result of a study against its first dimension, one curve for each value of the others."""
+    check_target("--output", output, PICTURES)
+    if study.suffix != ".nc":
+        raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
+    with extra("files"):
+        import netCDF4  # noqa: F401  (what xarray reads with)
+        import xarray
+
+    from ..studies.picture import plot_study
+
+    path = study.with_suffix(".png") if output is None else output
+    plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
+    write_line(f"{variable} drawn to {path}")
+
+
+@app.command()
+def example(
+    with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
+    motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
+) -> None:
+    """Print a commented case file to start from: viscoroll example > case.toml."""
+    if motion:
+        if with_sweep:
+            raise ValueError("--sweep must be left out with --motion: studies are of steady rolling")
+        typer.echo(example_text("motion"), nl=False)
+        return
+    typer.echo(example_text() + (example_text("sweep") if with_sweep else ""), nl=False)
+
+
+@app.command()
+def reproduce(
+    items: Annotated[
+        list[str] | None, typer.Argument(metavar="[ITEM]...", help="table2, figure12, …; by default all.")
+    ] = None,
+    output: Annotated[Path, typer.Option(help="Folder for pictures and numbers.")] = Path("reproduced"),
+    coarse: Annotated[
+        bool, typer.Option("--coarse", help="A coarse mesh and few points: seconds, not minutes.")
+    ] = False,
+) -> None:
+    """Compute and draw tables and figures of the paper, and judge them by what it says."""
+    with extra("studies"):
+        import_module("scipy")  # wanted by some items: say so before the others are solved
+    from ..reproduce import ITEMS, Runner, write_files, write_verdicts
+
+    if unknown := sorted(set(items or ()) - set(ITEMS)):
+        raise ValueError(f"item must be one of {', '.join(ITEMS)}, got {unknown[0]!r}")
+    output.mkdir(parents=True, exist_ok=True)
+    verdicts: dict[str, list[Verdict]] = {}
+    with progress_bar() as report:
+        runner = Runner(
+            coarse=coarse, progress=lambda stage, fraction: report(f"{name}: {item.title}, {stage}", fraction)
+        )
+        for name in [name for name in ITEMS if not items or name in items]:
+            item = ITEMS[name]
+            outcome = item.compute(runner)
+            write_files(item, outcome, output)
+            verdicts[name] = runner.judge(outcome)
+    write_verdicts(output / "verdicts.md", verdicts)
+    OUTPUT.print(_verdict_table(verdicts))
+    write_line(f"pictures, numbers and verdicts.md in {output}")
+
+
+@app.command()
+def compare(
+    case: Annotated[Path, typer.Argument(help="Case file in TOML; its friction and compliance do not count.")],
+    speeds: Annotated[
+        str | None, typer.Option(help="From..to in rad/s, as 0.05..25; by default around that of the case.")
+    ] = None,
+    output: Annotated[Path, typer.Option(help="Picture (.png, .svg, .pdf), with a .csv beside it.")] = Path(
+        "compare.png"
+    ),
+    points: Annotated[int, typer.Option(help="Number of speeds.", min=2)] = 25,
+) -> None:
+    """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has."""
+    from ..case.compare import compare_torques, parse_speeds
+
+    check_target("--output", output, PICTURES)
+    loaded = load_case(case)
+    with progress_bar() as report:
+        wanted = None if speeds is None else parse_speeds(speeds)
+        comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
+    comparison.draw().savefig(output, dpi=150)
+    comparison.write_csv(output.with_suffix(".csv"))
+    for status, count in comparison.unsettled().items():
+        write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
+    names = ", ".join(comparison.forms) or "no closed form suits this ball"
+    write_line(f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}")
+
+
+@app.command()
+def demo(
+    plot: Annotated[Path, typer.Option(help="Where to draw the contact pressure.")] = Path("demo-contact.png"),
+) -> None:
+    """Solve the example of Zéhil and Gavin (section 14) on all meshes of their table 2, beside the printed torques."""
+    check_target("--plot", plot, PICTURES)
+    ball = paper.ball()
+    torques: dict[tuple[int, int], float] = {}
+    with progress_bar() as report:
+        for key, mesh in paper.table_2_meshes().items():
+            result = solve_rolling(
+                ball,
+                load=paper.LOAD,
+                angular_speed=paper.ANGULAR_SPEED,
+                mesh=mesh,
+                compliance=Compliance.RADIAL,
+                curvature=Curvature.PAPER,
+            )
+            torques[key] = result.resisting_torque
+            if key == (500, 500):
+                chosen = result
+            report("table 2 of the paper", len(torques) / len(paper.TABLE_2))
+    OUTPUT.print(_table_2(torques))
+    worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
+    OUTPUT.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
+    _print_result(chosen)
+    chosen.plot().savefig(plot, dpi=150)
+    write_line(f"contact pressure drawn to {plot}")
+
+
+_STATUS_TEXT = {
+    Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
+    Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
+}
+
+
+def _json(scalars: dict[str, float | int | str | None]) -> str:
+    """Return valid JSON, which has no numbers for infinite and undefined values: they are null."""
+    finite = {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in scalars.items()
+    }
+    return json.dumps(finite, indent=2, allow_nan=False)
+
+
+def _print_result(result: Result) -> None:
+    """Print what was given, and a table of what was found, which is narrower than 80 columns."""
+    write_line(result_title(result))
+    write_line(f"{result.mesh}, {result.status.name}")
+    table = Table(show_header=False)
+    for line in result_lines(result):
+        table.add_row(*map(escape, line))
+    OUTPUT.print(table)
+
+
+def _thermal_scalars(temperatures: Sequence[Temperature], heated: SelfHeating | None) -> list[dict[str, float | str]]:
+    """Return what is reported of every steady state, in SI units."""
+    scalars: list[dict[str, float | str]] = []
+    for number, found in enumerate(temperatures):
+        row: dict[str, float | str] = {name: getattr(found, name) for name in QUANTITIES}
+        if heated is not None:
+            state = heated.states[number]
+            row |= {
+                "mean_temperature": state.mean_temperature,
+                "resisting_torque": state.result.resisting_torque,
+                "stability": "stable" if state.stable else "unstable",
+            }
+        scalars.append(row)
+    return scalars
+
+
+def _thermal_table(scalars: list[dict[str, float | str]]) -> Table:
+    quantities = QUANTITIES | {
+        "mean_temperature": ("K", "temperature of the moduli"),
+        "resisting_torque": ("N m", "resisting torque T_r"),
+    }
+    title = "temperature" if len(scalars) == 1 else f"{len(scalars)} steady states; a cold start reaches the first"
+    table = Table(title=title, title_justify="left", show_header=False)
+    for name, (unit, what) in quantities.items():
+        if name in scalars[0]:
+            texts, handy_unit = handy([float(row[name]) for row in scalars], unit)
+            table.add_row(escape(with_unit(what, handy_unit)), *texts)
+    if "stability" in scalars[0]:
+        table.add_row("steady state", *(str(row["stability"]) for row in scalars))
+    return table
+
+
+def _verdict_table(verdicts: Mapping[str, Sequence[Verdict]]) -> Table:
+    table = Table(title="The paper, reproduced", title_justify="left")
+    for head in ("item", "the paper", "found", "verdict"):
+        table.add_column(head, overflow="fold")
+    for name, rows in verdicts.items():
+        for place, verdict in enumerate(rows):
+            color = {"agrees": "[green]", "disagrees": "[red]"}.get(verdict.judgment, "[yellow]")
+            judged = f"{color}{escape(verdict.judgment)}[/]"
+            cells = (name if place == 0 else "", escape(verdict.statement), escape(verdict.found), judged)
+            table.add_row(*cells, end_section=place == len(rows) - 1)
+    return table
+
+
+def _table_2(torques: dict[tuple[int, int], float]) -> Table:
+    orders = sorted({order for _, order in torques})
+    table = Table(title="Resisting torque T_r in mN m, computed and as printed in table 2", title_justify="left")
+    table.add_column("spacing")
+    table.add_column("N_t")
+    for order in orders:
+        table.add_column(str(order), justify="right")
+    for nodes in sorted({nodes for nodes, _ in torques}):
+        for label, source in (("computed", torques), ("printed", paper.TABLE_2)):
+            cells = [f"{source[nodes, o] * 1e3:.2f}" if (nodes, o) in source else "N/A" for o in orders]
+            head = f"π/{nodes // 2}" if source is torques else ""
+            table.add_row(head, label, *cells, end_section=source is paper.TABLE_2)
+    return table
+
+
+for command in (material, export, design):
+    app.command()(command)

@@ -1,0 +1,194 @@
+"""Commands of the command line around a solve: materials from measurements, input for other programs, design."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from .._support.extras import extra
+from .._support.text import shown
+from .output import PICTURES, check_target, progress_bar, write_line
+
+with extra("cli"):
+    import typer
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..rheology import Isotherm, RheologyData, Superposition
+
+__all__ = ["design", "export", "material"]
+
+
+class Code(StrEnum):
+    """Codes that `viscoroll export` writes for."""
+
+    LAMMPS = "lammps"
+    LIGGGHTS = "liggghts"
+    YADE = "yade"
+    MERCURYDPM = "mercurydpm"
+    CHRONO = "chrono"
+    LETHE = "lethe"
+
+
+def material(
+    data: Annotated[Path, typer.Argument(help="Text or CSV export of a rheometer or DMA instrument.")],
+    reference: Annotated[float | None, typer.Option(help="Temperature of the master curve in °C.")] = None,
+    at: Annotated[float | None, typer.Option(help="Print the modulus at this temperature in °C, too.")] = None,
+    tensile: Annotated[
+        bool | None, typer.Option("--tensile/--shear", help="What the moduli are, where their names do not say.")
+    ] = None,
+    poisson_ratio: Annotated[float, typer.Option(help="By which tension becomes shear.")] = 0.5,
+    columns: Annotated[
+        str | None, typer.Option(help="Names and units, as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'.")
+    ] = None,
+    between: Annotated[str | None, typer.Option(help="Keep sweeps from..to in °C, as -35..160.")] = None,
+    factors: Annotated[Path | None, typer.Option(help="Your own shift factors (.csv: T, log_aT).")] = None,
+    vertical: Annotated[bool, typer.Option("--vertical", help="Shift moduli, too.")] = False,
+    terms_per_decade: Annotated[float, typer.Option(help="Of the Prony series.")] = 2.0,
+    plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
+    save: Annotated[Path | None, typer.Option(help="Write the material (.toml), which case files name.")] = None,
+) -> None:
+    """Make a material of measured moduli: read, shift to one temperature, check, fit, save."""
+    from ..rheology import ShiftFactors, check_modulus, fit_prony, read_rheology, save_material, superpose
+
+    check_target("--plot", plot, PICTURES)
+    check_target("--save", save, (".toml",))
+    measured = read_rheology(data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio)
+    if between is not None:
+        measured = measured.between(*_range("--between", between))
+    write_line(repr(measured))
+    curve: Superposition | Isotherm
+    if len(measured.isotherms) > 1:
+        own = None if factors is None else ShiftFactors.read(factors)
+        curve = superpose(measured, reference=_reference(measured, reference), factors=own, vertical=vertical)
+        for line in repr(curve).splitlines():
+            write_line(line)
+    else:
+        curve = measured.isotherms[0]
+    for check in check_modulus(curve):
+        write_line(str(check))
+    fit = fit_prony(curve, terms_per_decade=terms_per_decade)
+    write_line(repr(fit))
+    if at is not None:
+        _write_modulus(curve, at)
+    if plot is not None:
+        fit.plot().savefig(plot, dpi=150)
+        write_line(f"data, fit and residual drawn to {plot}")
+    if save is not None:
+        save_material(save, curve, fit=fit)
+        write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
+
+
+def export(
+    case: Annotated[Path, typer.Argument(help="Case file, or one with a table \\[sweep] over load and speed.")],
+    code: Annotated[Code, typer.Option("--for", help="Discrete-element code to write for.")],
+    style: Annotated[str | None, typer.Option(help="Its rolling model; see the docstring of viscoroll.dem.")] = None,
+    output: Annotated[Path | None, typer.Option(help="File for the lines; by default beside the case.")] = None,
+    span: Annotated[float, typer.Option(help="Without \\[sweep]: loads and speeds by so much up and down.")] = 2.0,
+) -> None:
+    """Write rolling friction as a discrete-element code defines it, and T(P, Ω) as CSV beside it."""
+    from ..export import dem
+
+    if not 1.0 < span <= 100.0:
+        raise ValueError(f"--span must be in (1, 100], got {span:g}")
+    path = case.with_suffix(f".{code.value}") if output is None else output
+    if path.is_dir() or not path.parent.is_dir():
+        raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
+    study, load, speed = _study_around(case, span)
+    written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
+    table = written.save(path)
+    write_line(written.text.rstrip("\n"))
+    write_line(f"written to {path}, torques to {table}")
+
+
+def design(
+    case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/from-dma-to-dem.md.")],
+    plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
+) -> None:
+    """Find the thickness, or any number of a case, that loses the least power under limits."""
+    from ..case.design import design_case
+
+    check_target("--plot", plot, PICTURES)
+    with progress_bar() as report:
+        found = design_case(case, progress=report)
+    write_line(f"{found.variable} = {found.best:.6g}: power lost {found.result.dissipated_power:.6g} W")
+    for name, limit in found.limits.items():
+        reached = ", reached" if name in found.active else ""
+        write_line(f"  {name} = {found.outcome.value(name):.6g}, limit {limit:.6g}{reached}")
+    if plot is not None:
+        found.plot().savefig(plot, dpi=150)
+        write_line(f"power and limits drawn to {plot}")
+
+
+def _columns(text: str | None) -> dict[str, str | tuple[str, str]] | None:
+    if text is None:
+        return None
+    columns: dict[str, str | tuple[str, str]] = {}
+    for entry in text.split(","):
+        role, equals, name = entry.partition("=")
+        if not equals:
+            raise ValueError(f"--columns must be like 'frequency=f:Hz,storage=A:MPa', got {entry!r}")
+        name, colon, unit = name.rpartition(":")
+        columns[role.strip()] = (name, unit) if colon else unit
+    return columns
+
+
+def _range(option: str, text: str) -> tuple[float, float]:
+    low, dots, high = text.partition("..")
+    try:
+        if not dots:
+            raise ValueError
+        return float(low), float(high)
+    except ValueError:
+        raise ValueError(f"{option} must be like -35..160, got {text!r}") from None
+
+
+def _reference(data: RheologyData, reference: float | None) -> float:
+    if reference is None:
+        low, high = data.isotherms[0].temperature, data.isotherms[-1].temperature
+        raise ValueError(f"--reference must be given for several sweeps, from {low:.4g} to {high:.4g} °C")
+    return reference
+
+
+def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:
+    import numpy as np
+
+    from ..rheology import Superposition
+
+    if not isinstance(curve, Superposition):
+        raise ValueError("--at needs sweeps at several temperatures")
+    table = curve.at(temperature=temperature)
+    omega = np.logspace(-2, 4, 7)
+    low, high = table.frequency[1], table.frequency[-1]
+    write_line(f"at {temperature:g} °C, measured from {low:.3g} to {high:.3g} rad/s:")
+    for w, modulus in zip(omega, table.complex_modulus(omega), strict=True):
+        held = "" if low <= w <= high else "  (held)"
+        write_line(f"  {w:8g} rad/s  storage {modulus.real:.4g} Pa  loss {modulus.imag:.4g} Pa{held}")
+
+
+def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None, float | None]:
+    """Return a study over load and speed, and the point of it that a case is about."""
+    import numpy as np
+
+    from ..case import load_case
+    from ..case.case import read_toml
+    from ..case.study import load_study
+    from ..studies.study import run_plan, sweep
+
+    if "sweep" in read_toml(path):
+        return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
+    case = load_case(path)
+    factors = np.geomspace(1.0 / span, span, 5)
+    factors[2] = 1.0
+    names = ("friction", "drive", "mesh", "accuracy", "compliance", "curvature", "patch_load", "slip_kinematics")
+    study = sweep(
+        case.ball,
+        load=case.load * factors,
+        angular_speed=case.angular_speed * factors,
+        progress=sys.stderr.isatty(),
+        **{name: getattr(case, name) for name in names},
+    )
+    return study, case.load * factors[2], case.angular_speed * factors[2]

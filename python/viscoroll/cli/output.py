@@ -1,0 +1,59 @@
+"""Where the command line writes to, and what it asks of files before a long solve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from .._support.extras import extra
+from .._support.progress import Report
+from .._support.text import one_line, shown
+
+with extra("cli"):
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+__all__ = [
+    "MESSAGES",
+    "OUTPUT",
+    "PICTURES",
+    "check_target",
+    "progress_bar",
+    "write_line",
+    "write_message",
+]
+
+PICTURES = (".png", ".svg", ".pdf")
+MESSAGES = Console(stderr=True)
+OUTPUT = Console()
+
+
+def write_line(line: str) -> None:
+    """Write a line of results as it is."""
+    OUTPUT.print(line, markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
+def write_message(message: str) -> None:
+    """Write a message beside the results, on one line."""
+    MESSAGES.print(one_line(message), markup=False, emoji=False, highlight=False, soft_wrap=True)
+
+
+def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> None:
+    """Refuse a file that could not be written, before a long solve."""
+    if path is None:
+        return
+    if path.suffix.lower() not in suffixes:
+        allowed = " or ".join(filter(None, [", ".join(suffixes[:-1]), suffixes[-1]]))
+        raise ValueError(f"{option} must end in {allowed}, got {shown(str(path))}")
+    if path.is_dir() or not path.parent.is_dir():
+        raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
+
+
+@contextmanager
+def progress_bar() -> Iterator[Report]:
+    """Hand out what a computation reports to; the bar is there until the block ends, on a terminal."""
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=MESSAGES, transient=True, disable=not MESSAGES.is_terminal) as bar:
+        task = bar.add_task("starting", total=1.0)
+        yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)

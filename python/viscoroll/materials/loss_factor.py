@@ -1,0 +1,97 @@
+"""A modulus with one loss factor over decades, for data sheets that give no more."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import _core
+from .moduli import ShearModulus
+
+__all__ = ["LossFactor"]
+
+#: Relaxation times to a decade; the sum that stands for the integral over them ripples by 3e-4 with two.
+_TERMS_PER_DECADE = 3
+
+#: How far the terms reach beyond the decades in which the loss factor is to hold.
+_MARGIN = 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LossFactor(ShearModulus):
+    """Modulus whose loss factor hardly depends on frequency, and which is causal: its storage rises as it must.
+
+    The law is that of Kjartansson, μ* = G |.| (iω/ω₀)^α with α = (2/π) atan η, whose loss factor is η at every
+    frequency; a storage modulus that does not depend on frequency at all would not be causal. It is cut off `decades`
+    above and below ω₀, outside of which the material is elastic: a solid bears loads at rest. In between the loss
+    factor is off by 0.5 % of itself at the most for η up to 1, 3 % up to 2.
+
+    Parameters
+    ----------
+    modulus : float
+        Storage shear modulus at `reference_frequency` [Pa], > 0.
+    loss_factor : float
+        η = tan δ [-], in [1e-6, 2].
+    reference_frequency : float
+        ω₀ [rad/s], > 0: choose Ω R/a, the speed by radius per half-width of the contact.
+    decades : float, default 3
+        How far the law holds above and below ω₀ [decades], in [0.5, 8].
+
+    References
+    ----------
+    E. Kjartansson, "Constant Q-wave propagation and attenuation", J. Geophys. Res. 84 (1979) 4737-4748.
+
+    Examples
+    --------
+    >>> pad = LossFactor(modulus=1e6, loss_factor=0.1, reference_frequency=100.0)
+    >>> pad.complex_modulus([1.0, 100.0, 10000.0]).round(-3)
+    array([ 747000. +75000.j, 1000000.+100000.j, 1339000.+134000.j])
+    """
+
+    modulus: float
+    loss_factor: float
+    reference_frequency: float
+    decades: float = 3.0
+
+    def _to_core(self) -> _core.Prony:
+        for name, low, high, unit in (
+            ("modulus", 0.0, math.inf, " Pa"),
+            ("reference_frequency", 0.0, math.inf, " rad/s"),
+        ):
+            if not low < getattr(self, name) < high:
+                raise ValueError(f"{name} must be > 0{unit}, got {getattr(self, name)!r}")
+        if not 1e-6 <= self.loss_factor <= 2.0:
+            raise ValueError(f"loss_factor must be in [1e-6, 2], got {self.loss_factor!r}")
+        if not 0.5 <= self.decades <= 8.0:
+            raise ValueError(f"decades must be in [0.5, 8], got {self.decades!r}")
+        weights, times, relaxed = _spectrum(2.0 / math.pi * math.atan(self.loss_factor), self.decades + _MARGIN)
+        x = times
+        storage = relaxed + float((weights * x**2 / (1.0 + x**2)).sum())
+        instantaneous = self.modulus * (relaxed + float(weights.sum())) / storage
+        return _core.Prony(
+            instantaneous_modulus=instantaneous,
+            weights=tuple(weights / (relaxed + weights.sum())),
+            relaxation_times=tuple(times / self.reference_frequency),
+        )
+
+
+def _spectrum(alpha: float, reach: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return weights, times and relaxed modulus of (iω)^α, for frequencies around 1.
+
+    (iω)^α = sin(απ)/π ∫ τ^{-α} iωτ/(1 + iωτ) d ln τ. Longer times than the grid's are still stiff at its frequencies:
+    they make the relaxed modulus, but for the loss Σ w/(ωτ), which a term beyond the end makes up for. Shorter times
+    make a loss Σ w ωτ, which one before the start makes up for.
+    """
+    step = math.log(10.0) / _TERMS_PER_DECADE
+    count = round(2.0 * reach * _TERMS_PER_DECADE)
+    times = np.exp(step * (np.arange(count + 1) - 0.5 * count))
+    density = math.sin(alpha * math.pi) / math.pi
+    weights = density * step * times**-alpha
+    longest, shortest = times[-1] * math.exp(0.5 * step), times[0] * math.exp(-0.5 * step)
+    beyond, before = longest * math.exp(0.5 * step), shortest * math.exp(-0.5 * step)
+    tail = density * longest ** (-alpha - 1.0) / (alpha + 1.0) * beyond
+    head = density * shortest ** (1.0 - alpha) / (1.0 - alpha) / before
+    relaxed = max(density * longest**-alpha / alpha - tail, 0.0)
+    return np.concatenate([[head], weights, [tail]]), np.concatenate([[before], times, [beyond]]), relaxed

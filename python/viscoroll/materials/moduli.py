@@ -1,0 +1,369 @@
+"""Shear moduli of linear viscoelastic materials as functions of angular frequency.
+
+The time factor is exp(+iωt): the storage modulus is the real part of μ*(ω) and the loss modulus its imaginary part,
+which is not negative at ω ≥ 0 for a passive material.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
+from numbers import Complex
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from .. import _core
+from .._support.arguments import as_float, as_float_array, as_floats, as_member, store_floats
+from .._support.tables import ParameterTable
+from .._support.text import shown
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    _CoreModulus: TypeAlias = (
+        _core.Elastic
+        | _core.Prony
+        | _core.KelvinVoigt
+        | _core.FractionalZener
+        | _core.MasterCurve
+        | _core.CustomModulus
+    )
+
+__all__ = [
+    "Elastic",
+    "FractionalZener",
+    "KelvinVoigt",
+    "MasterCurve",
+    "Prony",
+    "ShearModulus",
+    "ShearModulusLike",
+    "StandardLinearSolid",
+]
+
+
+class ShearModulus(ParameterTable, ABC):
+    """Base of all moduli that this module defines."""
+
+    __slots__ = ()
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check the parameters."""
+        store_floats(self, [field.name for field in fields(self) if field.type == "float"])  # type: ignore[arg-type]
+        _core.validate_modulus(self._to_core())
+
+    @abstractmethod
+    def _to_core(self) -> _CoreModulus:
+        """Return the modulus as the core knows it."""
+
+    def complex_modulus(self, angular_frequency: ArrayLike) -> NDArray[np.complex128]:
+        """Evaluate μ*(ω).
+
+        Parameters
+        ----------
+        angular_frequency : array_like
+            ω [rad/s], ≥ 0, of any shape.
+
+        Returns
+        -------
+        ndarray of complex
+            Shear modulus [Pa], of the same shape, with loss ≥ 0; real at ω = 0.
+
+        Raises
+        ------
+        TypeError
+            For frequencies that are not real numbers.
+        ValueError
+            For a negative or infinite frequency, or one outside a master curve that is not held.
+        """
+        omega = as_float_array("angular_frequency", angular_frequency)
+        return _core.complex_modulus(self._to_core(), omega.ravel()).reshape(omega.shape)
+
+
+#: A modulus of this package, a number, which is an elastic modulus [Pa], or a function of an array of angular
+#: frequencies ω [rad/s] that returns μ*(ω) [Pa]: an array of them, or one number for all.
+ShearModulusLike: TypeAlias = ShearModulus | Callable[[Any], Any] | float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Elastic(ShearModulus):
+    """Modulus without loss, μ* = G.
+
+    Parameters
+    ----------
+    modulus : float
+        Shear modulus G [Pa], > 0.
+
+    Examples
+    --------
+    >>> Elastic(modulus=3e6).complex_modulus([0.0, 10.0])
+    array([3000000.+0.j, 3000000.+0.j])
+    """
+
+    modulus: float
+
+    def _to_core(self) -> _core.Elastic:
+        return _core.Elastic(modulus=self.modulus)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prony(ShearModulus):
+    """Prony series, μ* = G₀ (g_∞ + Σ g_k iωτ_k / (1 + iωτ_k)) with g_∞ = 1 - Σ g_k.
+
+    Parameters
+    ----------
+    instantaneous_modulus : float
+        Shear modulus G₀ at infinite frequency [Pa], > 0.
+    weights : array_like
+        g_k [-], each in [0, 1], with a sum up to 1 but for round-off; terms of weight 0 are dropped.
+    relaxation_times : array_like
+        τ_k [s], > 0, as many as `weights`.
+
+    References
+    ----------
+    Equation (65) of Zéhil and Gavin, "Rolling resistance of a rigid sphere with viscoelastic coatings".
+
+    Examples
+    --------
+    >>> series = Prony(instantaneous_modulus=6e6, weights=[0.3, 0.2], relaxation_times=[0.1, 1.0])
+    >>> series.complex_modulus(0.0)
+    array(3000000.+0.j)
+    """
+
+    instantaneous_modulus: float
+    weights: Sequence[float] | NDArray[np.float64]
+    relaxation_times: Sequence[float] | NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        """Freeze the sequences and check the parameters."""
+        object.__setattr__(self, "weights", as_floats("weights", self.weights))
+        object.__setattr__(self, "relaxation_times", as_floats("relaxation_times", self.relaxation_times))
+        ShearModulus.__post_init__(self)
+        terms = [term for term in zip(self.weights, self.relaxation_times, strict=True) if term[0] > 0.0]
+        for name, column in zip(
+            ("weights", "relaxation_times"), zip(*terms, strict=True) if terms else ((), ()), strict=True
+        ):
+            object.__setattr__(self, name, column)
+
+    def _to_core(self) -> _core.Prony:
+        return _core.Prony(
+            instantaneous_modulus=self.instantaneous_modulus,
+            weights=as_floats("weights", self.weights),
+            relaxation_times=as_floats("relaxation_times", self.relaxation_times),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StandardLinearSolid(ShearModulus):
+    """Standard linear solid: the Prony series with one term, given by its two limits.
+
+    Parameters
+    ----------
+    instantaneous_modulus : float
+        Shear modulus at infinite frequency [Pa], > 0.
+    relaxed_modulus : float
+        Shear modulus at zero frequency [Pa], in [1e-12, 1] times `instantaneous_modulus`.
+    relaxation_time : float
+        τ [s], > 0, of the stress at constant strain.
+
+    Examples
+    --------
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> rubber.complex_modulus(8.0)
+    array(4500000.+1500000.j)
+    """
+
+    instantaneous_modulus: float
+    relaxed_modulus: float
+    relaxation_time: float
+
+    def _to_core(self) -> _core.Prony:
+        series = _core.standard_linear_solid(
+            instantaneous_modulus=self.instantaneous_modulus,
+            relaxed_modulus=self.relaxed_modulus,
+            relaxation_time=self.relaxation_time,
+        )
+        # The series holds 1 - relaxed / instantaneous: of a smaller ratio that difference keeps less than four digits.
+        if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
+            raise ValueError(
+                f"relaxed_modulus must be >= 1e-12 instantaneous_modulus = {1e-12 * self.instantaneous_modulus:g} Pa, "
+                f"got {self.relaxed_modulus:g}"
+            )
+        return series
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KelvinVoigt(ShearModulus):
+    """Spring and dashpot side by side, μ* = G + iωη.
+
+    Parameters
+    ----------
+    modulus : float
+        Shear modulus at rest G [Pa], > 0.
+    viscosity : float
+        Shear viscosity η [Pa s], ≥ 0.
+
+    Examples
+    --------
+    >>> KelvinVoigt(modulus=1e6, viscosity=1e3).complex_modulus(10.0)
+    array(1000000.+10000.j)
+    """
+
+    modulus: float
+    viscosity: float
+
+    def _to_core(self) -> _core.KelvinVoigt:
+        return _core.KelvinVoigt(modulus=self.modulus, viscosity=self.viscosity)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FractionalZener(ShearModulus):
+    """Fractional Zener solid, μ* = (G_∞ + G₀ (iωτ)^α) / (1 + (iωτ)^α): a standard linear solid with a springpot.
+
+    Parameters
+    ----------
+    instantaneous_modulus : float
+        Shear modulus G₀ at infinite frequency [Pa], at least `relaxed_modulus`.
+    relaxed_modulus : float
+        Shear modulus G_∞ at zero frequency [Pa], > 0.
+    relaxation_time : float
+        τ [s], > 0.
+    order : float
+        α [-] in (0, 1]; 1 is the standard linear solid.
+
+    References
+    ----------
+    R. L. Bagley and P. J. Torvik, AIAA Journal 21 (1983) 741-748, with equal orders of both derivatives.
+
+    Examples
+    --------
+    >>> solid = FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=1.0)
+    >>> solid.complex_modulus([8.0]).round()
+    array([4500000.+1500000.j])
+    """
+
+    instantaneous_modulus: float
+    relaxed_modulus: float
+    relaxation_time: float
+    order: float
+
+    def _to_core(self) -> _core.FractionalZener:
+        return _core.FractionalZener(
+            instantaneous_modulus=self.instantaneous_modulus,
+            relaxed_modulus=self.relaxed_modulus,
+            relaxation_time=self.relaxation_time,
+            order=self.order,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class MasterCurve(ShearModulus):
+    """Tabulated modulus, linear in the logarithm of frequency between the entries.
+
+    A rolling sphere uses the frequencies 0, Ω, 2Ω, ... of its harmonics: up to N_t Ω on a mesh with a truncation order,
+    else up to twice the nodes per revolution times Ω, where higher harmonics are held. A first frequency of 0 gives the
+    static modulus and serves zero frequency alone; without it, order m = 0 lies outside the table.
+
+    Parameters
+    ----------
+    frequency : array_like
+        Angular frequency [rad/s], strictly increasing, ≥ 0, at least two entries above 0.
+    storage : array_like
+        Storage modulus [Pa], > 0, as long as `frequency`.
+    loss : array_like
+        Loss modulus [Pa], ≥ 0, as long as `frequency`.
+    extrapolation : Extrapolation or str, default Extrapolation.ERROR
+        Refuse frequencies outside the table, or hold the end values.
+
+    Examples
+    --------
+    >>> curve = MasterCurve([0.0, 1.0, 100.0], [1e6, 1e6, 3e6], [0.0, 1e5, 2e5])
+    >>> curve.complex_modulus(10.0)
+    array(2000000.+150000.j)
+    """
+
+    frequency: Sequence[float] | NDArray[np.float64]
+    storage: Sequence[float] | NDArray[np.float64]
+    loss: Sequence[float] | NDArray[np.float64]
+    extrapolation: _core.Extrapolation = _core.Extrapolation.ERROR
+
+    def __post_init__(self) -> None:
+        """Freeze the table and check it."""
+        for name in ("frequency", "storage", "loss"):
+            object.__setattr__(self, name, as_floats(name, getattr(self, name)))
+        object.__setattr__(self, "extrapolation", as_member("extrapolation", self.extrapolation, _core.Extrapolation))
+        ShearModulus.__post_init__(self)
+
+    def _to_core(self) -> _core.MasterCurve:
+        return _core.MasterCurve(
+            frequency=as_floats("frequency", self.frequency),
+            storage=as_floats("storage", self.storage),
+            loss=as_floats("loss", self.loss),
+            extrapolation=self.extrapolation,
+        )
+
+
+def to_core(modulus: ShearModulusLike) -> _CoreModulus:
+    """Return any accepted modulus as the core knows it.
+
+    Raises
+    ------
+    TypeError
+        Where `modulus` is neither of this package, nor callable, nor a number.
+    """
+    known = as_modulus(modulus)
+    return known._to_core() if isinstance(known, ShearModulus) else _core.CustomModulus(_numbers_of(known))
+
+
+def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
+    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means.
+
+    Raises
+    ------
+    TypeError
+        Where `modulus` is none of these.
+    """
+    if isinstance(modulus, ShearModulus) or callable(modulus):
+        return modulus
+    try:
+        number = as_float("shear_modulus", modulus)
+    except TypeError:
+        raise TypeError(
+            f"shear_modulus must be a modulus of viscoroll, a number or a function of frequency, got {shown(modulus)}"
+            f"{_way_to_a_modulus(modulus)}"
+        ) from None
+    return Elastic(modulus=number)
+
+
+def _way_to_a_modulus(measured: object) -> str:
+    """Say what of measured moduli, or of a fit to them, is a modulus."""
+    ways = {
+        "at": "its at(temperature=...)",
+        "series": "its series",
+        "isotherms": "superpose(...).at(temperature=...) of it",
+        "storage": "fit_prony(...).series of it",
+    }
+    return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")
+
+
+def _numbers_of(function: Callable[[Any], Any]) -> Callable[[Any], NDArray[Any]]:
+    """Return a user's function with a check that what it returns are numbers; the core checks shape and values."""
+
+    def modulus(omega: NDArray[np.float64]) -> NDArray[Any]:
+        values = _as_numbers(function(omega))
+        if values.dtype.kind not in "fciu":
+            raise TypeError(f"shear_modulus must be a function that returns numbers, got {values.dtype} entries")
+        return np.full(omega.shape, values) if values.ndim == 0 else values
+
+    return modulus
+
+
+def _as_numbers(values: Any) -> NDArray[Any]:
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind == "O" and all(isinstance(value, Complex) for value in array.flat):
+            array = array.astype(np.complex128)
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"shear_modulus must be a function that returns an array of numbers ({error})") from None
+    return array

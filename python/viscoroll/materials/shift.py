@@ -1,0 +1,174 @@
+"""Time-temperature shift: moduli at another temperature than that of their measurement, μ*(ω, T) = μ*(a_T(T) ω).
+
+Temperatures are in kelvin everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+import numpy as np
+
+from .._support.arguments import as_float, as_kelvin, store_floats
+from .._support.text import shown
+from .moduli import (
+    Elastic,
+    FractionalZener,
+    KelvinVoigt,
+    MasterCurve,
+    Prony,
+    ShearModulus,
+    ShearModulusLike,
+    StandardLinearSolid,
+    as_modulus,
+)
+
+__all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "shift_factor", "shifted"]
+
+_GAS_CONSTANT = 8.314462618  # [J/(mol K)], CODATA 2018
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WilliamsLandelFerry:
+    """log₁₀ a_T = -C₁ (T - T_r) / (C₂ + T - T_r).
+
+    Parameters
+    ----------
+    c1 : float
+        C₁ [-], > 0.
+    c2 : float
+        C₂ [K], > 0.
+    reference_temperature : float
+        T_r, at which the moduli were measured [K], > 0.
+
+    References
+    ----------
+    M. L. Williams, R. F. Landel and J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707.
+
+    Examples
+    --------
+    >>> rubber = WilliamsLandelFerry(c1=8.86, c2=101.6, reference_temperature=293.15)
+    >>> print(f"{rubber(303.15):.3f}")
+    0.161
+    """
+
+    c1: float
+    c2: float
+    reference_temperature: float
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check them."""
+        _store_positive(self, {"c1": "", "c2": " K", "reference_temperature": " K"})
+        as_kelvin("reference_temperature", self.reference_temperature)
+
+    def __call__(self, temperature: float) -> float:
+        """Return a_T at a temperature [K] above T_r - C₂."""
+        above = temperature - self.reference_temperature
+        if not above > -self.c2:
+            lowest = self.reference_temperature - self.c2
+            raise ValueError(f"temperature must be > {lowest:g} K for this shift, got {temperature:g} K")
+        return float(10.0 ** (-self.c1 * above / (self.c2 + above)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Arrhenius:
+    """ln a_T = (E / R) (1/T - 1/T_r).
+
+    Parameters
+    ----------
+    activation_energy : float
+        E [J/mol], > 0.
+    reference_temperature : float
+        T_r, at which the moduli were measured [K], > 0.
+
+    Examples
+    --------
+    >>> print(f"{Arrhenius(activation_energy=50e3, reference_temperature=293.15)(303.15):.3f}")
+    0.508
+    """
+
+    activation_energy: float
+    reference_temperature: float
+
+    def __post_init__(self) -> None:
+        """Store the numbers as floats and check them."""
+        _store_positive(self, {"activation_energy": " J/mol", "reference_temperature": " K"})
+        as_kelvin("reference_temperature", self.reference_temperature)
+
+    def __call__(self, temperature: float) -> float:
+        """Return a_T at a temperature [K], > 0."""
+        if not temperature > 0.0:
+            raise ValueError(f"temperature must be > 0 K for this shift, got {temperature:g} K")
+        inverse = 1.0 / temperature - 1.0 / self.reference_temperature
+        return float(np.exp(self.activation_energy / _GAS_CONSTANT * inverse))
+
+
+#: a_T as a function of temperature [K]: 1 at the temperature of the moduli, falling as it rises.
+Shift: TypeAlias = WilliamsLandelFerry | Arrhenius | Callable[[float], float]
+
+
+def shift_factor(shift: Shift, temperature: float) -> float:
+    """Return a_T at a temperature [K].
+
+    Raises
+    ------
+    TypeError
+        Where `shift` is not callable, or returns no number.
+    ValueError
+        Where it returns one that is not finite and > 0.
+    """
+    if not callable(shift):
+        raise TypeError(f"shift must be a function of temperature [K], got {shown(shift)}")
+    if callable(getattr(shift, "shift", None)):
+        raise TypeError(
+            f"shift must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
+        )
+    factor = as_float("shift(temperature)", shift(temperature))
+    if not (np.isfinite(factor) and factor > 0.0):
+        raise ValueError(f"shift(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
+    return factor
+
+
+def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
+    """Return the modulus whose value at ω is that of `modulus` at a_T ω.
+
+    Parameters
+    ----------
+    modulus : ShearModulus or callable
+        Any modulus of a layer.
+    factor : float
+        a_T [-], > 0.
+
+    Examples
+    --------
+    >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> shifted(rubber, 0.5).relaxation_time
+    0.0625
+    """
+    known = as_modulus(modulus)
+    match known:
+        case Elastic():
+            return known
+        case Prony():
+            return replace(known, relaxation_times=[factor * time for time in known.relaxation_times])
+        case StandardLinearSolid() | FractionalZener():
+            return replace(known, relaxation_time=factor * known.relaxation_time)
+        case KelvinVoigt():
+            return replace(known, viscosity=factor * known.viscosity)
+        case MasterCurve():
+            return replace(known, frequency=[frequency / factor for frequency in known.frequency])
+        case ShearModulus():
+            evaluate = known.complex_modulus
+            return lambda omega: evaluate(factor * omega)
+        case _:
+            return lambda omega: known(factor * omega)
+
+
+def _store_positive(target: object, units: dict[str, str]) -> None:
+    store_floats(target, tuple(units))
+    for name, unit in units.items():
+        value = getattr(target, name)
+        if not (np.isfinite(value) and value > 0.0):
+            raise ValueError(f"{name} must be finite and > 0{unit}, got {value!r}")

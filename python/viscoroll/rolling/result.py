@@ -1,0 +1,79 @@
+"""What a solve returns: a solution, and all that looks into it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, overload
+
+from .._support.files import save
+from ..solution import Solution, interior_fields, text
+from ..solution import loss as losses
+from ..solution.files import FORMATS
+from ..solution.loss_spectrum import extrapolated_loss as _extrapolated_loss
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["Result"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class Result(Solution):  # noqa: D101  (described as the solution that it is)
+    __doc__ = Solution.__doc__
+
+    __repr__ = text.result_summary
+    _repr_html_ = text.result_html
+    extrapolated_loss = _extrapolated_loss
+    interior = interior_fields.interior
+    bonds = interior_fields.bonds
+    loss = losses.loss
+
+    def save(self, path: str | Path) -> None:
+        """Write the fields to a file, in the format of its suffix.
+
+        Parameters
+        ----------
+        path : path-like
+            ``.csv`` (a row for each node), ``.nc`` (netCDF, with scalars as attributes) or ``.vtu``/``.vtk`` (the
+            deformed surface, for ParaView).
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        ImportError
+            For all but ``.csv``, without the extra `viscoroll[files]`.
+        """
+        save(self, path, FORMATS)
+
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, ax: Axes) -> Axes: ...
+
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
+
+        With friction also where the contact sticks and slips, with arrows for the traction on the coating.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw the map of the pressure alone, of a roller its profile.
+
+        Returns
+        -------
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[plot]`.
+        """
+        from ..solution.picture import plot_contact
+
+        return plot_contact(self, ax)

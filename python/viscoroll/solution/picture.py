@@ -1,0 +1,168 @@
+"""Pictures, with matplotlib (the extra `viscoroll[plot]`)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._support.extras import extra
+from .._support.pictures import Picture, drawn
+from .solution import Solution
+
+with extra("plot"):
+    from matplotlib.colors import ListedColormap
+    from matplotlib.patches import Patch
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+__all__ = ["plot_contact"]
+
+_MM = 1e3
+_MPA = 1e-6
+
+
+def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
+    """Draw the contact pressure: its map, and its profile along the rolling direction.
+
+    With friction also the map of stick and slip with arrows for the traction, and its profile beside the pressure's. Of
+    a roller, whose contact is a strip, the profile alone.
+
+    Parameters
+    ----------
+    result : Result
+        A solution.
+    ax : matplotlib.axes.Axes, optional
+        Where to draw the map of the pressure alone, of a roller the profile.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or matplotlib.axes.Axes
+        Two axes side by side, or three with friction, or one, in a figure that belongs to no window; or `ax`.
+    """
+    of_roller, frictional = result.semi_axis_z is None, result.friction > 0.0
+    draw = _draw_profile if of_roller else _draw_map
+
+    def compose(picture: Picture) -> None:
+        picture.suptitle(_headline(result), fontsize="medium")
+        if of_roller:
+            _draw_profile(picture.subplots(), result)
+            return
+        pressure_map, *stick_slip_map, profile = picture.subplots(
+            1, 3 if frictional else 2, width_ratios=[1.0, 0.85, 1.15] if frictional else [1.0, 1.15]
+        )
+        _draw_map(pressure_map, result)
+        for axes in stick_slip_map:
+            _draw_stick_and_slip(axes, result)
+        _draw_profile(profile, result)
+
+    width = 7.0 if of_roller else 16.0 if frictional else 11.0
+    return drawn(lambda axes: draw(axes, result), ax, figsize=(width, 4.6), compose=compose)
+
+
+def _headline(result: Solution) -> str:
+    """Say what was given on one line, and what follows from it on the next."""
+    milli = f"m{result.unit('resisting_torque')}"
+    given = [f"$P$ = {result.load:g} {result.unit('load')}", f"$Ω$ = {result.angular_speed:g} rad/s"]
+    found = [f"power lost / $PV$ = {result.rolling_resistance_coefficient:.4g}"]
+    if result.friction == 0.0:
+        found.append(f"$T_r$ = {result.resisting_torque * 1e3:.4g} {milli}")
+    else:
+        given.append(f"$μ$ = {result.friction:g}")
+        found += [
+            f"$T$ = {result.driving_torque * 1e3:.4g} {milli}",
+            f"$Q$ = {result.driving_force:.4g} {result.unit('driving_force')}",
+            f"creepage {result.creepage:.4g}",
+        ]
+    if result.penetration is not None:
+        found.append(f"penetration {result.penetration * _MM:.3g} mm")
+    return ",   ".join(given) + "\n" + ",   ".join(found)
+
+
+def _offset(result: Solution) -> float:
+    """Distance of the normal resultant from the lowest point [m]."""
+    return result.resisting_torque / result.load
+
+
+def _half_width(result: Solution) -> float:
+    """Half of what is shown along both axes [mm]: the contact and some margin, within the window."""
+    contact = max(np.abs(result.x[result.contact]).max(), np.abs(result.z[result.contact]).max())
+    return min(1.35 * float(contact) + 2.0 * _spacing(result), float(result.x.max())) * _MM
+
+
+def _spacing(result: Solution) -> float:
+    return result.ball.outer_radius * result.mesh.spacing
+
+
+def _draw_map(axes: Axes, result: Solution) -> None:
+    # Pictures run along x from column to column; forward, the fields run from row to row, backward.
+    x, z = result.x.T * _MM, result.z.T * _MM
+    contact = result.contact.T
+    pressure = np.ma.masked_where(~contact, result.pressure.T * _MPA)
+    image = axes.pcolormesh(x, z, pressure, shading="nearest", cmap="magma_r", vmin=0.0, rasterized=True)
+    axes.contour(x, z, contact.astype(float), levels=[0.5], colors="k", linewidths=1.0)
+    axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
+    offset = _offset(result) * _MM
+    axes.plot(offset, 0.0, "o", color="tab:cyan", markeredgecolor="w", label=f"resultant at x = {offset:.3g} mm")
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    axes.legend(loc="upper left", fontsize="small")
+    axes.figure.colorbar(image, ax=axes, label="contact pressure [MPa]")
+
+
+def _draw_stick_and_slip(axes: Axes, result: Solution) -> None:
+    x, z = result.x.T * _MM, result.z.T * _MM
+    state = np.ma.masked_where(~result.contact.T, result.slip.T.astype(float))
+    colors = ListedColormap(["tab:green", "tab:orange"])
+    axes.pcolormesh(x, z, state, shading="nearest", cmap=colors, vmin=0.0, vmax=1.0, alpha=0.45, rasterized=True)
+    rows, columns = _arrow_nodes(result)
+    traction_x, traction_z = (part[rows, columns] * _MPA for part in result.shear_traction)
+    where = (result.x[rows, columns] * _MM, result.z[rows, columns] * _MM)
+    axes.quiver(*where, traction_x, traction_z, angles="xy", pivot="middle", width=0.004)
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    handles = [Patch(color=colors(i), alpha=0.45, label=name) for i, name in enumerate(("stick", "slip"))]
+    axes.legend(
+        handles=handles, loc="upper left", fontsize="small", title="traction on the coating", title_fontsize="small"
+    )
+
+
+def _arrow_nodes(result: Solution) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Nodes in contact that carry an arrow: some twenty across."""
+    stride = max(1, round(np.sqrt(result.contact.sum()) / 18.0))
+    half = np.array(result.contact.shape) // 2
+    rows, columns = np.nonzero(result.contact)
+    kept = ((rows - half[0]) % stride == 0) & ((columns - half[1]) % stride == 0)
+    return rows[kept], columns[kept]
+
+
+def _draw_profile(axes: Axes, result: Solution) -> None:
+    middle = result.x.shape[1] // 2
+    x = result.x[:, middle] * _MM
+    pressure = result.pressure[:, middle] * _MPA
+    axes.fill_between(x, pressure, color="tab:red", alpha=0.15)
+    axes.plot(x, pressure, ".-", color="tab:red", label="pressure")
+    axes.axvline(_offset(result) * _MM, color="tab:cyan", label="resultant")
+    if result.friction > 0.0:
+        traction = result.shear_traction[0][:, middle] * _MPA
+        axes.plot(x, traction, ".-", color="tab:green", label="traction along x")
+        bound = result.friction * pressure
+        axes.fill_between(x, -bound, bound, color="0.5", alpha=0.15, label="bound ±$μp$")
+    axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
+    limit = _half_width(result)
+    axes.set(xlim=(-limit, limit), xlabel="x [mm], rolling to the right")
+    axes.set(ylabel="tractions in the middle plane [MPa]")
+    axes.set_ylim(min(0.0, 1.15 * result.shear_traction[0][:, middle].min() * _MPA), 1.15 * pressure.max())
+    axes.legend(loc="upper left", fontsize="small")
+
+    gap = axes.twinx()
+    shown = np.abs(x) <= limit
+    height = np.maximum(result.gap[:, middle], 0.0) * _MM
+    gap.plot(x, height, color="tab:blue", linewidth=1.0)
+    bottom, top = axes.get_ylim()
+    gap.set_ylim(bottom / top * 1.15 * height[shown].max(), 1.15 * height[shown].max())
+    gap.set_ylabel("gap to the plane [mm]", color="tab:blue")

@@ -1,0 +1,56 @@
+"""The scalar results, as the table of the core describes them."""
+
+from __future__ import annotations
+
+import inspect
+import textwrap
+from dataclasses import make_dataclass
+from typing import TYPE_CHECKING, TypeVar
+
+from .. import _core
+
+__all__ = ["PER_LENGTH", "SCALARS", "ScalarFields", "scalar_units", "with_scalars"]
+
+#: Scalar results: name, unit, what it is.
+SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.result_scalars()}
+
+#: Units in line contact of what is counted per length there.
+PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "m^2": "m"}
+
+
+def scalar_units(*, line_contact: bool) -> dict[str, str]:
+    """Return the unit of every scalar result: of rollers, forces, torques, powers and areas are per length."""
+    units = {name: unit for name, (unit, _) in SCALARS.items()}
+    return {name: PER_LENGTH.get(unit, unit) for name, unit in units.items()} if line_contact else units
+
+
+if TYPE_CHECKING:
+    from .._core import ResultScalars as ScalarFields
+else:
+    #: A field of each name.
+    ScalarFields = make_dataclass(
+        "ScalarFields",
+        [(scalar.name, scalar.type.replace(" or ", " | ")) for scalar in _core.result_scalars()],
+        frozen=True,
+        slots=True,
+        kw_only=True,
+        eq=False,
+        repr=False,
+    )
+
+_Class = TypeVar("_Class", bound=type)
+
+
+def with_scalars(described: _Class) -> _Class:
+    """Fill the scalar results into the docstring of a class, where it says ``%(scalars)s`` among the attributes."""
+    if described.__doc__:
+        entries = "\n".join(map(_entry, _core.result_scalars()))
+        described.__doc__ = inspect.cleandoc(described.__doc__).replace("%(scalars)s", entries)
+    return described
+
+
+def _entry(scalar: _core.ScalarDescription) -> str:
+    """Return a scalar's entry in a section of attributes."""
+    unit = "-" if scalar.unit == "1" else scalar.unit
+    text = f"{scalar.label[0].upper()}{scalar.label[1:]} [{unit}]. {scalar.details}".rstrip()
+    return f"{scalar.name} : {scalar.type}\n" + textwrap.indent(textwrap.fill(text, 112), "    ")

@@ -1,0 +1,240 @@
+"""A solved contact: its numbers, and its fields on the mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+
+from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
+from .._support.extras import extra
+from ..bodies import CoatedCylinder, Counterpart, Drive, Mesh, RollingBody
+from ..bodies.si_hints import si_hint
+from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+    from .. import _core
+
+__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "node_angles"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Refinement:
+    """One mesh of a solve that chose its own.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The mesh.
+    contact_nodes : int
+        Nodes in contact.
+    resisting_torque : float
+        T_r [N m].
+    penetration : float or None
+        r_o - H [m]; None where it is undetermined.
+    power_balance_error : float
+        Relative [-].
+    error_estimate : float
+        The larger of the power-balance error and the changes from the mesh before [-]; 1 on the first mesh.
+    """
+
+    mesh: Mesh
+    contact_nodes: int
+    resisting_torque: float
+    penetration: float | None
+    power_balance_error: float
+    error_estimate: float
+
+    @classmethod
+    def _from_core(cls, step: _core.Refinement) -> Refinement:
+        values = {field.name: getattr(step, field.name) for field in fields(cls)}
+        return cls(**values | {"mesh": Mesh._from_core(step.mesh)})
+
+
+#: Fields on the mesh: name, unit, what it is.
+FIELDS = {
+    "x": ("m", "forward coordinate of the undeformed node"),
+    "z": ("m", "lateral coordinate of the undeformed node"),
+    "pressure": ("Pa", "contact pressure"),
+    "displacement": ("m", "vertical displacement of the surface, upwards"),
+    "gap": ("m", "height of the surface above the plane"),
+    "contact": ("1", "whether the node is in contact"),
+    "stick": ("1", "whether the node sticks to the plane"),
+    "slip": ("1", "whether the node is in contact and slips"),
+}
+
+#: Fields of vectors along x and z.
+VECTOR_FIELDS = {
+    "shear_traction": ("Pa", "traction of the plane on the coating"),
+    "slip_velocity": ("m/s", "velocity of the coating over the plane, in contact"),
+}
+
+
+@with_scalars
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class Solution(ScalarFields):
+    """Solution of one load case on the candidate window.
+
+    Of a roller (`CoatedCylinder`), whose fields have one column, forces are per length [N/m], and so are torques [N],
+    powers [W/m] and the contact area [m]; `unit` tells.
+
+    Fields are read-only arrays of shape (nodes in φ, nodes in θ); material crosses the contact towards growing φ, from
+    the leading edge (x > 0) to the trailing edge.
+
+    Attributes
+    ----------
+    ball, on, load, angular_speed, friction, drive, compliance, curvature, patch_load
+        The input; load in [N], of a roller in [N/m], angular_speed in [rad/s].
+    status : Status
+        How the solve ended.
+    %(scalars)s
+    mesh : Mesh
+        The mesh of this solution.
+    refinements : tuple of Refinement
+        The meshes tried, coarse to fine.
+    warnings : dict of WarningKind to str
+        What to know before relying on this: the texts of the `ResultWarning` that the solve gave.
+    x, z : ndarray
+        Coordinates of the undeformed nodes [m]: x forward, z sideways.
+    pressure : ndarray
+        Contact pressure, positive [Pa].
+    displacement : ndarray
+        Vertical displacement of the surface, positive upwards [m]; where the penetration is undetermined, counted from
+        that of the lowest point.
+    gap : ndarray
+        Height of the surface above the plane [m].
+    contact, stick, slip : ndarray of bool
+        Where the surface touches the plane, and of that, where it sticks and where it slips. Without friction all of it
+        slips.
+    shear_traction : ndarray, shape (2, nodes in φ, nodes in θ)
+        Traction of the plane on the coating along x and z [Pa].
+    slip_velocity : ndarray, shape (2, nodes in φ, nodes in θ)
+        Velocity of the coating over the plane along x and z [m/s]; zero out of contact, and without friction.
+    """
+
+    ball: RollingBody
+    on: Counterpart | None
+    load: float
+    angular_speed: float
+    friction: float
+    drive: Drive
+    compliance: Compliance
+    curvature: Curvature
+    patch_load: PatchLoad
+    status: Status
+    mesh: Mesh
+    refinements: tuple[Refinement, ...]
+    warnings: dict[WarningKind, str]
+    x: NDArray[np.float64]
+    z: NDArray[np.float64]
+    pressure: NDArray[np.float64]
+    displacement: NDArray[np.float64]
+    gap: NDArray[np.float64]
+    contact: NDArray[np.bool_]
+    stick: NDArray[np.bool_]
+    slip: NDArray[np.bool_]
+    shear_traction: NDArray[np.float64]
+    slip_velocity: NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        """Freeze the arrays."""
+        for name in (*FIELDS, *VECTOR_FIELDS):
+            getattr(self, name).flags.writeable = False
+
+    def __reduce__(self) -> tuple[Callable[..., Solution], tuple[type[Solution], dict[str, Any]]]:
+        """Copy and pickle by way of the constructor, which freezes the arrays of the copy."""
+        return _rebuilt, (type(self), {field.name: getattr(self, field.name) for field in fields(self)})
+
+    @classmethod
+    def _from_core(cls, solution: _core.Result, **inputs: Any) -> Self:
+        names = {field.name for field in fields(cls)} - inputs.keys()
+        values = {name: getattr(solution, name) for name in names}
+        values["mesh"] = Mesh._from_core(solution.mesh)
+        values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
+        for name in ("contact", "stick", "slip"):
+            values[name] = getattr(solution, name).view(np.bool_)
+        hint = si_hint(inputs["ball"], inputs["on"])
+        if hint and WarningKind.LARGE_STRAIN in solution.warnings:
+            values["warnings"][WarningKind.LARGE_STRAIN] += f"; {hint}"
+        return cls(**inputs, **values)
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a scalar result, or of ``"load"``: of a roller per length.
+
+        Raises
+        ------
+        KeyError
+            For another name.
+
+        Examples
+        --------
+        >>> from viscoroll import paper, solve
+        >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
+        'W'
+        """
+        line_contact = isinstance(self.ball, CoatedCylinder)
+        return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
+
+    def scalars(self) -> dict[str, float | int | str | None]:
+        """Return all scalar results by name, in SI units, with status and warnings by their names."""
+        values: dict[str, float | int | str | None] = {name: getattr(self, name) for name in SCALARS}
+        values |= {
+            "load": self.load,
+            "angular_speed": self.angular_speed,
+            "friction": self.friction,
+            "status": self.status.name,
+            "contact_nodes": int(self.contact.sum()),
+            "nodes_per_revolution": self.mesh.nodes_per_revolution,
+            "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,
+            "max_order": self.mesh.max_order,
+            "compliance": self.compliance.name,
+            "curvature": self.curvature.name,
+            "patch_load": self.patch_load.name,
+            "warnings": ", ".join(kind.name for kind in self.warnings),
+        }
+        return values
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return fields and scalars as a dataset over the angles φ and θ of the nodes.
+
+        Returns
+        -------
+        xarray.Dataset
+            Fields with units over `phi` and `theta` [rad], scalars as attributes.
+
+        Raises
+        ------
+        ImportError
+            Without the extra `viscoroll[files]`.
+        """
+        with extra("files"):
+            import xarray
+
+        angles = zip(("phi", "theta"), node_angles(self), strict=True)
+        coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles}
+        variables = {
+            name: (dimensions, getattr(self, name), {"units": unit, "long_name": description})
+            for table, dimensions in ((FIELDS, ("phi", "theta")), (VECTOR_FIELDS, ("direction", "phi", "theta")))
+            for name, (unit, description) in table.items()
+        }
+        attributes = {name: value for name, value in self.scalars().items() if value is not None}
+        return xarray.Dataset(variables, coordinates | {"direction": ["x", "z"]}, attrs=attributes)
+
+
+def node_angles(solution: Solution) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return φ of the rows and θ of the columns of the fields [rad]."""
+    mesh = solution.mesh
+    phi, theta = (
+        0.5 * np.pi + spacing * (np.arange(count) - count // 2)
+        for count, spacing in zip(solution.pressure.shape, (mesh.spacing, mesh.theta_spacing), strict=True)
+    )
+    return phi, theta
+
+
+def _rebuilt(kind: type[Solution], values: dict[str, Any]) -> Solution:
+    return kind(**values)

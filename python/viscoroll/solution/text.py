@@ -1,0 +1,121 @@
+"""A result in words and numbers: what is printed of it, and what stands in tables."""
+
+from __future__ import annotations
+
+from .._support.tables import handy, html_table, number_text, unit_text
+from .loss_spectrum import extrapolated_loss
+from .scalars import SCALARS
+from .solution import Solution
+
+__all__ = ["result_html", "result_lines", "result_summary", "result_title", "with_unit"]
+
+
+def result_summary(result: Solution) -> str:
+    """Return a summary of one screen."""
+    rows = [
+        ("rolling resistance coefficient", f"{result.rolling_resistance_coefficient:.6g}"),
+        ("driving torque T", _quantity(result, "driving_torque")),
+        (
+            "driving force Q, lateral force",
+            f"{_quantity(result, 'driving_force')}, {_quantity(result, 'lateral_force')}",
+        ),
+        ("resisting torque T_r", _quantity(result, "resisting_torque")),
+        *_shape_rows(result),
+        ("largest pressure", f"{result.max_pressure:.5g} Pa"),
+        *_friction_rows(result),
+        ("power lost in the coating", _quantity(result, "bulk_power")),
+        *_pair_rows(result),
+        *_extrapolation_rows(result),
+        *_error_rows(result),
+        ("mesh", str(result.mesh)),
+        ("nodes in contact", f"{int(result.contact.sum())} of {result.contact.size}"),
+        ("effort", f"{result.iterations} iterations with {result.operator_applications} operator applications"),
+        ("status", f"{result.status.name}, residual {result.residual:.1e}"),
+        *(("warning", message) for message in result.warnings.values()),
+    ]
+    width = max(len(label) for label, _ in rows)
+    model = f"{result.compliance.name} compliance, {result.curvature.name} curvature"
+    head = f"Result of P = {result.load:g} {result.unit('load')} at Ω = {result.angular_speed:g} rad/s ({model})"
+    return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+
+def result_lines(result: Solution) -> list[tuple[str, str]]:
+    """Return what all scalar results are, in a few words and with a handy unit, and their values."""
+    lines = []
+    for label, value, unit in _scalar_rows(result):
+        (text,), handy_unit = handy([value], unit)
+        lines.append((with_unit(label.partition(",")[0], handy_unit), text))
+    return lines
+
+
+def with_unit(label: str, unit: str) -> str:
+    """Return a label with its unit in brackets, if it has one."""
+    return f"{label} [{unit}]" if unit_text(unit) else label
+
+
+def result_title(result: Solution) -> str:
+    """Return what was given, on one line."""
+    return (
+        f"P = {result.load:g} {result.unit('load')}, Ω = {result.angular_speed:g} rad/s, friction {result.friction:g}, "
+        f"{result.compliance.name.lower()} compliance, {result.curvature.name.lower()} curvature"
+    )
+
+
+def result_html(result: Solution) -> str:
+    """Return the table of a notebook."""
+    rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
+    rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
+    rows += [("warning", message, "") for message in result.warnings.values()]
+    return html_table(f"Result of {result_title(result)}", rows)
+
+
+def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
+    """Return what it is, value and unit of all scalar results [SI]."""
+    rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
+    if (share := extrapolated_loss(result)) is not None:
+        rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
+    return rows
+
+
+def _quantity(result: Solution, name: str) -> str:
+    return f"{getattr(result, name):.6g} {result.unit(name)}"
+
+
+def _shape_rows(result: Solution) -> list[tuple[str, str]]:
+    penetration = "undetermined"
+    if result.penetration is not None:
+        penetration = f"{result.penetration:.6g} m, {result.strain:.1%} of the coating"
+    shape = ("contact's half width", f"{result.semi_axis_x:.4g} m")
+    if result.semi_axis_z is not None:
+        shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
+    return [("penetration", penetration), shape]
+
+
+def _error_rows(result: Solution) -> list[tuple[str, str]]:
+    if result.model_error is None:
+        return [("error of the mesh", f"{result.error_estimate:.2g} (estimate)")]
+    errors = f"{result.error_estimate:.2g}, {result.model_error:.2g} (estimates)"
+    return [("error of the mesh, of linear theory", errors)]
+
+
+def _extrapolation_rows(result: Solution) -> list[tuple[str, str]]:
+    share = extrapolated_loss(result)
+    return [] if share is None else [("of that, outside the measured table", f"{share:.2%}")]
+
+
+def _pair_rows(result: Solution) -> list[tuple[str, str]]:
+    if result.on is None:
+        return []
+    shares = f"{_quantity(result, 'rolling_bulk_power')}, {_quantity(result, 'counterpart_bulk_power')}"
+    return [("of that in what rolls, in what it rolls on", shares)]
+
+
+def _friction_rows(result: Solution) -> list[tuple[str, str]]:
+    if result.friction == 0.0:
+        return []
+    sticking = int(result.stick.sum()) / int(result.contact.sum())
+    return [
+        ("friction", f"{result.friction:g}, {sticking:.0%} of the nodes in contact stick"),
+        ("creepage, speed of the center V_s", f"{result.creepage:.6g}, {_quantity(result, 'linear_speed')}"),
+        ("power lost by slip", _quantity(result, "slip_power")),
+    ]

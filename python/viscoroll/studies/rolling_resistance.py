@@ -1,0 +1,250 @@
+"""Rolling resistance as a fitted surface over load and speed, for programs that cannot solve for it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._support.arguments import Floats, as_float_array
+from .._support.extras import extra
+from .._support.files import save, write_csv, write_netcdf
+from .._support.text import shown
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import ArrayLike
+
+__all__ = ["RollingResistance", "radius_of"]
+
+#: Highest degree that is tried along either axis.
+_HIGHEST_DEGREE = 10
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class RollingResistance:
+    """Torque T(P, Ω) = power lost / Ω, a polynomial of ln P and ln Ω for ln T, with its error.
+
+    From the power lost, not from the pressure's offset: with friction or a force on the center these differ.
+
+    Attributes
+    ----------
+    load, angular_speed : tuple of float
+        From and to, [N] and [rad/s].
+    radius : float
+        r_o [m].
+    coefficients : ndarray
+        Of Chebyshev polynomials of ln P (rows) and ln Ω (columns), each mapped to [-1, 1].
+    error, largest_error : float
+        Root mean square and largest relative error of points that were left out of the fit one by one [-].
+    """
+
+    load: tuple[float, float]
+    angular_speed: tuple[float, float]
+    radius: float
+    coefficients: Floats
+    error: float
+    largest_error: float
+
+    @classmethod
+    def from_study(cls, study: xarray.Dataset) -> RollingResistance:
+        """Fit the surface to a study over load and speed.
+
+        Parameters
+        ----------
+        study : xarray.Dataset
+            Of `viscoroll.sweep`, with the dimensions load and angular_speed, at least three values each, and no other
+            of more than one value; no point may have failed.
+
+        Returns
+        -------
+        RollingResistance
+            The polynomial of the degrees that predict left-out points best.
+
+        Raises
+        ------
+        ValueError
+            For other dimensions, too few values, several balls, and points that failed.
+        """
+        torque, load, speed = _points(study)
+        radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else radius_of(study)
+        best = None
+        for rows in range(1, min(load.size - 1, _HIGHEST_DEGREE + 1)):
+            for columns in range(1, min(speed.size - 1, _HIGHEST_DEGREE + 1)):
+                fit = _fitted(load, speed, np.log(torque), rows, columns)
+                if best is None or fit[1] < best[1]:
+                    best = fit
+        assert best is not None
+        coefficients, error, largest = best
+        return cls(
+            load=(float(load[0]), float(load[-1])),
+            angular_speed=(float(speed[0]), float(speed[-1])),
+            radius=radius,
+            coefficients=coefficients,
+            error=error,
+            largest_error=largest,
+        )
+
+    def __call__(self, load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        """Evaluate the torque.
+
+        Parameters
+        ----------
+        load, angular_speed : array_like
+            P [N] and Ω [rad/s], of shapes that broadcast, within the fitted range.
+
+        Returns
+        -------
+        ndarray
+            Power lost per speed [N m].
+
+        Raises
+        ------
+        ValueError
+            Outside the range.
+        """
+        x = _mapped("load", as_float_array("load", load), self.load, "N")
+        y = _mapped("angular_speed", as_float_array("angular_speed", angular_speed), self.angular_speed, "rad/s")
+        x, y = np.broadcast_arrays(x, y)
+        return np.asarray(np.exp(np.polynomial.chebyshev.chebval2d(x, y, self.coefficients)))
+
+    def save(self, path: str | Path) -> None:
+        """Write the surface: .json holds all that `load_file` reads, .nc and .csv a table of 41 by 41 torques.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        save(self, path, _FORMATS)
+
+    @classmethod
+    def load_file(cls, path: str | Path) -> RollingResistance:
+        """Read a surface from the .json file that `save` wrote.
+
+        Raises
+        ------
+        ValueError
+            Where the file holds something else.
+        """
+        try:
+            found = json.loads(Path(path).read_text(encoding="utf-8"))
+            return cls(
+                load=(float(found["load"][0]), float(found["load"][1])),
+                angular_speed=(float(found["angular_speed"][0]), float(found["angular_speed"][1])),
+                radius=float(found["radius"]),
+                coefficients=np.array(found["coefficients"], dtype=np.float64),
+                error=float(found["error"]),
+                largest_error=float(found["largest_error"]),
+            )
+        except (KeyError, IndexError, TypeError, ValueError) as error:
+            raise ValueError(f"{path} must hold a rolling resistance of viscoroll ({error})") from None
+
+    def to_xarray(self, *, count: int = 41) -> xarray.Dataset:
+        """Return `count` by `count` torques [N m] over load [N] and angular_speed [rad/s], at equal ratios."""
+        with extra("studies"):
+            import xarray
+
+        loads, speeds = np.geomspace(*self.load, count), np.geomspace(*self.angular_speed, count)
+        loads[[0, -1]], speeds[[0, -1]] = self.load, self.angular_speed
+        torque = self(loads[:, None], speeds)
+        return xarray.Dataset(
+            {"torque": (("load", "angular_speed"), torque, {"units": "N m", "long_name": "power lost per speed"})},
+            {"load": ("load", loads, {"units": "N"}), "angular_speed": ("angular_speed", speeds, {"units": "rad/s"})},
+            attrs={"outer_radius": self.radius, "error": self.error, "largest_error": self.largest_error},
+        )
+
+    def __repr__(self) -> str:
+        """Return ranges and error."""
+        return (
+            f"RollingResistance over {self.load[0]:g} to {self.load[1]:g} N and {self.angular_speed[0]:g} to "
+            f"{self.angular_speed[1]:g} rad/s, radius {self.radius:g} m: error {self.error:.2%}, "
+            f"{self.largest_error:.2%} at most"
+        )
+
+    def _document(self) -> dict[str, Any]:
+        return {
+            "what": "ln T = sum c_ij T_i(x) T_j(y), x and y the logarithms of load and speed mapped to [-1, 1]",
+            "load": self.load,
+            "angular_speed": self.angular_speed,
+            "radius": self.radius,
+            "coefficients": self.coefficients.tolist(),
+            "error": self.error,
+            "largest_error": self.largest_error,
+        }
+
+
+def _write_json(surface: RollingResistance, path: Path) -> None:
+    path.write_text(json.dumps(surface._document(), indent=1), encoding="utf-8")
+
+
+def _write_table(surface: RollingResistance, path: Path) -> None:
+    """Write a row for each pair of load and speed."""
+    torque = surface.to_xarray()["torque"]
+    load, speed = (
+        values.ravel().tolist() for values in np.meshgrid(torque["load"], torque["angular_speed"], indexing="ij")
+    )
+    columns = {"load [N]": load, "angular_speed [rad/s]": speed, "torque [N m]": torque.to_numpy().ravel().tolist()}
+    write_csv(columns, path)
+
+
+_FORMATS = {
+    ".json": _write_json,
+    ".nc": lambda surface, path: write_netcdf(surface.to_xarray(), path),
+    ".csv": _write_table,
+}
+
+
+def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
+    power = study["dissipated_power"]
+    for name in ("load", "angular_speed"):
+        if name not in power.dims or power.sizes[name] < 3:
+            raise ValueError(f"study must have at least 3 values of {name}, got {power.sizes.get(name, 1)}")
+    if more := [str(name) for name in power.dims if name not in ("load", "angular_speed") and power.sizes[name] > 1]:
+        raise ValueError(f"study must vary load and angular_speed alone, got {', '.join(more)} too")
+    power = power.squeeze([n for n in power.dims if n not in ("load", "angular_speed")])
+    power = power.transpose("load", "angular_speed").sortby(["load", "angular_speed"])
+    load, speed = power["load"].values.astype(float), power["angular_speed"].values.astype(float)
+    torque = power.values / speed
+    if not (torque > 0.0).all():
+        raise ValueError(
+            f"study must have a power lost > 0 W at every point, got {int((~(torque > 0.0)).sum())} others"
+        )
+    return torque, load, speed
+
+
+def radius_of(study: xarray.Dataset) -> float:
+    """Return r_o = H + penetration."""
+    radius = (study["center_height"] + study["penetration"] - study["centrifugal_displacement"]).values
+    if not np.ptp(radius) <= 1e-9 * radius.max():
+        raise ValueError(f"study must have one ball, got radii from {radius.min():g} to {radius.max():g} m")
+    return float(radius.flat[0])
+
+
+def _fitted(load: Floats, speed: Floats, values: Floats, rows: int, columns: int) -> tuple[Floats, float, float]:
+    """Return coefficients, and root mean square and largest of the errors of left-out points."""
+    matrices = []
+    for points, degree in ((load, rows), (speed, columns)):
+        x = _mapped("points", points, (points[0], points[-1]), "")
+        matrices.append(np.polynomial.chebyshev.chebvander(x, degree))
+    a, b = matrices
+    inverse_a, inverse_b = np.linalg.pinv(a), np.linalg.pinv(b)
+    coefficients = inverse_a @ values @ inverse_b.T
+    residual = a @ coefficients @ b.T - values
+    leverage = np.outer(np.einsum("ij,ji->i", a, inverse_a), np.einsum("ij,ji->i", b, inverse_b))
+    left_out = np.expm1(residual / np.maximum(1.0 - leverage, 1e-9))
+    return coefficients, float(np.sqrt(np.mean(left_out**2))), float(np.abs(left_out).max())
+
+
+def _mapped(name: str, values: Floats, limits: tuple[float, float], unit: str) -> Floats:
+    low, high = limits
+    slack = 1e-12
+    outside = values[~((values >= low * (1.0 - slack)) & (values <= high * (1.0 + slack)))]
+    if outside.size:
+        raise ValueError(
+            f"{name} must be in [{low:g}, {high:g}] {unit}, where it was fitted, got {shown(float(outside[0]))}"
+        )
+    return np.asarray(2.0 * np.log(values / low) / np.log(high / low) - 1.0)
