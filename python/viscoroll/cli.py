@@ -171,7 +171,7 @@ def roll(
     if as_json:
         typer.echo(_json(history.scalars()))
     else:
-        _output.print(repr(history), markup=False, emoji=False, highlight=False, soft_wrap=True)
+        _write_line(repr(history))
     if plot is not None:
         history.plot().savefig(plot, dpi=150)
     if save is not None:
@@ -200,7 +200,7 @@ def sweep(
         _print_message(f"warning: {message}")
     sizes = " x ".join(f"{dataset.sizes[name]} {name}" for name in dataset.error.dims)
     summary = f"{dataset.error.size} points ({sizes}), {int((dataset.error != '').sum())} failed: {path}"
-    _output.print(summary, markup=False, emoji=False, highlight=False, soft_wrap=True)
+    _write_line(summary)
 
 
 @app.command()
@@ -221,7 +221,7 @@ def plot(
 
     path = study.with_suffix(".png") if output is None else output
     plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
-    _output.print(f"{variable} drawn to {path}", markup=False, emoji=False, highlight=False, soft_wrap=True)
+    _write_line(f"{variable} drawn to {path}")
 
 
 @app.command()
@@ -268,9 +268,7 @@ def reproduce(
             verdicts[name] = runner.judge(outcome)
     write_verdicts(output / "verdicts.md", verdicts)
     _output.print(_verdict_table(verdicts))
-    _output.print(
-        f"pictures, numbers and verdicts.md in {output}", markup=False, emoji=False, highlight=False, soft_wrap=True
-    )
+    _write_line(f"pictures, numbers and verdicts.md in {output}")
 
 
 @app.command()
@@ -297,13 +295,7 @@ def compare(
     for status, count in comparison.unsettled().items():
         _print_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
     names = ", ".join(comparison.forms) or "no closed form suits this ball"
-    _output.print(
-        f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}",
-        markup=False,
-        emoji=False,
-        highlight=False,
-        soft_wrap=True,
-    )
+    _write_line(f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}")
 
 
 @app.command()
@@ -333,7 +325,7 @@ def demo(
     _output.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
     _print_result(chosen)
     chosen.plot().savefig(plot, dpi=150)
-    _output.print(f"contact pressure drawn to {plot}", markup=False, emoji=False, highlight=False, soft_wrap=True)
+    _write_line(f"contact pressure drawn to {plot}")
 
 
 def _write_line(line: str) -> None:
