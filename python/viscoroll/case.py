@@ -1,20 +1,27 @@
-"""Cases in TOML files, checked with pydantic (the extra `viscoroll[cli]`)."""
+"""Cases in TOML files, checked with pydantic (the extra `viscoroll[cli]`).
+
+A table of the file is read as an object of this package, whose parameters are its keys: pydantic finds keys that are
+unknown or missing, and the place in the file; the classes themselves check values and have the defaults.
+"""
 
 from __future__ import annotations
 
 import csv
+import inspect
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from difflib import get_close_matches
+from enum import Enum
 from importlib import resources
+from itertools import pairwise
 from pathlib import Path
-from typing import Any, Literal, TypeVar
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 
 from . import materials
-from ._arrays import as_float, as_member
-from ._core import Compliance, Curvature, Extrapolation, InnerBoundary, PatchLoad, SlipKinematics
+from ._arrays import as_member
+from ._core import Compliance, Curvature, Extrapolation, PatchLoad, SlipKinematics
 from ._extras import extra
 from ._text import one_line, shown
 from .drive import Drive
@@ -28,42 +35,37 @@ from .rolling import solve
 from .shift import Arrhenius, WilliamsLandelFerry
 
 with extra("cli"):
-    from pydantic import BaseModel, ConfigDict, ValidationError
-    from pydantic_core import ErrorDetails
+    from pydantic import (
+        BaseModel,
+        BeforeValidator,
+        ConfigDict,
+        Field,
+        GetCoreSchemaHandler,
+        ValidationError,
+        ValidationInfo,
+        create_model,
+    )
+    from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 __all__ = [
     "BallTable",
+    "ByName",
     "Case",
+    "FileName",
+    "MeshTable",
     "StrictTable",
     "Thermal",
-    "build_ball",
     "build_case",
+    "checked",
     "errors_in",
     "example_text",
     "first_line",
     "load_case",
+    "read_columns",
     "read_toml",
 ]
 
-_MATERIALS: dict[str, type[materials.ShearModulus]] = {
-    "elastic": materials.Elastic,
-    "standard_linear_solid": materials.StandardLinearSolid,
-    "prony": materials.Prony,
-    "kelvin_voigt": materials.KelvinVoigt,
-    "fractional_zener": materials.FractionalZener,
-    "master_curve": materials.MasterCurve,
-    "loss_factor": LossFactor,
-}
-
-_SHIFTS: dict[str, type[WilliamsLandelFerry] | type[Arrhenius]] = {
-    "williams_landel_ferry": WilliamsLandelFerry,
-    "arrhenius": Arrhenius,
-}
-
-_COLUMNS = ("frequency", "storage", "loss")
-
-_Choice = TypeVar("_Choice")
-
+_Model = TypeVar("_Model", bound="StrictTable")
 
 #: With or without the byte-order mark that some editors write.
 _ENCODING = "utf-8-sig"
@@ -72,105 +74,189 @@ _ENCODING = "utf-8-sig"
 class StrictTable(BaseModel):
     """A table of the file: unknown keys and wrong types are errors."""
 
-    model_config = ConfigDict(extra="forbid", strict=True)
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
-class _Layer(StrictTable):
-    thickness: float
-    shear_modulus: dict[str, Any] | str | float
-    poisson_ratio: float | None = None
-    bulk_modulus: float | None = None
-    density: float = 0.0
-    conductivity: float | None = None
+class _Table:
+    """Mark of a class that a table of the file is read as, or of what `make` makes of its keys.
+
+    The keys are its keyword arguments, of any type but where `types` says more, and `type` where the table has one.
+    """
+
+    def __init__(self, type_: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
+        self._make = make
+        self._types = types | ({} if type_ is None else {"type": Literal[type_]})
+
+    def __get_pydantic_core_schema__(self, source: Callable[..., Any], handler: GetCoreSchemaHandler) -> CoreSchema:
+        make = self._make or source
+        parameters = inspect.signature(make).parameters
+        needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
+        keys: dict[str, Any] = {
+            name: (self._types.get(name, Any), ... if name in needed else None) for name in [*parameters, *self._types]
+        }
+
+        def made(table: StrictTable) -> Any:
+            try:
+                return make(**{name: getattr(table, name) for name in table.model_fields_set - {"type"}})
+            except TypeError as error:  # of values: those of keys are found above
+                raise ValueError(str(error)) from None
+
+        model = create_model(make.__name__, __base__=StrictTable, **keys)
+        return core_schema.no_info_after_validator_function(made, handler.generate_schema(model))
 
 
-class BallTable(StrictTable):
-    """The table `ball`."""
+class ByName:
+    """Mark of an enumeration whose members, or some of them alone, the file names in lower case."""
 
-    core_radius: float = 0.0
-    inner_boundary: str = "rigid"
-    layers: list[_Layer] = []
+    def __init__(self, *members: Enum) -> None:
+        self._members = members
 
-
-class _Cylinder(StrictTable):
-    core_radius: float
-    layers: list[_Layer]
-
-
-class _Base(StrictTable):
-    shear_modulus: dict[str, Any] | str | float
-    poisson_ratio: float | None = None
-    bulk_modulus: float | None = None
-    density: float = 0.0
+    def __get_pydantic_core_schema__(self, source: type[Enum], handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return the names, and how a member is found by them."""
+        members = {member.name.lower(): member for member in self._members or source}
+        return core_schema.no_info_after_validator_function(
+            members.__getitem__, core_schema.literal_schema(list(members))
+        )
 
 
-class _Plane(StrictTable):
-    layers: list[_Layer] = []
-    base: _Base | None = None
+def _in_folder(name: object, info: ValidationInfo) -> Path:
+    if not isinstance(name, str):
+        raise ValueError(f"file must be the name of a file, got {shown(name)}")
+    assert isinstance(info.context, Path)
+    return info.context / name
 
 
-class _Groove(_Plane):
-    radius: float | None = None
-    path_radius: float | None = None
+#: The name of a file beside the case file.
+FileName: TypeAlias = Annotated[Path, BeforeValidator(_in_folder)]
+
+
+def _measured(*, file: Path, temperature: float | None = None, form: Literal["table", "prony"] = "table") -> Any:
+    """Return a material of `viscoroll material`."""
+    try:
+        return load_material(file, temperature=temperature, form=form)
+    except OSError as error:
+        raise ValueError(f"material {file}: {error.strerror}") from None
+
+
+def _with_columns(table: dict[str, Any], info: ValidationInfo) -> dict[str, Any]:
+    """Replace the name of a file by the columns of a master curve in it."""
+    if "file" not in table:
+        return table
+    names = ("frequency", "storage", "loss")
+    if both := [name for name in names if name in table]:
+        raise ValueError(f"file must be left out where columns are given, got {', '.join(both)} too")
+    columns = read_columns("master curve", _in_folder(table["file"], info), names)
+    return {key: value for key, value in table.items() if key != "file"} | columns
+
+
+def _typed(given: object) -> object:
+    """Return a table with a type, be it none."""
+    return {"type": None} | given if isinstance(given, dict) else given
+
+
+def _as_table(given: object) -> object:
+    """Return the table that a number or the name of a file stands for."""
+    if isinstance(given, str):
+        return {"type": "measured", "file": given}
+    if isinstance(given, float | int) and not isinstance(given, bool):
+        return {"type": "elastic", "modulus": given}
+    if not isinstance(given, dict):
+        raise ValueError(f"shear_modulus must be a table, a number or the name of a file, got {shown(given)}")
+    return _typed(given)
+
+
+_Modulus: TypeAlias = Annotated[
+    Annotated[materials.Elastic, _Table("elastic")]
+    | Annotated[materials.StandardLinearSolid, _Table("standard_linear_solid")]
+    | Annotated[materials.Prony, _Table("prony")]
+    | Annotated[materials.KelvinVoigt, _Table("kelvin_voigt")]
+    | Annotated[materials.FractionalZener, _Table("fractional_zener")]
+    | Annotated[
+        materials.MasterCurve,
+        _Table("master_curve", extrapolation=Annotated[Extrapolation, ByName()]),
+        BeforeValidator(_with_columns),
+    ]
+    | Annotated[LossFactor, _Table("loss_factor")]
+    | Annotated[Any, _Table("measured", _measured, file=FileName, temperature=float)],
+    Field(discriminator="type"),
+    BeforeValidator(_as_table),
+]
+
+_Shift: TypeAlias = Annotated[
+    Annotated[WilliamsLandelFerry, _Table("williams_landel_ferry")] | Annotated[Arrhenius, _Table("arrhenius")],
+    Field(discriminator="type"),
+    BeforeValidator(_typed),
+]
+
+_Layers: TypeAlias = list[Annotated[Layer, _Table(shear_modulus=_Modulus)]]
+_Base: TypeAlias = Annotated[HalfSpace, _Table(shear_modulus=_Modulus)]
+
+#: The table `ball`.
+BallTable: TypeAlias = Annotated[CoatedSphere, _Table(layers=_Layers)]
 
 
 class _Rolling(StrictTable):
     load: float
     angular_speed: float
     friction: float = 0.0
-    drive: dict[str, Any] = {"force": 0.0}  # of `viscoroll.Drive`
+    drive: Annotated[Drive, _Table()] = Drive(force=0.0)
 
 
-class _Numerics(StrictTable):
-    accuracy: float | None = None
+class MeshTable(StrictTable):
+    """Base of the table `numerics`: keyword arguments, those of a mesh among them."""
+
     nodes_per_revolution: int | None = None
     max_order: int | None = None
     theta_nodes_per_revolution: int | None = None
-    compliance: Literal["radial", "vertical"] = "radial"
-    curvature: Literal["sphere", "paper", "exact"] = "sphere"
-    patch_load: Literal["flat", "spherical"] = "flat"
-    slip_kinematics: Literal["exact", "flat"] = "exact"
+
+    def arguments(self) -> dict[str, Any]:
+        """Return keyword arguments with the mesh as one, or None where it is left out."""
+        given = dict(self)
+        numbers = {parameter.name: given.pop(parameter.name) for parameter in fields(Mesh)}
+        if self.nodes_per_revolution is not None:
+            return given | {"mesh": Mesh(**numbers)}
+        if any(number is not None for number in numbers.values()):
+            raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
+        return given | {"mesh": None}
 
 
-class _Thermal(StrictTable):
+class _Numerics(MeshTable):
+    accuracy: float | None = None
+    compliance: Annotated[Compliance, ByName()] = Compliance.RADIAL
+    curvature: Annotated[Curvature, ByName()] = Curvature.SPHERE
+    patch_load: Annotated[PatchLoad, ByName()] = PatchLoad.FLAT
+    slip_kinematics: Annotated[SlipKinematics, ByName()] = SlipKinematics.EXACT
+
+
+def _core_of(given: object) -> object:
+    return as_member("core", given, Core) if isinstance(given, str) else given
+
+
+class Thermal(StrictTable):
+    """How a case is cooled. Parameters as of `viscoroll.self_heating`; without a `shift` moduli stay as they are."""
+
     convection: float
     ambient: float
     conductivity: float | list[float] | None = None
-    core: Literal["insulated", "isothermal"] | float = "insulated"
+    core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
     core_temperature: float | None = None
-    shift: dict[str, Any] | None = None
+    shift: _Shift | None = None
     limit: float | None = None
+
+    def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
+        """Temperature with the moduli as they are."""
+        cooling = {name: value for name, value in self if name not in ("shift", "limit")}
+        return temperature(result, **cooling, progress=progress)
 
 
 class _File(StrictTable):
     ball: BallTable | None = None
-    cylinder: _Cylinder | None = None
-    plane: _Plane | None = None
-    groove: _Groove | None = None
+    cylinder: Annotated[CoatedCylinder, _Table(layers=_Layers)] | None = None
+    plane: Annotated[CoatedPlane, _Table(layers=_Layers, base=_Base)] | None = None
+    groove: Annotated[Groove, _Table(layers=_Layers, base=_Base)] | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
-    thermal: _Thermal | None = None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Thermal:
-    """How a case is cooled. Parameters as of `viscoroll.temperature`, and `shift` and `limit` of `self_heating`."""
-
-    convection: float
-    ambient: float
-    conductivity: float | list[float] | None
-    core: Core | float
-    core_temperature: float | None
-    shift: WilliamsLandelFerry | Arrhenius | None
-    limit: float | None
-
-    def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
-        """Temperature with the moduli as they are."""
-        return temperature(result, **self._cooling(), progress=progress)
-
-    def _cooling(self) -> dict[str, Any]:
-        names = ("convection", "ambient", "conductivity", "core", "core_temperature")
-        return {name: getattr(self, name) for name in names}
+    thermal: Thermal | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -201,11 +287,9 @@ class Case:
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
-        thermal = self.thermal
-        shift = None if thermal is None else thermal.shift
-        if thermal is None or shift is None:
+        if self.thermal is None or self.thermal.shift is None:
             raise ValueError("thermal.shift must be given for self-heating")
-        return self_heating(**self.arguments(), **thermal._cooling(), shift=shift, limit=thermal.limit, **options)
+        return self_heating(**self.arguments(), **dict(self.thermal), **options)
 
 
 def load_case(path: str | Path) -> Case:
@@ -275,11 +359,37 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     ValueError, TypeError
         Where the content is not valid.
     """
+    file = checked(_File, document, folder)
+    bodies = [body for body in (file.ball, file.cylinder) if body is not None]
+    surfaces = [surface for surface in (file.plane, file.groove) if surface is not None]
+    if len(bodies) != 1:
+        raise ValueError(f"ball or cylinder must be given, and not both, got {'both' if bodies else 'none'}")
+    if len(surfaces) > 1:
+        raise ValueError("plane or groove must be given, and not both, got both")
+    numerics = file.numerics.arguments()
+    if numerics["mesh"] is not None and numerics["accuracy"] is not None:
+        raise ValueError("numerics.accuracy must be left out where a mesh is given")
+    return Case(
+        ball=bodies[0],
+        on=surfaces[0] if surfaces else None,
+        thermal=file.thermal,
+        **dict(file.rolling),
+        **numerics,
+    )
+
+
+def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path()) -> _Model:
+    """Return the tables of a file whose `kind` says what they may hold; files that they name are in a folder.
+
+    Raises
+    ------
+    ValueError
+        Where they hold something else, with the place in the file.
+    """
     try:
-        file = _File.model_validate(document)
+        return kind.model_validate(document, context=folder)
     except ValidationError as error:
         raise ValueError(first_line(error)) from None
-    return _build(file, folder)
 
 
 def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
@@ -287,172 +397,24 @@ def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
     return resources.files(__package__).joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
 
 
-def _build(file: _File, folder: Path) -> Case:
-    numerics = file.numerics
-    mesh = None
-    if numerics.nodes_per_revolution is not None:
-        if numerics.accuracy is not None:
-            raise ValueError("numerics.accuracy must be left out where a mesh is given")
-        mesh = Mesh(
-            nodes_per_revolution=numerics.nodes_per_revolution,
-            max_order=numerics.max_order,
-            theta_nodes_per_revolution=numerics.theta_nodes_per_revolution,
-        )
-    elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
-        raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
-    return Case(
-        ball=_rolling_body(file, folder),
-        on=_counterpart(file, folder),
-        load=file.rolling.load,
-        angular_speed=file.rolling.angular_speed,
-        friction=file.rolling.friction,
-        drive=_drive(file.rolling.drive),
-        mesh=mesh,
-        accuracy=numerics.accuracy,
-        compliance=Compliance[numerics.compliance.upper()],
-        curvature=Curvature[numerics.curvature.upper()],
-        patch_load=PatchLoad[numerics.patch_load.upper()],
-        slip_kinematics=SlipKinematics[numerics.slip_kinematics.upper()],
-        thermal=None if file.thermal is None else _thermal(file.thermal),
-    )
+def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[str] = ()) -> dict[str, list[float]]:
+    """Return columns of numbers of a CSV file by their names, and those that it may have.
 
-
-def _drive(table: dict[str, Any]) -> Drive:
-    if unknown := sorted(table.keys() - {field.name for field in fields(Drive)}):
-        raise ValueError(f"rolling.drive has no parameter {', '.join(unknown)}")
-    return Drive(**table)
-
-
-def _thermal(table: _Thermal) -> Thermal:
-    core = Core[table.core.upper()] if isinstance(table.core, str) else table.core
-    return Thermal(**dict(table) | {"core": core, "shift": None if table.shift is None else _shift(dict(table.shift))})
-
-
-def _shift(table: dict[str, Any]) -> WilliamsLandelFerry | Arrhenius:
-    kind = table.pop("type", None)
-    shift = _chosen("thermal.shift.type", kind, _SHIFTS)
-    wanted = {field.name for field in fields(shift)}
-    if table.keys() != wanted:
-        raise ValueError(f"thermal.shift of type {kind} must have {', '.join(sorted(wanted))}, got {sorted(table)}")
-    return shift(**table)
-
-
-def build_ball(ball: BallTable, folder: Path) -> CoatedSphere:
-    """Return the ball that a table describes; its master curves are files in a folder."""
-    return CoatedSphere(
-        core_radius=ball.core_radius,
-        inner_boundary=as_member("inner_boundary", ball.inner_boundary, InnerBoundary),
-        layers=_layers(ball.layers, "ball", folder),
-    )
-
-
-def _rolling_body(file: _File, folder: Path) -> RollingBody:
-    if (file.ball is None) == (file.cylinder is None):
-        raise ValueError(f"ball or cylinder must be given, and not both, got {'none' if file.ball is None else 'both'}")
-    if file.cylinder is not None:
-        return CoatedCylinder(
-            core_radius=file.cylinder.core_radius, layers=_layers(file.cylinder.layers, "cylinder", folder)
-        )
-    assert file.ball is not None
-    return build_ball(file.ball, folder)
-
-
-def _counterpart(file: _File, folder: Path) -> Counterpart | None:
-    if file.plane is not None and file.groove is not None:
-        raise ValueError("plane or groove must be given, and not both, got both")
-    if file.groove is not None:
-        surface = _surface(file.groove, "groove", folder)
-        return Groove(radius=file.groove.radius, path_radius=file.groove.path_radius, **surface)
-    return None if file.plane is None else CoatedPlane(**_surface(file.plane, "plane", folder))
-
-
-def _surface(surface: _Plane, name: str, folder: Path) -> dict[str, Any]:
-    base = None
-    if surface.base is not None:
-        modulus = _shear_modulus(surface.base.shear_modulus, folder)
-        base = HalfSpace(**dict(surface.base) | {"shear_modulus": modulus})
-    return {"layers": _layers(surface.layers, name, folder), "base": base}
-
-
-def _layers(layers: list[_Layer], name: str, folder: Path) -> list[Layer]:
-    return [_layer(layer, f"{name}.layers[{j}]", folder) for j, layer in enumerate(layers)]
-
-
-def _layer(layer: _Layer, name: str, folder: Path) -> Layer:
-    try:
-        return Layer(**dict(layer) | {"shear_modulus": _shear_modulus(layer.shear_modulus, folder)})
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name}: {error}") from None
-
-
-def _shear_modulus(given: dict[str, Any] | str | float, folder: Path) -> materials.ShearModulus:
-    if isinstance(given, float | int):
-        return materials.Elastic(modulus=given)
-    table = {"type": "measured", "file": given} if isinstance(given, str) else dict(given)
-    kind = table.pop("type", None)
-    if kind == "measured":
-        return _measured(table, folder)
-    if not isinstance(kind, str) or kind not in _MATERIALS:
-        names = ", ".join([*_MATERIALS, "measured"])
-        raise ValueError(f"shear_modulus.type must be one of {names}, got {shown(kind)}")
-    material = _MATERIALS[kind]
-    if material is materials.MasterCurve:
-        table = _master_curve(table, folder)
-    known = {field.name for field in fields(material)}  # type: ignore[arg-type]
-    if unknown := sorted(table.keys() - known):
-        raise ValueError(f"shear_modulus of type {kind} has no parameter {', '.join(unknown)}")
-    if missing := sorted(known - table.keys() - {"extrapolation", "decades"}):
-        raise ValueError(f"shear_modulus of type {kind} needs {', '.join(missing)}")
-    return material(**table)
-
-
-def _measured(table: dict[str, Any], folder: Path) -> materials.ShearModulus:
-    """Return a material of `viscoroll material`: file, and temperature and form where they are given."""
-    if unknown := sorted(table.keys() - {"file", "temperature", "form"}):
-        raise ValueError(f"shear_modulus of type measured has no parameter {', '.join(unknown)}")
-    name = table.pop("file", None)
-    if not isinstance(name, str):
-        raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
-    if "temperature" in table:
-        table["temperature"] = as_float("shear_modulus.temperature", table["temperature"])
-    try:
-        return load_material(folder / name, **table)
-    except OSError as error:
-        raise ValueError(f"material {folder / name}: {error.strerror}") from None
-
-
-def _master_curve(table: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Replace the name of a file by its columns, and the name of an extrapolation by its member."""
-    table = dict(table)
-    if "file" in table:
-        name = table.pop("file")
-        if not isinstance(name, str):
-            raise TypeError(f"shear_modulus.file must be the name of a file, got {shown(name)}")
-        if both := [column for column in _COLUMNS if column in table]:
-            raise ValueError(f"shear_modulus.file must be left out where columns are given, got {', '.join(both)} too")
-        table |= _read_columns(folder / name)
-    if "extrapolation" in table:
-        members = {member.name.lower(): member for member in Extrapolation}
-        table["extrapolation"] = _chosen("shear_modulus.extrapolation", table["extrapolation"], members)
-    return table
-
-
-def _read_columns(path: Path) -> dict[str, list[float]]:
+    Raises
+    ------
+    ValueError
+        Where it cannot be read, or is none; `what` says what it should be.
+    """
     try:
         with path.open(newline="", encoding=_ENCODING) as file:
             rows = list(csv.DictReader(file, skipinitialspace=True))
-        return {name: [float(row[name]) for row in rows] for name in _COLUMNS}
+        found = [*names, *(name for name in maybe if rows and name in rows[0])]
+        return {name: [float(row[name]) for row in rows] for name in found}
     except OSError as error:
-        raise ValueError(f"master curve {path}: {error.strerror}") from None
+        raise ValueError(f"{what} {path}: {error.strerror}") from None
     except (KeyError, TypeError, ValueError, csv.Error) as error:
-        message = f"master curve {path}: needs numbers in columns {', '.join(_COLUMNS)} ({error})"
-        raise ValueError(message) from None
-
-
-def _chosen(name: str, value: object, choices: Mapping[str, _Choice]) -> _Choice:
-    if not isinstance(value, str) or value not in choices:
-        raise ValueError(f"{name} must be one of {', '.join(choices)}, got {shown(value)}")
-    return choices[value]
+        wanted = ", ".join(names) + (f" and maybe {', '.join(maybe)}" if maybe else "")
+        raise ValueError(f"{what} {path}: needs numbers in columns {wanted} ({error})") from None
 
 
 #: Which command reads a file with such a table.
@@ -464,7 +426,8 @@ _MOST_TOLD = 3
 
 def first_line(error: ValidationError) -> str:
     """Return what is wrong first, with its place in the file, and what else."""
-    errors = error.errors()
+    # Values are looked at where all keys of a table are known: the keys of others come first.
+    errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
     missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
     unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
     meant = {  # a name that is misspelled is missing as well
@@ -489,8 +452,27 @@ def first_line(error: ValidationError) -> str:
     return "; ".join([told, *others])
 
 
+#: Tables of a type, which stands behind their names in the places of pydantic.
+_TYPED = ("shear_modulus", "shift")
+
+#: What is wrong with a key of such a table.
+_WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
+
+
 def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
-    place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in error["loc"]).lstrip(".")
-    is_whole_table = error["type"] == "missing"
-    got = f", got {shown(error['input'])}" if with_value and not is_whole_table else ""
+    *above, key = [part for before, part in pairwise(("", *error["loc"])) if before not in _TYPED]
+    kind = next((part for before, part in pairwise(error["loc"]) if before in _TYPED), None)
+    got = f", got {shown(error['input'])}" if with_value and error["type"] != "missing" else ""
+    if kind is not None and error["type"] in _WRONG_KEYS:
+        return f"{_place(above)} of type {kind} {_WRONG_KEYS[error['type']]} {key}{got}"
+    place, context = _place([*above, key]), error.get("ctx", {})
+    if error["type"] == "union_tag_invalid":
+        kinds = context["expected_tags"].replace("'", "")
+        return f"{place}.type must be one of {kinds}, got {shown(error['input']['type'])}"
+    if error["type"] == "value_error":  # says by itself what it got
+        return f"{place}: {context['error']}"
     return f"{place}: {error['msg'][0].lower()}{error['msg'][1:]}{got}"
+
+
+def _place(parts: Sequence[str | int]) -> str:
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in parts).lstrip(".")
