@@ -80,19 +80,20 @@ class StrictTable(BaseModel):
 class _Table:
     """Mark of a class that a table of the file is read as, or of what `make` makes of its keys.
 
-    The keys are its keyword arguments, of any type but where `types` says more, and `type` where the table has one.
+    The keys are its keyword arguments, of any type but where `types` says more, and `type` in a table of several kinds.
     """
 
-    def __init__(self, type_: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
+    def __init__(self, kind: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
         self._make = make
-        self._types = types | ({} if type_ is None else {"type": Literal[type_]})
+        self._types = types | ({} if kind is None else {"type": Literal[kind]})
 
     def __get_pydantic_core_schema__(self, source: Callable[..., Any], handler: GetCoreSchemaHandler) -> CoreSchema:
         make = self._make or source
         parameters = inspect.signature(make).parameters
         needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
         keys: dict[str, Any] = {
-            name: (self._types.get(name, Any), ... if name in needed else None) for name in [*parameters, *self._types]
+            name: (self._types.get(name, Any), Field() if name in needed else None)
+            for name in [*parameters, *self._types]
         }
 
         def made(table: StrictTable) -> Any:
@@ -130,7 +131,9 @@ def _in_folder(name: object, info: ValidationInfo) -> Path:
 FileName: TypeAlias = Annotated[Path, BeforeValidator(_in_folder)]
 
 
-def _measured(*, file: Path, temperature: float | None = None, form: Literal["table", "prony"] = "table") -> Any:
+def _measured(
+    *, file: Path, temperature: float | None = None, form: Literal["table", "prony"] = "table"
+) -> materials.MasterCurve | materials.Prony:
     """Return a material of `viscoroll material`."""
     try:
         return load_material(file, temperature=temperature, form=form)
@@ -177,7 +180,7 @@ _Modulus: TypeAlias = Annotated[
         BeforeValidator(_with_columns),
     ]
     | Annotated[LossFactor, _Table("loss_factor")]
-    | Annotated[Any, _Table("measured", _measured, file=FileName, temperature=float)],
+    | Annotated[materials.ShearModulus, _Table("measured", _measured, file=FileName, temperature=float)],
     Field(discriminator="type"),
     BeforeValidator(_as_table),
 ]
