@@ -188,7 +188,8 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     """Return a study over load and speed, and the point of it that a case is about."""
     import numpy as np
 
-    from .case import load_case, read_toml
+    from .case import load_case
+    from .case_tables import read_toml
     from .studies.file import load_study
     from .studies.study import run_plan, sweep
 

@@ -11,7 +11,8 @@ import numpy as np
 
 from ._core import ConvergenceError
 from ._extras import extra
-from .case import StrictTable, build_case, checked, errors_in, read_toml
+from .case import build_case
+from .case_tables import StrictTable, checked, errors_in, read_toml
 from .caution import kept_in_results
 from .progress import ProgressLike, Report, reporting
 from .result import Result

@@ -13,7 +13,8 @@ import numpy as np
 
 from .._extras import extra
 from .._text import shown
-from ..case import Case, StrictTable, build_case, checked, errors_in, read_toml
+from ..case import Case, build_case
+from ..case_tables import StrictTable, checked, errors_in, read_toml
 from ..geometry import RollingBody
 from ..units import UNITS
 from .dimensions import Dimension

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from ..case import BallTable, ByName, FileName, MeshTable, StrictTable, checked, errors_in, read_columns, read_toml
+from ..case import BallTable, MeshTable
+from ..case_tables import ByName, FileName, StrictTable, checked, errors_in, read_columns, read_toml
 from ..drive import Drive
 from ..geometry import CoatedSphere
 from .roll import roll
