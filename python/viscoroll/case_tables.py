@@ -67,16 +67,11 @@ class Table:
     def __init__(self, kind: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
         self._make = make
         self._types = types | ({} if kind is None else {"type": Literal[kind]})
+        self._model: type[StrictTable] | None = None  # made once: modulus and layer are parts of several bodies
 
     def __get_pydantic_core_schema__(self, source: Callable[..., Any], handler: GetCoreSchemaHandler) -> CoreSchema:
         """Return a model of the keys, and what is made of it."""
         make = self._make or source
-        parameters = inspect.signature(make).parameters
-        needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
-        keys: dict[str, Any] = {
-            name: (self._types.get(name, Any), Field() if name in needed else None)
-            for name in [*parameters, *self._types]
-        }
 
         def made(table: StrictTable) -> Any:
             try:
@@ -84,8 +79,17 @@ class Table:
             except TypeError as error:  # of values: those of keys are found above
                 raise ValueError(str(error)) from None
 
-        model = create_model(make.__name__, __base__=StrictTable, **keys)
-        return core_schema.no_info_after_validator_function(made, handler.generate_schema(model))
+        self._model = self._model or self._model_of(make)
+        return core_schema.no_info_after_validator_function(made, handler.generate_schema(self._model))
+
+    def _model_of(self, make: Callable[..., Any]) -> type[StrictTable]:
+        parameters = inspect.signature(make).parameters
+        needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
+        keys: dict[str, Any] = {
+            name: (self._types.get(name, Any), Field() if name in needed else None)
+            for name in [*parameters, *self._types]
+        }
+        return create_model(make.__name__, __base__=StrictTable, **keys)
 
 
 class ByName:
