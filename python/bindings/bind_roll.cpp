@@ -56,24 +56,8 @@ py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
   return array;
 }
 
-RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, std::optional<Mesh> mesh,
-                            Compliance compliance, Curvature curvature, double friction, double driving_force,
-                            double mass, double center_speed, int lattices, std::optional<int> steps_per_spacing,
-                            double shortest_time, double longest_time, double spectrum_tolerance, int threads,
+RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, const HistoryOptions& options,
                             double time, double angle, const py::object& progress) {
-  const HistoryOptions options{.mesh = mesh,
-                               .compliance = compliance,
-                               .curvature = curvature,
-                               .friction = friction,
-                               .driving_force = driving_force,
-                               .mass = mass,
-                               .center_speed = center_speed,
-                               .lattices = lattices,
-                               .steps_per_spacing = steps_per_spacing,
-                               .shortest_time = shortest_time,
-                               .longest_time = longest_time,
-                               .spectrum_tolerance = spectrum_tolerance,
-                               .threads = threads};
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
   return {sphere, load, start, options, time, angle, observer};
@@ -119,18 +103,19 @@ void bind_roll(py::module_& m) {
 
   py::classh<HistoryOptions>(m, "HistoryOptions")
       .def(py::init<>())
-      .def_readonly("compliance", &HistoryOptions::compliance)
-      .def_readonly("curvature", &HistoryOptions::curvature)
-      .def_readonly("friction", &HistoryOptions::friction)
-      .def_readonly("driving_force", &HistoryOptions::driving_force)
-      .def_readonly("mass", &HistoryOptions::mass)
-      .def_readonly("center_speed", &HistoryOptions::center_speed)
-      .def_readonly("lattices", &HistoryOptions::lattices)
-      .def_readonly("steps_per_spacing", &HistoryOptions::steps_per_spacing)
-      .def_readonly("shortest_time", &HistoryOptions::shortest_time)
-      .def_readonly("longest_time", &HistoryOptions::longest_time)
-      .def_readonly("spectrum_tolerance", &HistoryOptions::spectrum_tolerance)
-      .def_readonly("threads", &HistoryOptions::threads);
+      .def_readwrite("mesh", &HistoryOptions::mesh)
+      .def_readwrite("compliance", &HistoryOptions::compliance)
+      .def_readwrite("curvature", &HistoryOptions::curvature)
+      .def_readwrite("friction", &HistoryOptions::friction)
+      .def_readwrite("driving_force", &HistoryOptions::driving_force)
+      .def_readwrite("mass", &HistoryOptions::mass)
+      .def_readwrite("center_speed", &HistoryOptions::center_speed)
+      .def_readwrite("lattices", &HistoryOptions::lattices)
+      .def_readwrite("steps_per_spacing", &HistoryOptions::steps_per_spacing)
+      .def_readwrite("shortest_time", &HistoryOptions::shortest_time)
+      .def_readwrite("longest_time", &HistoryOptions::longest_time)
+      .def_readwrite("spectrum_tolerance", &HistoryOptions::spectrum_tolerance)
+      .def_readwrite("threads", &HistoryOptions::threads);
 
   py::classh<ContactField>(m, "ContactField")
       .def_readonly("time", &ContactField::time)
@@ -140,11 +125,7 @@ void bind_roll(py::module_& m) {
 
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
-           py::arg("mesh").none(true), py::arg("compliance"), py::arg("curvature"), py::arg("friction"),
-           py::arg("driving_force"), py::arg("mass"), py::arg("center_speed"), py::arg("lattices"),
-           py::arg("steps_per_spacing").none(true), py::arg("shortest_time"), py::arg("longest_time"),
-           py::arg("spectrum_tolerance"), py::arg("threads"), py::arg("time"), py::arg("angle"),
-           py::arg("progress").none(true))
+           py::arg("options"), py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
            py::arg("center_way").none(true))

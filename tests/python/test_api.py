@@ -22,8 +22,10 @@ import pytest
 import viscoroll as vr
 import xarray
 from viscoroll import _core, paper
+from viscoroll.case import motion
 from viscoroll.solution import FIELDS, VECTOR_FIELDS
 from viscoroll.solution.scalars import SCALARS
+from viscoroll.transient.options import HistoryKeywords, HistoryOptions
 
 MESH = vr.Mesh(nodes_per_revolution=300, max_order=300)
 
@@ -45,6 +47,24 @@ def test_defaults_agree_with_the_core():
     for name in ("compliance", "patch_load", "slip_kinematics", "max_iterations", "threads"):
         assert defaults[name] == getattr(options, name)
     assert options.accuracy == 0.01
+
+
+def test_options_of_histories_are_the_same_everywhere():
+    options = {option.name: option.default for option in dataclasses.fields(HistoryOptions)}
+    core = _core.HistoryOptions()
+    in_core = options | {"driving_force": options["drive"].force}
+    del in_core["drive"]
+    assert {name: getattr(core, name) for name in in_core} == in_core
+    assert list(HistoryKeywords.__annotations__) == list(options)
+    for function in (vr.roll, vr.RollingHistory):
+        parameters = inspect.signature(function).parameters
+        assert {name: parameters[name].default for name in options} == options
+        assert all(f"\n{name} : " in function.__doc__ for name in options)
+        assert "options" not in function.__doc__
+    numerics = motion._Numerics().arguments()
+    in_files = set(motion._Motion.model_fields) | {"drive", *numerics}
+    assert options.keys() - in_files == {"threads"}
+    assert numerics == {name: options[name] for name in numerics}
 
 
 @pytest.mark.parametrize(

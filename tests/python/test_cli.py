@@ -166,12 +166,16 @@ CURVE = 'type = "master_curve"\n'
     [
         ('type = ["elastic"]', "shear_modulus.type must be one of elastic, .* measured, got ['elastic']"),
         ("type = { a = 1 }", "shear_modulus.type must be one of elastic, .* measured, got {'a': 1}"),
-        (CURVE + 'file = "curve.csv"\nextrapolation = ["hold"]', "must be one of error, hold, got ['hold']"),
+        (
+            CURVE + 'file = "curve.csv"\nextrapolation = ["hold"]',
+            "extrapolation: input should be 'error' or 'hold', got ['hold']",
+        ),
         (CURVE + 'file = "curve.csv"\nloss = [0.0]', "file must be left out where columns are given, got loss too"),
-        (CURVE + "file = 3", "shear_modulus.file must be the name of a file, got 3"),
+        (CURVE + "file = 3", "shear_modulus: file must be the name of a file, got 3"),
         (CURVE + 'file = "a\\nb.csv"', r"a\nb.csv: No such file or directory"),
         (CURVE + 'file = "long.csv"', "frequency, storage, loss (field larger than field limit (131072))"),
-        ('type = "elastic"\n"a\\nb" = 3', r"shear_modulus of type elastic has no parameter a\nb"),
+        ('type = "elastic"\n"a\\nb" = 3', r"shear_modulus of type elastic has no parameter a\nb, got 3"),
+        ('type = "elastic"\nmodulos = 3', "has no parameter modulos, got 3; did you mean modulus?"),
         ('type = "elastic"\nmodulus = ' + "{a = " * 90 + "1" + "}" * 90, "modulus must be a real number, got dict"),
     ],
 )
@@ -180,7 +184,7 @@ def test_bad_materials_are_one_line(tmp_path, text, message):
     (tmp_path / "long.csv").write_text(f"frequency, storage, loss\n1.0, 1e6, {'0' * 200_000}\n")
     path = tmp_path / "case.toml"
     path.write_text(with_material(text), encoding="utf-8")
-    with pytest.raises(ValueError, match=r"case.toml: ball.layers\[0\]: ") as caught:
+    with pytest.raises(ValueError, match=r"case.toml: ball.layers\[0\].shear_modulus") as caught:
         load_case(path)
     assert "\n" not in str(caught.value)
     for part in message.split(".*"):

@@ -12,6 +12,7 @@ from viscoroll._support.extras import extra
 BALL = "ball = vr.paper.ball(); case = dict(angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=64)); "
 FIGURE_4 = "from viscoroll.reproduce import ITEMS, Runner; ITEMS['figure4'].compute(Runner(coarse=True))"
 SWEEP = BALL + "vr.sweep(ball, load=[50.0, 60.0], **case, progress=False, cache={!r})"
+HEATING = BALL + "vr.self_heating(ball, load=50.0, **case, convection=10.0, ambient=293.15, shift=lambda t: 1.0)"
 RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
 
 
@@ -24,6 +25,7 @@ RESULT = BALL + "result = vr.solve(ball, load=50.0, **case); result."
         ("netCDF4", SWEEP.format("study.nc"), "studies"),
         ("scipy", "vr.fit_power_law([1.0, 2.0, 3.0], [1.0, 2.0, 3.1])", "studies"),
         ("scipy", FIGURE_4, "studies"),
+        ("scipy", HEATING, "studies"),
         ("xarray", RESULT + "to_xarray()", "files"),
         ("netCDF4", RESULT + "save('fields.nc')", "files"),
         ("meshio", RESULT + "save('fields.vtu')", "files"),

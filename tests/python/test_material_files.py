@@ -131,14 +131,15 @@ def test_studies_vary_the_temperature(curve, saved, tmp_path):
 @pytest.mark.parametrize(
     ("modulus", "message"),
     [
-        ('"b.toml"', r"ball.layers\[0\]: material .*b.toml: No such file"),
-        ('{ type = "measured" }', "shear_modulus.file must be the name of a file, got None"),
+        ('"b.toml"', r"ball.layers\[0\].shear_modulus: material .*b.toml: No such file"),
+        ('{ type = "measured" }', "shear_modulus of type measured must have file"),
         ('{ type = "measured", file = "a.toml", at = 3 }', "shear_modulus of type measured has no parameter at"),
         (
             '{ type = "measured", file = "a.toml", temperature = "hot" }',
-            "shear_modulus.temperature must be a real number",
+            "shear_modulus.temperature: input should be a valid number, got 'hot'",
         ),
         ("-3e6", "modulus must be > 0 Pa, got -3"),
+        ("[3e6]", r"shear_modulus must be a table, a number or the name of a file, got \[3000000.0\]"),
     ],
 )
 def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
@@ -244,12 +245,18 @@ def test_design_of_any_number(tmp_path):
             DESIGN.replace("{limits}", "{ pressure = 1.0 }"),
             "design.limits must be of rolling_resistance_coefficient, .*, got 'pressure'",
         ),
-        (DESIGN.replace("{limits}", "{ max_pressure = -1.0 }"), "design.limits.max_pressure must be > 0, got -1.0"),
+        (
+            DESIGN.replace("{limits}", "{ max_pressure = -1.0 }"),
+            "design.limits.max_pressure: input should be greater than 0, got -1.0",
+        ),
         (
             DESIGN.replace("{limits}", "{ max_pressure = 1.0 }"),
             r"design.limits must leave a value of ball.layers\[0\].thickness in .*: the nearest",
         ),
-        (DESIGN.replace("{limits}", "{}").replace("to =", "until ="), "design has no parameter until"),
+        (
+            DESIGN.replace("{limits}", "{}").replace("to =", "until ="),
+            "design.until: extra inputs are not permitted, .*; design.to: field",
+        ),
         (DESIGN.replace("{limits}", "{}").replace("6e-3", "1e-4"), "design.from and design.to must be 0 < from < to"),
         (DESIGN.replace("{limits}", "{}").replace("thickness", "depth"), "shear|depth"),
     ],

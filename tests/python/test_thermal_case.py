@@ -47,7 +47,8 @@ def test_the_commented_table_is_valid(case):
 @pytest.mark.parametrize(
     ("table", "message"),
     [
-        (THERMAL + 'core = "steel"', "thermal.core"),
+        (THERMAL + 'core = "steel"', "thermal.core: core must be one of insulated, isothermal, got 'steel'"),
+        (THERMAL + "shift = 3", "thermal.shift: input should be a valid dictionary"),
         (THERMAL + 'shift = { type = "eyring" }', "thermal.shift.type must be one of williams_landel_ferry, arrhenius"),
         (THERMAL + 'shift = { type = "arrhenius" }', "thermal.shift of type arrhenius must have activation_energy"),
         ("[thermal]\nambient = 300.0", "thermal.convection: field required"),

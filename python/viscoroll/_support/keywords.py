@@ -82,9 +82,11 @@ def explained(function: _Function) -> _Function:
         try:
             return function(*arguments, **keywords)
         except TypeError as error:
-            known = list(inspect.signature(function).parameters)
+            parameters = inspect.signature(function).parameters
+            known = list(parameters)
             unknown = [name for name in keywords if name not in known]
-            if not unknown or not _is_of_the_call(error):
+            takes_any = any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values())
+            if not unknown or (takes_any and not _is_of_the_call(error)):
                 raise
             message = _message(function.__qualname__.removesuffix(".__init__"), unknown, known)
         raise TypeError(message)

@@ -16,7 +16,7 @@ from .extras import extra
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["Fit", "Parameter", "fit_law"]
+__all__ = ["Fit", "Parameter", "fit_law", "with_intervals"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -157,20 +157,27 @@ def fit_law(
         raise ValueError(f"torque must determine all parameters of {law}, got data that fit many values of them")
     covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom)
     values, covariance = found.x * scale, covariance * np.outer(scale, scale)
-    margins = _student(confidence, freedom) * np.sqrt(np.diag(covariance))
     spread = float(np.sum((y - y.mean()) ** 2))
     return Fit(
         law=law,
-        parameters={
-            name: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
-            for (name, unit), v, m in zip(units.items(), values, margins, strict=True)
-        },
+        parameters=with_intervals(units, values, covariance, confidence, freedom),
         covariance=covariance,
         confidence=confidence,
         r_squared=1.0 - 2.0 * found.cost * size**2 / spread if spread > 0.0 else math.nan,
         degrees_of_freedom=freedom,
         _model=model,
     )
+
+
+def with_intervals(
+    units: Mapping[str, str], values: Floats, covariance: Floats, confidence: float, degrees_of_freedom: int
+) -> dict[str, Parameter]:
+    """Return the parameters that `units` names, with their intervals by the quantiles of Student."""
+    margins = _student(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
+    return {
+        name: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
+        for (name, unit), v, m in zip(units.items(), values, margins, strict=True)
+    }
 
 
 def _student(confidence: float, degrees_of_freedom: int) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Annotated, overload
 
 import numpy as np
 
@@ -13,11 +13,14 @@ from .._core import ConvergenceError
 from .._support.cautions import kept_in_results
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, reporting
-from .._support.text import shown
 from ..rolling import Result
 from ..solution.scalars import SCALARS
-from .case import build_case, errors_in, read_toml
+from .case import build_case
 from .study import place_of, substituted
+from .tables import StrictTable, checked, errors_in, read_toml
+
+with extra("cli"):
+    from pydantic import Field
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -227,32 +230,28 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
             return _best(variable, low, high, limits, search)
 
 
-def _checked(table: Any) -> tuple[str, float, float, dict[str, float]]:
+class _Wanted(StrictTable):
+    """The table `design`."""
+
+    vary: str
+    low: float = Field(alias="from", gt=0.0)
+    high: float = Field(alias="to")
+    limits: dict[str, Annotated[float, Field(gt=0.0)]] = Field(default_factory=dict)
+
+
+class _File(StrictTable):
+    design: _Wanted
+
+
+def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
     if not isinstance(table, dict):
         raise ValueError('design must be a table, as vary = "ball.layers[0].thickness", from = ..., to = ...')
-    if unknown := sorted(table.keys() - {"vary", "from", "to", "limits"}):
-        raise ValueError(f"design has no parameter {', '.join(unknown)}")
-    variable, limits = table.get("vary"), table.get("limits")
-    low, high = (_number(name, table.get(name)) for name in ("from", "to"))
-    if not isinstance(variable, str):
-        raise ValueError(f"design.vary must be a place in the file, got {shown(variable)}")
-    if not 0.0 < low < high:
-        raise ValueError(f"design.from and design.to must be 0 < from < to, got {low!r} and {high!r}")
-    limits = {} if limits is None else limits
-    if not isinstance(limits, dict):
-        raise ValueError(f"design.limits must be a table, got {shown(limits)}")
-    for name, value in limits.items():
-        if name not in SCALARS and name != _TEMPERATURE:
-            raise ValueError(f"design.limits must be of {', '.join([*SCALARS, _TEMPERATURE])}, got {name!r}")
-        if not _number(f"limits.{name}", value) > 0.0:
-            raise ValueError(f"design.limits.{name} must be > 0, got {shown(value)}")
-    return variable, low, high, {name: float(value) for name, value in limits.items()}
-
-
-def _number(name: str, value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"design.{name} must be a number, got {shown(value)}")
-    return float(value)
+    wanted = checked(_File, {"design": table}).design
+    if not wanted.low < wanted.high:
+        raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
+    if unknown := [name for name in wanted.limits if name not in SCALARS and name != _TEMPERATURE]:
+        raise ValueError(f"design.limits must be of {', '.join([*SCALARS, _TEMPERATURE])}, got {unknown[0]!r}")
+    return wanted.vary, wanted.low, wanted.high, wanted.limits
 
 
 def _best(variable: str, low: float, high: float, limits: dict[str, float], search: _Search) -> Design:

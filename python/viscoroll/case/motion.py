@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from .._support.extras import extra
-from ..bodies import CoatedSphere, Drive, Mesh
+from ..bodies import CoatedSphere, Drive
 from ..transient.roll import roll
-from .case import BallTable, StrictTable, build_ball, errors_in, first_line, read_toml
-
-with extra("cli"):
-    from pydantic import ValidationError
+from .case import BallTable, MeshTable
+from .tables import ByName, FileName, StrictTable, checked, errors_in, read_columns, read_toml
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,11 +29,11 @@ class _Motion(StrictTable):
     time: list[float] | None = None
     angle: list[float] | None = None
     load: float | list[float] | None = None
-    file: str | None = None
+    file: FileName | None = None
     amplitude: float | None = None
     frequency: float | None = None
     cycles: float = 1.0
-    start: Literal["relaxed", "fresh"] = "relaxed"
+    start: Annotated[Start, ByName()] = Start.RELAXED
     friction: float = 0.0
     driving_force: float = 0.0
     center_way: list[float] | None = None
@@ -45,12 +41,9 @@ class _Motion(StrictTable):
     center_speed: float = 0.0
 
 
-class _Numerics(StrictTable):
-    nodes_per_revolution: int | None = None
-    max_order: int | None = None
-    theta_nodes_per_revolution: int | None = None
-    compliance: Literal["radial", "vertical"] = "radial"
-    curvature: Literal["sphere", "paper"] = "sphere"
+class _Numerics(MeshTable):
+    compliance: Annotated[Compliance, ByName()] = Compliance.RADIAL
+    curvature: Annotated[Curvature, ByName(Curvature.SPHERE, Curvature.PAPER)] = Curvature.SPHERE
     lattices: int = 4
     steps_per_spacing: int | None = 4
     spectrum_tolerance: float = 0.01
@@ -72,21 +65,12 @@ class MotionCase:
     load: NDArray[np.float64] | float
     center_way: NDArray[np.float64] | None
     start: Start
-    friction: float
-    drive: Drive
-    mass: float
-    center_speed: float
-    mesh: Mesh | None
-    compliance: Compliance
-    curvature: Curvature
-    lattices: int
-    steps_per_spacing: int | None
-    spectrum_tolerance: float
+    options: dict[str, Any]
 
     def roll(self, **options: Any) -> History:
         """Follow the motion; `options` go to `viscoroll.roll`."""
-        given = {field.name: getattr(self, field.name) for field in fields(self)}
-        return roll(**given | options)
+        given = {field.name: getattr(self, field.name) for field in fields(self) if field.name != "options"}
+        return roll(**given | self.options | options)
 
 
 def load_motion(path: str | Path) -> MotionCase:
@@ -101,46 +85,26 @@ def load_motion(path: str | Path) -> MotionCase:
     """
     path = Path(path)
     with errors_in(path):
-        try:
-            file = _File.model_validate(read_toml(path))
-        except ValidationError as error:
-            raise ValueError(first_line(error)) from None
-        return _build(file, path.parent)
+        return _build(checked(_File, read_toml(path), path.parent))
 
 
-def _build(file: _File, folder: Path) -> MotionCase:
-    numerics = file.numerics
-    mesh = None
-    if numerics.nodes_per_revolution is not None:
-        mesh = Mesh(
-            nodes_per_revolution=numerics.nodes_per_revolution,
-            max_order=numerics.max_order,
-            theta_nodes_per_revolution=numerics.theta_nodes_per_revolution,
-        )
-    elif numerics.max_order is not None or numerics.theta_nodes_per_revolution is not None:
-        raise ValueError("numerics.nodes_per_revolution must be given with the rest of a mesh")
-    knots = _motion(file.motion, folder)
+def _build(file: _File) -> MotionCase:
+    motion = file.motion
     return MotionCase(
-        ball=build_ball(file.ball, folder),
-        time=knots["time"],
-        angle=knots["angle"],
-        load=knots["load"],
-        center_way=knots.get("center_way"),
-        start=Start[file.motion.start.upper()],
-        friction=file.motion.friction,
-        drive=Drive(force=file.motion.driving_force),
-        mass=file.motion.mass,
-        center_speed=file.motion.center_speed,
-        mesh=mesh,
-        compliance=Compliance[numerics.compliance.upper()],
-        curvature=Curvature[numerics.curvature.upper()],
-        lattices=numerics.lattices,
-        steps_per_spacing=numerics.steps_per_spacing,
-        spectrum_tolerance=numerics.spectrum_tolerance,
+        ball=file.ball,
+        **({"center_way": None} | _knots(motion)),
+        start=motion.start,
+        options={
+            "friction": motion.friction,
+            "drive": Drive(force=motion.driving_force),
+            "mass": motion.mass,
+            "center_speed": motion.center_speed,
+            **file.numerics.arguments(),
+        },
     )
 
 
-def _motion(motion: _Motion, folder: Path) -> dict[str, Any]:
+def _knots(motion: _Motion) -> dict[str, Any]:
     """Return knots by name, in whichever of three ways they are given."""
     given = [name for name in ("time", "file", "amplitude") if getattr(motion, name) is not None]
     if len(given) != 1:
@@ -148,7 +112,7 @@ def _motion(motion: _Motion, folder: Path) -> dict[str, Any]:
     match given[0]:
         case "file":
             assert motion.file is not None
-            columns = _read_columns(folder / motion.file)
+            columns = read_columns("motion", motion.file, ("time", "angle"), ("load", "center_way"))
             if "load" not in columns and motion.load is None:
                 raise ValueError("motion.load must be given where the file has no column load")
             for name in ("load", "center_way"):
@@ -175,17 +139,3 @@ def _oscillation(motion: _Motion) -> dict[str, Any]:
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_KNOTS * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
     return {"time": time, "angle": angle, "load": motion.load}
-
-
-def _read_columns(path: Path) -> dict[str, list[float]]:
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            rows = list(csv.DictReader(file, skipinitialspace=True))
-        names = ["time", "angle", *(name for name in ("load", "center_way") if rows and name in rows[0])]
-        return {name: [float(row[name]) for row in rows] for name in names}
-    except OSError as error:
-        raise ValueError(f"motion {path}: {error.strerror}") from None
-    except (KeyError, TypeError, ValueError, csv.Error) as error:
-        raise ValueError(
-            f"motion {path}: needs numbers in columns time, angle and maybe load, center_way ({error})"
-        ) from None

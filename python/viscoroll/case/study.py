@@ -17,10 +17,11 @@ from .._support.units import UNITS
 from ..bodies import RollingBody
 from ..studies.dimensions import Dimension
 from ..studies.plan import LoadCase, Plan
-from .case import Case, build_case, errors_in, read_toml
+from .case import Case, build_case
+from .tables import StrictTable, checked, errors_in, read_toml
 
 with extra("cli"):
-    from pydantic import BaseModel, ConfigDict, Field, ValidationError
+    from pydantic import Field
 
 __all__ = ["load_study", "place_of", "substituted"]
 
@@ -30,10 +31,8 @@ _PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
 _Place = tuple[str | int, ...]
 
 
-class _Range(BaseModel):
+class _Range(StrictTable):
     """Numbers from one to another, both included."""
-
-    model_config = ConfigDict(extra="forbid", strict=True)
 
     start: float = Field(alias="from")
     stop: float = Field(alias="to")
@@ -42,7 +41,9 @@ class _Range(BaseModel):
 
     def values(self) -> list[float] | list[int]:
         if self.scale == "log" and not (self.start > 0.0 and self.stop > 0.0):
-            raise ValueError(f"from and to must be > 0 where the scale is log, got {self.start:g} and {self.stop:g}")
+            raise ValueError(
+                f"scale: from and to must be > 0 where the scale is log, got {self.start:g}, {self.stop:g}"
+            )
         spaced = np.geomspace if self.scale == "log" else np.linspace
         values = spaced(self.start, self.stop, self.count)
         # Counts, as of nodes, must stay whole numbers.
@@ -136,12 +137,9 @@ def _values(key: str, entry: object) -> list[float] | list[int]:
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
         raise ValueError(f'sweep.{key}: write the whole place in quotes, as "{key}.{next(iter(entry))}"')
     try:
-        return _Range.model_validate(entry).values()
-    except ValidationError as error:
-        first = error.errors()[0]
-        raise ValueError(f'sweep."{key}".{".".join(map(str, first["loc"]))}: {first["msg"].lower()}') from None
+        return checked(_Range, entry).values()
     except ValueError as error:
-        raise ValueError(f'sweep."{key}": {error}') from None
+        raise ValueError(f'sweep."{key}".{error}') from None
 
 
 def substituted(document: dict[str, Any], chosen: Mapping[_Place, float]) -> dict[str, Any]:

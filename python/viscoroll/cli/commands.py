@@ -174,8 +174,8 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     import numpy as np
 
     from ..case import load_case
-    from ..case.case import read_toml
     from ..case.study import load_study
+    from ..case.tables import read_toml
     from ..studies.study import run_plan, sweep
 
     if "sweep" in read_toml(path):

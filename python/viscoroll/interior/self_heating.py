@@ -16,6 +16,7 @@ import numpy as np
 from .._core import ConvergenceError
 from .._support.arguments import as_float, as_int, as_kelvin, require_type
 from .._support.cautions import kept_in_results, warn
+from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, counted, reporting
 from .._support.tables import html_table, number_text
 from ..bodies import CoatedSphere
@@ -187,6 +188,8 @@ def self_heating(
         one.
     TypeError
         For arguments of another type.
+    ImportError
+        Without the extra `viscoroll[studies]`.
 
     Warns
     -----
@@ -209,6 +212,9 @@ def self_heating(
     >>> [state.stable for state in hot.states]
     [True]
     """
+    with extra("studies"):  # before the first solve
+        from scipy.optimize import brentq
+
     require_type("ball", ball, CoatedSphere)
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
@@ -236,6 +242,7 @@ def self_heating(
         options=options,
         ambient=surroundings,
         limit=highest,
+        find_root=brentq,
         known={},
     )
     with kept_in_results(), reporting(progress) as report:
@@ -270,6 +277,7 @@ class _Search:
     options: dict[str, Any]
     ambient: float
     limit: float
+    find_root: Callable[..., float]
     known: dict[tuple[float, float], _Point]
 
     def at(self, mean: float, angular_speed: float | None = None) -> _Point:
@@ -333,60 +341,34 @@ class _Search:
         return [mean for mean, _ in ordered], [value for _, value in ordered]
 
     def state(self, low: float, high: float) -> SteadyState:
-        """Close in on a root by regula falsi with the Illinois weights."""
-        a, b = self.at(low).excess, self.at(high).excess
-        rising = b > a
-        left, right, fa, fb = low, high, a, b
-        mean = left
-        side = 0
-        for _ in range(40):
-            if fa == fb:
-                break
-            mean = (left * fb - right * fa) / (fb - fa)
-            value = self.at(mean).excess
-            if abs(value) <= 1e-4 * max(mean - self.ambient, 1e-6):
-                break
-            if value * fb > 0.0:
-                right, fb = mean, value
-                fa = 0.5 * fa if side == -1 else fa
-                side = -1
-            else:
-                left, fa = mean, value
-                fb = 0.5 * fb if side == 1 else fb
-                side = 1
+        """Close in on a root between two mean temperatures, to 1e-4 of the rise."""
+        ends = (low - self.ambient, high - self.ambient)
+        rise = self.find_root(lambda rise: self.at(self.ambient + rise).excess, *ends, xtol=1e-6, rtol=1e-4)
+        mean = self.ambient + rise
         point = self.at(mean)
         return SteadyState(
             mean_temperature=mean,
             layer_temperatures=point.layer_temperatures,
             result=point.result,
             temperature=point.temperature,
-            stable=not rising,
+            stable=self.at(high).excess <= self.at(low).excess,
         )
 
     def speed_at(self, mean: float) -> float:
-        """Speed at which a mean temperature is steady: heat grows with speed where temperature is held.
-
-        Bisection in ln Ω from the speed of the case.
-        """
+        """Speed at which a mean temperature is steady: heat grows with speed where temperature is held."""
         if not mean > self.ambient:
             raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
-        low = high = np.log(self.angular_speed)
-        warming = self.at(mean).excess > 0.0
+
+        def excess(log_speed: float) -> float:
+            return self.at(mean, float(np.exp(log_speed))).excess
+
+        low = high = float(np.log(self.angular_speed))
+        warming = excess(low) > 0.0
         for _ in range(60):
             low, high = (low - 0.7, low) if warming else (high, high + 0.7)
-            edge = low if warming else high
-            if (self.at(mean, float(np.exp(edge))).excess > 0.0) != warming:
-                break
-        else:
-            raise ConvergenceError(f"no speed makes {mean:g} K a steady state")
-        for _ in range(7):
-            middle = 0.5 * (low + high)
-            if self.at(mean, float(np.exp(middle))).excess > 0.0:
-                high = middle
-            else:
-                low = middle
-        a, b = (self.at(mean, float(np.exp(end))).excess for end in (low, high))
-        return float(np.exp((low * b - high * a) / (b - a)))
+            if (excess(low if warming else high) > 0.0) != warming:
+                return float(np.exp(self.find_root(excess, low, high, xtol=1e-4)))
+        raise ConvergenceError(f"no speed makes {mean:g} K a steady state")
 
     def refusal(self) -> str:
         """Say that no state was found, and which speed has one."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_floats
 from .._support.extras import extra
-from .._support.least_squares import Parameter
+from .._support.least_squares import Parameter, with_intervals
 from ..materials import Arrhenius, WilliamsLandelFerry
 from .names import parse_header
 from .text import read_text
@@ -195,7 +195,6 @@ def _fit(
 ) -> ShiftLaw:
     with extra("studies"):
         from scipy.optimize import least_squares
-        from scipy.stats import t as student
 
     temperature, measured = np.array(factors.temperature), np.array(factors.log10_factor)
     others = np.arange(temperature.size) != anchor
@@ -216,16 +215,11 @@ def _fit(
     freedom = max(1, int(others.sum()) - start.size)
     spread = 2.0 * found.cost / freedom
     scale = spread if covariance is None else max(1.0, spread)
-    widths = np.sqrt(np.diag(np.linalg.pinv(found.jac.T @ found.jac)) * scale) * np.abs(start)
-    margins = float(student.ppf(0.5 + 0.5 * confidence, freedom)) * widths
-    values = found.x * start
+    of_parameters = np.linalg.pinv(found.jac.T @ found.jac) * scale * np.outer(start, start)
     return ShiftLaw(
         name=name,
         reference=reference,
-        parameters={
-            key: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
-            for (key, unit), v, m in zip(units.items(), values, margins, strict=True)
-        },
+        parameters=with_intervals(units, found.x * start, of_parameters, confidence, freedom),
         confidence=confidence,
         residual=float(np.sqrt(np.mean(left(found.x)[others] ** 2))),
     )

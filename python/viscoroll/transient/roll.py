@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 import numpy as np
 
 from .. import _core
-from .._core import Compliance, Curvature, Start
+from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
 from .._support.progress import ProgressLike, Report, reporting
-from ..bodies import CoatedSphere, Drive
+from ..bodies import CoatedSphere
 from ..bodies.si_hints import si_hints
 from .history import ContactInstant, History
+from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 
 if TYPE_CHECKING:
@@ -20,11 +21,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
-    from ..bodies import Mesh
-
 __all__ = ["roll"]
 
 
+@with_options
 def roll(
     ball: CoatedSphere,
     *,
@@ -33,22 +33,12 @@ def roll(
     load: ArrayLike,
     center_way: ArrayLike | None = None,
     start: Start | str | RollingState = Start.RELAXED,
-    mesh: Mesh | None = None,
-    compliance: Compliance | str = Compliance.RADIAL,
-    curvature: Curvature | str = Curvature.SPHERE,
-    friction: float = 0.0,
-    drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-    mass: float = 0.0,
-    center_speed: float = 0.0,
-    lattices: int = 4,
-    steps_per_spacing: int | None = 4,
     shortest_time: float | None = None,
     longest_time: float | None = None,
-    spectrum_tolerance: float = 0.01,
     contact_times: ArrayLike = (),
     checkpoint: str | Path | None = None,
-    threads: int = 0,
     progress: ProgressLike = None,
+    **options: Unpack[HistoryKeywords],
 ) -> History:
     """Roll, stop, stand and turn back: follow a motion that is linear in time between knots.
 
@@ -69,9 +59,8 @@ def roll(
     start : Start or str or RollingState, default Start.RELAXED
         What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
-    mesh, compliance, curvature, friction, drive, mass, center_speed, lattices, steps_per_spacing, spectrum_tolerance, \
-    threads
-        As of `RollingHistory`.
+    **options
+        As of `HistoryOptions`.
     shortest_time, longest_time : float, optional
         Between which moduli with a continuous spectrum are resolved [s]; by default from the motion: a tenth of a step
         while it rolls, and ten times its duration.
@@ -107,34 +96,23 @@ def roll(
     '53 mN m to break away'
     """
     require_type("ball", ball, CoatedSphere)
-    compliance = as_member("compliance", compliance, Compliance)
-    curvature = as_member("curvature", curvature, Curvature)
+    chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     motion = _motion(time=time, angle=angle, load=load, center_way=center_way)
     knots, angles = motion["time"], motion["angle"]
-    spacing = 2.0 * np.pi / (mesh.nodes_per_revolution if mesh is not None else 500)
-    shortest, longest = _time_range(knots, angles, spacing / (steps_per_spacing or 1))
+    spacing = 2.0 * np.pi / (chosen.mesh.nodes_per_revolution if chosen.mesh is not None else 500)
+    shortest, longest = _time_range(knots, angles, spacing / (chosen.steps_per_spacing or 1))
     with reporting(progress) as report:
         stepper = RollingHistory(
             ball,
             load=float(motion["load"][0]),
             start=start,
-            mesh=mesh,
-            compliance=compliance,
-            curvature=curvature,
-            friction=friction,
-            drive=drive,
-            mass=mass,
-            center_speed=center_speed,
-            lattices=lattices,
-            steps_per_spacing=steps_per_spacing,
             shortest_time=shortest if shortest_time is None else shortest_time,
             longest_time=longest if longest_time is None else longest_time,
-            spectrum_tolerance=spectrum_tolerance,
-            threads=threads,
             time=float(knots[0]),
             angle=float(angles[0]),
             progress=report,
+            **options,
         )
         pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
     rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
@@ -142,12 +120,12 @@ def roll(
         ball=ball,
         mesh=stepper.mesh,
         start=start if isinstance(start, Start) else None,
-        compliance=compliance,
-        curvature=curvature,
-        friction=float(friction),
-        drive=drive,
-        mass=float(mass),
-        lattices=lattices,
+        compliance=chosen.compliance,
+        curvature=chosen.curvature,
+        friction=chosen.friction,
+        drive=chosen.drive,
+        mass=chosen.mass,
+        lattices=chosen.lattices,
         spectrum_error=stepper.spectrum_error,
         contacts=tuple(contacts),
         state=stepper.state,

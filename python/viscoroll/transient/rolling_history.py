@@ -5,16 +5,17 @@ from __future__ import annotations
 import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
 from .. import _core
-from .._core import Compliance, Curvature, Start
-from .._support.arguments import as_float, as_int, as_member, require_type
+from .._core import Start
+from .._support.arguments import as_float, as_member, require_type
 from .._support.progress import ProgressLike, reporting
-from ..bodies import CoatedSphere, Drive, Mesh
+from ..bodies import CoatedSphere, Mesh
 from ..bodies.si_hints import si_hints
+from .options import HistoryKeywords, HistoryOptions, with_options
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -131,6 +132,7 @@ def _npy(path: str | Path) -> Path:
     return path
 
 
+@with_options
 class RollingHistory:
     """A ball on its way, for equations of motion: `advance` takes it from one state to the next.
 
@@ -146,33 +148,10 @@ class RollingHistory:
     start : Start or str or RollingState, default Start.RELAXED
         What was before: the ball has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
         another history.
-    mesh : Mesh, optional
-        Surface mesh; by default 16 nodes across the contact at rest.
-    compliance : Compliance or str, default Compliance.RADIAL
-        As of `viscoroll.solve`.
-    curvature : Curvature or str, default Curvature.SPHERE
-        SPHERE or PAPER.
-    friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
-    drive : Drive, default Drive(force=0.0)
-        Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
-    mass : float, default 0
-        Of what moves with the center, with friction [kg], ≥ 0: Σ t_x + Q = mass × acceleration. Then a force that
-        exceeds friction is no error: the ball slides.
-    center_speed : float, default 0
-        Of the center with its mass at the first instant, forward [m/s].
-    lattices : int, default 4
-        Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
-        fast, and its torque carries the staircase of the nodes.
-    steps_per_spacing : int or None, default 4
-        Steps of time while the ball turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: every
-        call of `advance` is one step.
+    **options
+        As of `HistoryOptions`.
     shortest_time, longest_time : float
         Between which moduli with a continuous spectrum are resolved [s].
-    spectrum_tolerance : float, default 0.01
-        Largest relative error with which discrete retardation times may stand for the compliance [-].
-    threads : int, default 0
-        Number of threads; 0 for all cores.
     time, angle : float
         Of the first instant [s], [rad]; not with a state.
 
@@ -198,30 +177,15 @@ class RollingHistory:
         *,
         load: float,
         start: Start | str | RollingState = Start.RELAXED,
-        mesh: Mesh | None = None,
-        compliance: Compliance | str = Compliance.RADIAL,
-        curvature: Curvature | str = Curvature.SPHERE,
-        friction: float = 0.0,
-        drive: Drive = Drive(force=0.0),  # noqa: B008  (immutable)
-        mass: float = 0.0,
-        center_speed: float = 0.0,
-        lattices: int = 4,
-        steps_per_spacing: int | None = 4,
         shortest_time: float = 1e-4,
         longest_time: float = 1e4,
-        spectrum_tolerance: float = 0.01,
-        threads: int = 0,
         time: float = 0.0,
         angle: float = 0.0,
         progress: ProgressLike = None,
+        **options: Unpack[HistoryKeywords],
     ) -> None:
         require_type("ball", ball, CoatedSphere)
-        require_type("mesh", mesh, Mesh, optional=True)
-        compliance = as_member("compliance", compliance, Compliance)
-        curvature = as_member("curvature", curvature, Curvature)
-        require_type("drive", drive, Drive)
-        if drive.force is None:
-            raise ValueError("drive must be a force in transient rolling; a given speed is a center_way over time")
+        chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
@@ -230,19 +194,10 @@ class RollingHistory:
                 ball._to_core(),
                 load=as_float("load", load),
                 start=before,
-                mesh=None if mesh is None else mesh._to_core(),
-                compliance=compliance,
-                curvature=curvature,
-                friction=as_float("friction", friction),
-                driving_force=drive.force,
-                mass=as_float("mass", mass),
-                center_speed=as_float("center_speed", center_speed),
-                lattices=as_int("lattices", lattices),
-                steps_per_spacing=None if steps_per_spacing is None else as_int("steps_per_spacing", steps_per_spacing),
-                shortest_time=as_float("shortest_time", shortest_time),
-                longest_time=as_float("longest_time", longest_time),
-                spectrum_tolerance=as_float("spectrum_tolerance", spectrum_tolerance),
-                threads=as_int("threads", threads),
+                options=chosen._to_core(
+                    shortest_time=as_float("shortest_time", shortest_time),
+                    longest_time=as_float("longest_time", longest_time),
+                ),
                 time=as_float("time", time),
                 angle=as_float("angle", angle),
                 progress=report,

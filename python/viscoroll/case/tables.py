@@ -1,0 +1,240 @@
+"""Tables of TOML files, read as objects of this package (the extra `viscoroll[cli]`).
+
+The keys of a table are the parameters of a class: pydantic finds those that are unknown or missing, and the place in
+the file; the class itself checks values and has the defaults.
+"""
+
+from __future__ import annotations
+
+import csv
+import inspect
+import tomllib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from difflib import get_close_matches
+from enum import Enum
+from itertools import pairwise
+from pathlib import Path
+from typing import Annotated, Any, Literal, TypeAlias, TypeVar
+
+from .._support.extras import extra
+from .._support.text import one_line, shown
+
+with extra("cli"):
+    from pydantic import (
+        BaseModel,
+        BeforeValidator,
+        ConfigDict,
+        Field,
+        GetCoreSchemaHandler,
+        ValidationError,
+        ValidationInfo,
+        create_model,
+    )
+    from pydantic_core import CoreSchema, ErrorDetails, core_schema
+
+__all__ = [
+    "ByName",
+    "FileName",
+    "StrictTable",
+    "Table",
+    "checked",
+    "errors_in",
+    "in_folder",
+    "read_columns",
+    "read_toml",
+]
+
+_Model = TypeVar("_Model", bound="StrictTable")
+
+#: With or without the byte-order mark that some editors write.
+_ENCODING = "utf-8-sig"
+
+
+class StrictTable(BaseModel):
+    """A table of the file: unknown keys and wrong types are errors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+class Table:
+    """Mark of a class that a table of the file is read as, in ``Annotated[Drive, Table()]``.
+
+    The keys are the parameters of the class, or of `make` in its place, of any type but where `types` says more; a
+    table that is of one `kind` of several has the key `type`, too.
+    """
+
+    def __init__(self, kind: str | None = None, make: Callable[..., Any] | None = None, **types: Any) -> None:
+        self._make = make
+        self._types = types | ({} if kind is None else {"type": Literal[kind]})
+        self._model: type[StrictTable] | None = None  # made once: modulus and layer are parts of several bodies
+
+    def __get_pydantic_core_schema__(self, source: Callable[..., Any], handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return a model of the keys, and what is made of it."""
+        make = self._make or source
+
+        def made(table: StrictTable) -> Any:
+            try:
+                return make(**{name: getattr(table, name) for name in table.model_fields_set - {"type"}})
+            except TypeError as error:  # of values: those of keys are found above
+                raise ValueError(str(error)) from None
+
+        self._model = self._model or self._model_of(make)
+        return core_schema.no_info_after_validator_function(made, handler.generate_schema(self._model))
+
+    def _model_of(self, make: Callable[..., Any]) -> type[StrictTable]:
+        parameters = inspect.signature(make).parameters
+        needed = {"type"} | {name for name, parameter in parameters.items() if parameter.default is parameter.empty}
+        keys: dict[str, Any] = {
+            name: (self._types.get(name, Any), Field() if name in needed else None)
+            for name in [*parameters, *self._types]
+        }
+        return create_model(make.__name__, __base__=StrictTable, **keys)
+
+
+class ByName:
+    """Mark of an enumeration whose members, or some of them alone, the file names in lower case."""
+
+    def __init__(self, *members: Enum) -> None:
+        self._members = members
+
+    def __get_pydantic_core_schema__(self, source: type[Enum], handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return the names, and how a member is found by them."""
+        members = {member.name.lower(): member for member in self._members or source}
+        return core_schema.no_info_after_validator_function(
+            members.__getitem__, core_schema.literal_schema(list(members))
+        )
+
+
+def in_folder(name: object, info: ValidationInfo) -> Path:
+    """Return the path of a file that is named, in the folder of the file that names it."""
+    if not isinstance(name, str):
+        raise ValueError(f"file must be the name of a file, got {shown(name)}")
+    assert isinstance(info.context, Path)
+    return info.context / name
+
+
+#: The name of a file beside the case file.
+FileName: TypeAlias = Annotated[Path, BeforeValidator(in_folder)]
+
+
+@contextmanager
+def errors_in(path: Path) -> Iterator[None]:
+    """Turn an error about the content of a file into a ValueError of one line that names the file."""
+    try:
+        yield
+    except RecursionError:
+        raise ValueError(one_line(f"{path}: nested too deeply")) from None
+    except (TypeError, ValueError) as error:
+        raise ValueError(one_line(f"{path}: {error}")) from None
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Return the content of a TOML file.
+
+    Raises
+    ------
+    ValueError
+        Where it is none.
+    OSError
+        Where it cannot be read.
+    """
+    try:
+        return tomllib.loads(path.read_text(encoding=_ENCODING))
+    except ValueError as error:  # TOMLDecodeError and UnicodeDecodeError are, and integers of thousands of digits
+        raise ValueError(f"not a TOML file: {error}") from None
+
+
+def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path()) -> _Model:
+    """Return the tables of a file whose `kind` says what they may hold; files that they name are in a folder.
+
+    Raises
+    ------
+    ValueError
+        Where they hold something else, with the place in the file.
+    """
+    try:
+        return kind.model_validate(document, context=folder)
+    except ValidationError as error:
+        raise ValueError(_first_line(error)) from None
+
+
+def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[str] = ()) -> dict[str, list[float]]:
+    """Return columns of numbers of a CSV file by their names, and those that it may have.
+
+    Raises
+    ------
+    ValueError
+        Where it cannot be read, or is none; `what` says what it should be.
+    """
+    try:
+        with path.open(newline="", encoding=_ENCODING) as file:
+            rows = list(csv.DictReader(file, skipinitialspace=True))
+        found = [*names, *(name for name in maybe if rows and name in rows[0])]
+        return {name: [float(row[name]) for row in rows] for name in found}
+    except OSError as error:
+        raise ValueError(f"{what} {path}: {error.strerror}") from None
+    except (KeyError, TypeError, ValueError, csv.Error) as error:
+        wanted = ", ".join(names) + (f" and maybe {', '.join(maybe)}" if maybe else "")
+        raise ValueError(f"{what} {path}: needs numbers in columns {wanted} ({error})") from None
+
+
+#: Which command reads a file with such a table.
+_COMMANDS = {"sweep": "viscoroll sweep", "motion": "viscoroll roll"}
+
+#: Errors beside the first that are told one by one.
+_MOST_TOLD = 3
+
+
+def _first_line(error: ValidationError) -> str:
+    """Return what is wrong first, with its place in the file, and what else."""
+    # Values are looked at where all keys of a table are known: the keys of others come first.
+    errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
+    missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
+    unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
+    meant = {  # a name that is misspelled is missing as well
+        number: match for number in unknown for match in get_close_matches(str(errors[number]["loc"][-1]), missing, 1)
+    }
+    tables = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
+    instead = [number for number in unknown if errors[number]["loc"][:-1] in tables]
+    chosen = next(iter([*meant, *instead]), 0)
+    name = str(errors[chosen]["loc"][-1])
+    told = _told(errors[chosen])
+    if chosen in meant:
+        told += f"; did you mean {meant[chosen]}?"
+    elif chosen in unknown and name in _COMMANDS and len(errors[chosen]["loc"]) == 1:
+        told += f"; such a file is for `{_COMMANDS[name]}`"
+    others = [
+        _told(one, with_value=False)
+        for number, one in enumerate(errors)
+        if number != chosen and not (chosen in meant and one["type"] == "missing" and one["loc"][-1] == meant[chosen])
+    ]
+    if len(others) > _MOST_TOLD:
+        return f"{told} (and {len(others)} more)"
+    return "; ".join([told, *others])
+
+
+#: Tables of a type, which stands behind their names in the places of pydantic.
+_TYPED = ("shear_modulus", "shift")
+
+#: What is wrong with a key of such a table.
+_WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
+
+
+def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
+    *above, key = [part for before, part in pairwise(("", *error["loc"])) if before not in _TYPED]
+    kind = next((part for before, part in pairwise(error["loc"]) if before in _TYPED), None)
+    got = f", got {shown(error['input'])}" if with_value and error["type"] != "missing" else ""
+    if kind is not None and error["type"] in _WRONG_KEYS:
+        return f"{_place(above)} of type {kind} {_WRONG_KEYS[error['type']]} {key}{got}"
+    place, context = _place([*above, key]), error.get("ctx", {})
+    if error["type"] == "union_tag_invalid":
+        kinds = context["expected_tags"].replace("'", "")
+        return f"{place}.type must be one of {kinds}, got {shown(error['input']['type'])}"
+    if error["type"] == "value_error":  # says by itself what it got
+        return f"{place}: {context['error']}"
+    return f"{place}: {error['msg'][0].lower()}{error['msg'][1:]}{got}"
+
+
+def _place(parts: Sequence[str | int]) -> str:
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in parts).lstrip(".")
