@@ -14,12 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def commands(build: Path, inside: str = "") -> dict[str, str]:
     """Return the command of each file of the project, free of where `build` has it `inside`."""
-    entries = json.loads((build / "compile_commands.json").read_text())
-    return {
-        str(Path(entry["file"]).relative_to(ROOT)): entry["command"].replace(str(build / inside), "BUILD")
-        for entry in entries
-        if Path(entry["file"]).is_relative_to(ROOT)
-    }
+    text = (build / "compile_commands.json").read_text().replace(str(build / inside), "BUILD")
+    return {entry["file"].removeprefix(f"{ROOT}/"): entry["command"] for entry in json.loads(text)}
 
 
 def main() -> None:
