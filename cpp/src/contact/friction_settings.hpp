@@ -53,7 +53,7 @@ struct FrictionSettings {
   double astray = 2.0;
   /// Shorter steps lead out of no cycle of nodes either.
   double shortest_step = 0.05;
-  /// Beyond, what slides as a whole hardly changes, and steps lose themselves.
+  /// Beyond, what slides as a whole hardly changes, and steps lose themselves; where a drive is passed lies below.
   double most_creepage = 1.0;
   /// Residual of a step by products, what its change of sets is worth; a tenth of it after the free ones.
   double rough_step = 1e-2;
@@ -76,8 +76,6 @@ struct FrictionSettings {
   double shortest_stride = 0.01;
   /// Below which the scale of creepages is linear.
   double small_creepage = 1e-5;
-  /// On that scale, a creepage of 5 %, at which much slips.
-  double far_place = 9.2;
   /// Of the range of creepages, to a millionth.
   int halvings = 20;
 };

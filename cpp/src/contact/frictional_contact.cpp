@@ -96,7 +96,7 @@ class StateSearch {
     if (!near) return false;
     const bool is_above = near->excess > 0.0;
     double here = 0.0;
-    double there = is_above ? kSettings.far_place : -kSettings.far_place;
+    double there = (is_above ? 1.0 : -1.0) * std::asinh(kSettings.most_creepage / kSettings.small_creepage);
     std::optional<Passed> far = find_at(there, start_);
     if (!far || (far->excess > 0.0) == is_above) return false;
     for (int halving = 0; halving < kSettings.halvings && !newton_.is_exhausted(); ++halving) {
