@@ -58,7 +58,9 @@ def source(value: Any) -> str:
         return f"{type(value).__name__}({', '.join(f'{name}={source(given[name])}' for name in given if name in told)})"
     if isinstance(value, tuple | list | np.ndarray):
         return f"[{', '.join(source(v) for v in value)}]"
-    return repr(float(value)) if isinstance(value, float) else repr(value)
+    if isinstance(value, float):
+        return repr(float(value)) if math.isfinite(value) else f'float("{value}")'
+    return repr(value)
 
 
 def draw(seed: int, number: int) -> Case:
@@ -81,7 +83,7 @@ def draw(seed: int, number: int) -> Case:
     ]
     ball = vr.CoatedSphere(core_radius=geometry.core_radius, layers=layers, inner_boundary=geometry.inner_boundary)
     load = _load(ball, geometry, depth, 1.0 / time)
-    friction = 0.0 if rng.random() < 0.4 else 10.0 ** rng.uniform(math.log10(0.003), 1.0)
+    friction = 0.0 if rng.random() < 0.4 else _friction(rng)
     arguments: dict[str, Any] = {
         "load": load,
         "angular_speed": speed,
@@ -180,6 +182,12 @@ def _modulus_at(modulus: Any, frequency: float) -> complex:
     return complex(values[0])
 
 
+def _friction(rng: np.random.Generator) -> float:
+    """Return a coefficient up to 4, or, one time in twenty, an infinite one."""
+    friction = 10.0 ** rng.uniform(math.log10(0.003), math.log10(6.0))
+    return friction if friction <= 4.0 else math.inf
+
+
 def _drive(rng: np.random.Generator, friction: float, load: float, radius: float, contact_radius: float) -> vr.Drive:
     creepage = contact_radius / radius * 10.0 ** rng.uniform(-4.0, 0.0) * rng.choice([-1.0, 1.0])
     if friction == 0.0:
@@ -189,7 +197,7 @@ def _drive(rng: np.random.Generator, friction: float, load: float, radius: float
         case 0:
             return vr.Drive(force=0.0)
         case 1:
-            most = friction if rng.random() < 0.3 else min(friction, 1.0)  # few pull more than the load
+            most = min(friction, 4.0) if rng.random() < 0.3 else min(friction, 1.0)  # few pull more than the load
             return vr.Drive(force=share * most * load)
         case 2:
             return vr.Drive(torque=0.0)

@@ -17,7 +17,7 @@ import numpy as np
 import viscoroll as vr
 from viscoroll import paper
 
-FRICTIONS = np.geomspace(1e-3, 10.0, 9)
+FRICTIONS = np.geomspace(1e-3, 4.0, 9)
 SPEEDS = np.geomspace(0.05, 5.0, 4)
 THICKNESSES = (0.5e-3, 1e-3, 5e-3)
 POISSON_RATIOS = (0.3, 0.45, 0.5)

@@ -137,7 +137,8 @@ def _solve(case: Case, outcome: Outcome) -> vr.Result | None:
             warnings.simplefilter("always")
             result = vr.solve(case.ball, **case.arguments)
     except vr.ConvergenceError as error:
-        outcome.kind, outcome.message = "no convergence", str(error)
+        outcome.message = str(error)
+        outcome.kind = "refused" if math.isinf(case.arguments["friction"]) else "no convergence"  # of full stick
     except ValueError as error:
         outcome.message = str(error)
         outcome.kind = "refused" if _is_proper(outcome.message, case) else "refused improperly"

@@ -116,6 +116,12 @@ def test_example_is_the_papers_case(case_file):
     assert (case.load, case.angular_speed, case.accuracy, case.mesh) == (100.0, 2.5, 0.01, None)
 
 
+def test_full_stick_is_an_infinite_friction_in_case_files(case_file):
+    path = case_file()
+    path.write_text(path.read_text().replace("friction = 0.0 ", "friction = inf "), encoding="utf-8")
+    assert load_case(path).friction == float("inf")
+
+
 MATERIALS = {
     "elastic": ('type = "elastic"\nmodulus = 1e6', vr.Elastic(modulus=1e6)),
     "prony": (

@@ -27,7 +27,7 @@ struct HistoryOptions {
   std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
-  double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], >= 0
+  double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], in [0, 4]
   /// Force on the center, forward [N]; below friction * load in magnitude where the center has no mass.
   double driving_force = 0.0;
   double mass = 0.0;          ///< of what moves with the center, with friction [kg], >= 0

@@ -8,9 +8,9 @@
 
 namespace viscoroll::detail {
 
-/// @brief Semismooth Newton method on forces, penetration and creepage together, from full stick to the friction
-/// wanted, by intermediate values of the friction where a direct jump fails.
-/// @param[in] problem surface, initial gap, normal force, friction and drive
+/// @brief How a state is reached: Newton steps (`SemismoothNewton`) from a coarser mesh, from full stick or from no
+/// friction, and where they fail by way of given creepages or of another friction.
+/// @param[in] problem surface, initial gap, normal force, friction, which may be infinite, and drive
 /// @param[in] start frictionless solution, or one with friction and its creepage
 /// @param[in] options limits; `max_iterations` is for all linear systems
 /// @return a converged state, whose residual is the norm of all violated conditions, in forces, per normal force

@@ -15,12 +15,6 @@ constexpr double kLeastKept = 0.97;  // of a coarse mesh's contact
 
 }  // namespace
 
-bool is_same(const ContactSets& one, const ContactSets& other) {
-  return one.contact == other.contact &&
-         std::ranges::equal(one.states, other.states,
-                            [](const TangentialState& a, const TangentialState& b) { return a.stick == b.stick; });
-}
-
 StickSlipConditions::StickSlipConditions(const ContactProblem& problem)
     : problem_(problem),
       stride_(problem.surface->shape().theta_nodes),

@@ -9,9 +9,6 @@
 
 namespace viscoroll::detail {
 
-/// @return whether the same nodes touch, and the same of them stick
-[[nodiscard]] bool is_same(const ContactSets& one, const ContactSets& other);
-
 /// @brief The conditions of a problem with friction.
 class StickSlipConditions {
  public:

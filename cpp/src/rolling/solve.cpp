@@ -21,7 +21,7 @@ namespace {
 void validate(const LoadCase& load_case, const RollingBody& body) {
   detail::require_positive("load", load_case.load, detail::load_unit(body));
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
-  detail::require_nonnegative("friction", load_case.friction, "");
+  detail::require_friction(load_case.friction);
   detail::validate_drive(load_case);
 }
 

@@ -26,7 +26,10 @@ void validate(const HistoryOptions& options) {
     reject("steps_per_spacing", "in [1, " + std::to_string(kMostStepsPerSpacing) + "]",
            std::to_string(*options.steps_per_spacing));
   }
-  require_nonnegative("friction", options.friction, "");
+  require_friction(options.friction);
+  if (std::isinf(options.friction)) {
+    reject("friction", "finite in transient rolling, where nodes slip as they join the contact", options.friction);
+  }
   require_finite("driving_force", options.driving_force);
   require_nonnegative("mass", options.mass, "kg");
   require_finite("center_speed", options.center_speed);

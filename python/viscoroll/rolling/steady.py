@@ -60,7 +60,8 @@ def solve(
         error and the changes, from the mesh before, of all that is not given: penetration, torques, forces, speed and
         powers.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], ≥ 0.
+        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With ``math.inf`` all of the contact sticks; a
+        `ConvergenceError` says where that asks for tension.
     drive : Drive, default Drive(force=0.0)
         What closes the problem for the speed of the center. Without friction, where that speed is undetermined, a force
         of 0 or a creepage; torque and force then follow from who loses what.

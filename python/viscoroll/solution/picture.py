@@ -150,8 +150,9 @@ def _draw_profile(axes: Axes, result: Solution) -> None:
     if result.friction > 0.0:
         traction = result.shear_traction[0][:, middle] * _MPA
         axes.plot(x, traction, ".-", color="tab:green", label="traction along x")
-        bound = result.friction * pressure
-        axes.fill_between(x, -bound, bound, color="0.5", alpha=0.15, label="bound ±$μp$")
+        if np.isfinite(result.friction):
+            bound = result.friction * pressure
+            axes.fill_between(x, -bound, bound, color="0.5", alpha=0.15, label="bound ±$μp$")
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
     limit = _half_width(result)
     axes.set(xlim=(-limit, limit), xlabel="x [mm], rolling to the right")

@@ -51,7 +51,8 @@ class HistoryOptions:
     curvature : Curvature or str, default Curvature.SPHERE
         SPHERE or PAPER.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], ≥ 0. With it a step takes some hundred times as long.
+        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With it a step takes three to six times as
+        long.
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
     mass : float, default 0

@@ -1,0 +1,85 @@
+/// @file
+/// @brief Numbers of the search for states of stick and slip, each with what it is for, or the case that chose it.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace viscoroll::detail {
+
+/// @brief Of Newton steps at a given friction, and of how a state is reached by them. Residuals are those of all
+/// conditions, as forces, per normal force.
+struct FrictionSettings {
+  // What a state is.
+
+  /// Its residual, times the friction where that is less than 1 ...
+  double tolerance = 1e-10;
+  /// ... but no less than this, for the load itself is known to 1e-14.
+  double least_friction = 0.01;
+  /// The same where steps no longer halve it. Not times the friction, it left nodes that stick with 2 % of the fastest
+  /// slip at a friction of 0.0048.
+  double round_off = 1e-8;
+  /// Slip of nodes that stick, per spread of the strain: a fifth of what the campaign allows. On meshes of a million
+  /// nodes the residual alone left them 1e-4 ...
+  double largest_creep = 2e-7;
+  /// ... before these steps.
+  int steps_of_rest = 3;
+
+  // When steps are in vain.
+
+  /// Residual that steps do not come back from in time.
+  double hopeless = 1e3;
+  /// Steps of an iteration: two or three times what a state takes from full stick. With them only 4 of 10 000 that came
+  /// to a state would not have, ...
+  int steps = 25;
+  /// ... which took up to so many, the residual halving ...
+  int most_steps = 60;
+  /// ... in so many of them.
+  int halving = 12;
+  /// Operations in products that a search may take, some seconds, ...
+  double effort = 1e10;
+  /// ... or eight times the products of most states ...
+  double products = 800;
+  /// ... within so many times that.
+  double costly = 4.0;
+
+  // How steps are taken.
+
+  /// Those that may raise the residual while nodes find their sets ...
+  int free_steps = 8;
+  /// ... which they have nearly found on a coarser mesh.
+  int free_steps_nearby = 3;
+  /// Of the least residual, from which free steps are taken back. Without it 79 cases of the friction grid, all at 0.01
+  /// and less, took 72 steps on average in place of 23.
+  double astray = 2.0;
+  /// Shorter steps lead out of no cycle of nodes either.
+  double shortest_step = 0.05;
+  /// Beyond, what slides as a whole hardly changes, and steps lose themselves; where a drive is passed lies below.
+  double most_creepage = 1.0;
+  /// Residual of a step by products, what its change of sets is worth; a tenth of it after the free ones.
+  double rough_step = 1e-2;
+  /// Of a careful step: from 10 coarser meshes from which rough ones did not lead, these did 8 times.
+  double exact_step = 1e-6;
+  /// Nodes in contact with which all steps are careful, for then they are fewer.
+  Eigen::Index few_nodes = 300;
+
+  // How a state is reached.
+
+  /// Towards full stick, as a start: further ones move nodes with tension back and forth.
+  int steps_of_full_stick = 6;
+  /// Steps from a coarser mesh that must have halved the residual ...
+  int patience_nearby = 8;
+  /// ... and those from between two creepages, before the range is halved.
+  int patience_between = 14;
+  /// From which a given creepage was found at a friction of 4 where nothing else led to it.
+  double easy_friction = 0.3;
+  /// Share of the way from there, on which strides are halved, that is too short to go on.
+  double shortest_stride = 0.01;
+  /// Below which the scale of creepages is linear.
+  double small_creepage = 1e-5;
+  /// Of the range of creepages, to a millionth.
+  int halvings = 20;
+};
+
+inline constexpr FrictionSettings kFrictionSettings{};
+
+}  // namespace viscoroll::detail
