@@ -2,7 +2,7 @@
 /// @brief Size of the contact before anything is solved.
 #pragma once
 
-#include "rolling/rolling_body.hpp"
+#include "rolling/rolling_pair.hpp"
 
 namespace viscoroll::detail {
 

@@ -1,26 +1,30 @@
 #include "rolling/drives.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
+using std::string;
 using Row = std::shared_ptr<const Drive>;
 
 GivenMotion given(const DriveForce& drive) { return {.force = drive.force, .torque = {}, .creepage = {}}; }
 
 Row row(const DriveForce& drive, double /*pressure_share*/) { return std::make_shared<GivenForce>(drive.force); }
 
-void validate(const DriveForce& drive, const LoadCase& load_case) {
+void validate(const DriveForce& drive, const LoadCase& load_case, const Body& body) {
   require_finite("drive.force", drive.force);
   if (drive.force == 0.0) return;
   const double largest = load_case.friction * load_case.load;
   if (std::abs(drive.force) < largest) return;
+  const string unit = " " + string(body.form.load_unit);
   reject("drive.force",
-         "smaller than friction * load = " + text(largest) + " N in magnitude, else the sphere slides without end",
-         text(drive.force) + " N");
+         "smaller than friction * load = " + text(largest) + unit + " in magnitude, else the " + string(body.name) +
+             " slides without end",
+         text(drive.force) + unit);
 }
 
 GivenMotion given(const DriveTorque& drive) { return {.force = {}, .torque = drive.torque, .creepage = {}}; }
@@ -29,11 +33,11 @@ Row row(const DriveTorque& drive, double pressure_share) {
   return std::make_shared<GivenMoment>(drive.torque, pressure_share);
 }
 
-void validate(const DriveTorque& drive, const LoadCase& load_case) {
+void validate(const DriveTorque& drive, const LoadCase& load_case, const Body& body) {
   require_finite("drive.torque", drive.torque);
   if (load_case.friction > 0.0) return;
   reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
-         text(drive.torque) + " N m");
+         text(drive.torque) + " " + string(body.form.torque_unit));
 }
 
 GivenMotion given(const DriveCreepage& drive) {
@@ -48,7 +52,7 @@ Row row(const DriveCreepage& drive, double /*pressure_share*/) {
   return std::make_shared<GivenCreepage>(drive.creepage);
 }
 
-void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/) {
+void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/, const Body& /*body*/) {
   require_finite("drive.creepage", drive.creepage);
   require_finite("drive.lateral_creepage", drive.lateral_creepage);
   require_finite("drive.spin", drive.spin);
@@ -64,8 +68,8 @@ std::shared_ptr<const Drive> row_of(const viscoroll::Drive& drive, double pressu
   return std::visit([pressure_share](const auto& kind) { return row(kind, pressure_share); }, drive);
 }
 
-void validate_drive(const LoadCase& load_case) {
-  std::visit([&load_case](const auto& kind) { validate(kind, load_case); }, load_case.drive);
+void validate_drive(const LoadCase& load_case, const Body& body) {
+  std::visit([&](const auto& kind) { validate(kind, load_case, body); }, load_case.drive);
 }
 
 }  // namespace viscoroll::detail

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "contact/drive.hpp"
+#include "rolling/body.hpp"
 #include "viscoroll/drive.hpp"
 #include "viscoroll/load_case.hpp"
 
@@ -29,6 +30,6 @@ struct GivenMotion {
 [[nodiscard]] std::shared_ptr<const Drive> row_of(const viscoroll::Drive& drive, double pressure_share);
 
 /// @throws std::invalid_argument for numbers that are not finite, and those that no friction can hold
-void validate_drive(const LoadCase& load_case);
+void validate_drive(const LoadCase& load_case, const Body& body);
 
 }  // namespace viscoroll::detail

@@ -5,16 +5,16 @@
 
 #include <Eigen/Core>
 
-#include "rolling/rolling_body.hpp"
+#include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief How far what a body rolls on lies below its highest point: a roller does, a groove rises.
 /// @param[in] points nodes of what rolls
-/// @param[in] on what it rolls on
-/// @return at every node [m]
-[[nodiscard]] Eigen::ArrayXd counterpart_drop(const SurfaceWindow& points, const Counterpart& on);
+/// @param[in] swelling of its free surface, by the turning
+/// @param[in] pair both bodies
+/// @return at every node, 0 where the lowest one is [m]
+[[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, double swelling, const RollingPair& pair);
 
 /// @brief By which share of the speed the surface that a body rolls on lags, where it turns too and is nearer to its
 /// own axis: 0 of a straight one.
@@ -27,5 +27,9 @@ namespace viscoroll::detail {
 /// @param[in] pair both bodies
 /// @return at every node [m]
 [[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair);
+
+/// @return slope of what a body rolls on where it touches it, undeformed, downwards along the way of the material, at
+/// every node [-]
+[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair);
 
 }  // namespace viscoroll::detail

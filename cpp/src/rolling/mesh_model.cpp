@@ -1,40 +1,14 @@
 #include "rolling/mesh_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
-#include <span>
-#include <string>
+#include <utility>
 
-#include "influence/coating_sum.hpp"
-#include "influence/order_bands.hpp"
-#include "modal/centrifugal.hpp"
-#include "modal/harmonic_plane.hpp"
 #include "validate.hpp"
-#include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
-
-/// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
-CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
-  constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 per modulus, which changes the torque by less
-  const HarmonicCoating coating = coating_at_rest(sphere, angular_speed, Curvature::sphere);
-  const double speed = angular_speed * coating.outer_radius();
-  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const double share = sphere.layers[l].density * speed * speed / std::abs(coating.modulus(l, 0));
-    if (share > kNegligible) {
-      reject("layers[" + std::to_string(l) + "].density",
-             "so small that inertia is negligible with curvature EXACT, at most " +
-                 text(sphere.layers[l].density * kNegligible / share) + " kg/m^3 at this speed",
-             text(sphere.layers[l].density) + " kg/m^3");
-    }
-    sphere.layers[l].density = 0.0;
-  }
-  return sphere;
-}
 
 /// Loads that alternate from row to row see the mesh's highest order m. The displacement at the nodes resists them with
 /// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
@@ -46,111 +20,35 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
   return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
 }
 
-/// A row of nodes has no spacing sideways: its nodes bear forces per length.
-void require_line_mesh(const Mesh& mesh) {
-  if (mesh.theta_nodes_per_revolution) {
-    reject("mesh.theta_nodes_per_revolution", "left out with a cylinder, whose contact is a single row of nodes",
-           std::to_string(*mesh.theta_nodes_per_revolution));
-  }
-}
-
-void require_curvature_of_cylinder(Curvature curvature) {
-  if (curvature == Curvature::sphere) return;
-  reject("curvature", "left out with a cylinder, whose equations keep all of it",
-         curvature == Curvature::exact ? "EXACT" : "PAPER");
+/// What the surface of a counterpart is made for.
+void require_flat_curvature(const Body& on, Curvature curvature) {
+  if (on.is_rigid() || curvature != Curvature::exact) return;
+  reject("curvature", "SPHERE or PAPER where what the ball rolls on deforms", "EXACT");
 }
 
 }  // namespace
 
-MeshModel::MeshModel(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature, int threads,
-                     Watch& watch, double inertia_tolerance)
-    : pair_(pair), angular_speed_(angular_speed), mesh_(mesh), curvature_(curvature) {
-  if (const auto* sphere = std::get_if<CoatedSphere>(&pair.body)) {
-    if (!is_rigid(pair.body)) roll_sphere(*sphere, threads, watch, inertia_tolerance);
-    if (!is_rigid(pair.on)) roll_over(plane_of(pair.on), threads, watch);
-  } else {
-    roll_cylinder(std::get<CoatedCylinder>(pair.body), threads, watch);
-  }
-  collocation_ = stable_collocation(alternating_.normal, alternating_.along);
-}
-
-void MeshModel::roll_over(const CoatedPlane& plane, int threads, Watch& watch) {
-  if (curvature_ == Curvature::exact) {
-    reject("curvature", "SPHERE or PAPER where what the ball rolls on deforms", "EXACT");
-  }
-  const double radius = outer_radius(body());
-  track_ = std::make_unique<const TableStore>(
-      std::make_unique<const OrderSum>(plane_sum(plane, angular_speed_, radius, mesh_, threads, watch)), mesh_);
-  const double highest = 0.5 * mesh_.nodes_per_revolution;
-  const HarmonicPlane harmonics(plane, angular_speed_ * radius, radius, {highest, 16.0 * highest},
-                                measured_order(mesh_));
-  const OrderAt order{.i = 0, .n = 0.0};
-  Eigen::Matrix3cd compliance;
-  harmonics.compliances(std::span(&order, 1), std::span(&compliance, 1));
-  alternating_.normal += compliance(0, 0);
-  alternating_.along += compliance(1, 1);
-  for (std::size_t layer = 0; layer < harmonics.layers().size(); ++layer) {
-    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(harmonics.modulus(layer, 1)));
-  }
-}
-
-void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance) {
-  const bool exact = curvature_ == Curvature::exact;
-  const Curvature curvature = exact ? Curvature::sphere : curvature_;
-  const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  const HarmonicCoating coating(rolling, angular_speed_, all_orders(phi_bands(rolling, angular_speed_, mesh_)),
-                                measured_order(mesh_), curvature);
-  const auto highest = std::ranges::max_element(coating.orders()) - coating.orders().begin();
-  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
-    stiffest_modulus_ =
-        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
-  }
-  if (exact) {
-    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
-  } else {
-    own_ =
-        std::make_unique<const TableStore>(std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads,
-                                                                              watch, curvature, inertia_tolerance),
-                                           mesh_);
-  }
-  pair_.body = rolling;
-  centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
-  const std::array m{mesh_.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
-  alternating_.normal += alternating[0];
-  alternating_.along += alternating[4];
-}
-
-void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
-  require_line_mesh(mesh_);
-  require_curvature_of_cylinder(curvature_);
-  const double radius = viscoroll::outer_radius(cylinder);
-  const double speed = angular_speed_ * radius;
-  const double arc = radius * phi_spacing(mesh_);
-  own_ = count_in(roller_surface(cylinder, speed, arc, mesh_, threads, watch));
-  if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
-    track_ = count_in(plane_surface(*plane, speed, radius, mesh_));
-  } else {
-    track_ = count_in(roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch));
-  }
-}
-
-std::unique_ptr<const TableStore> MeshModel::count_in(LineSurface surface) {
-  alternating_.normal += surface.normal;
-  alternating_.along += surface.along;
-  stiffest_modulus_ = std::max(stiffest_modulus_, surface.stiffest_modulus);
-  centrifugal_ += surface.centrifugal;
-  return surface.sum ? std::make_unique<const TableStore>(std::move(surface.sum), mesh_) : nullptr;
-}
-
-SurfaceGrid MeshModel::grid() const {
-  const double radius = outer_radius(body());
-  // The patch of a roller's node is a meter wide: forces on nodes are forces per length.
-  return {.radius = radius,
-          .phi_spacing = phi_spacing(mesh_),
-          .theta_spacing = is_roller(body()) ? 1.0 / radius : theta_spacing(mesh_),
-          .is_paraboloid = track_ && !is_roller(body())};
+MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
+                     const Execution& execution, double inertia_tolerance) {
+  const Crossing crossing{.angular_speed = angular_speed,
+                          .radius = pair.body.radius,
+                          .mesh = mesh,
+                          .curvature = curvature,
+                          .inertia_tolerance = inertia_tolerance,
+                          .form = pair.body.form,
+                          .execution = execution};
+  BodySurface own = pair.body.surface(crossing);
+  require_flat_curvature(pair.on, curvature);
+  BodySurface track = pair.on.surface(crossing);
+  return {.pair = pair,
+          .angular_speed = angular_speed,
+          .mesh = mesh,
+          .curvature = curvature,
+          .own = std::move(own.tables),
+          .track = std::move(track.tables),
+          .stiffest_modulus = std::max(own.stiffest_modulus, track.stiffest_modulus),
+          .centrifugal = own.centrifugal + track.centrifugal,
+          .collocation = stable_collocation(own.normal + track.normal, own.along + track.along)};
 }
 
 }  // namespace viscoroll::detail

@@ -12,7 +12,6 @@
 
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
-#include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
@@ -95,7 +94,7 @@ class Refiner {
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
     const double radius = estimate_contact_radius(pair, load_case.angular_speed, load_case.load);
     // The first mesh is to show the error of the second, which should do.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * outer_radius(pair.body) / radius;
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body.radius / radius;
     mesh_ = make_mesh(nodes);
   }
 
@@ -114,8 +113,9 @@ class Refiner {
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
-      const MeshModel model(pair_, load_case_.angular_speed, mesh_, options_.curvature, options_.threads, watch_,
-                            kInertiaShare * options_.accuracy);
+      const MeshModel model =
+          make_model(pair_, load_case_.angular_speed, mesh_, options_.curvature,
+                     {.threads = options_.threads, .watch = watch_}, kInertiaShare * options_.accuracy);
       const auto seen = best_ ? std::optional(contact_reach(*best_)) : std::nullopt;
       note(solve_load_case(model, load_case_, options_, watch_, seen));
     } catch (const MeshTooFine&) {
@@ -159,7 +159,7 @@ class Refiner {
 
   void note(Result&& result) {
     Refinement& step = result.refinements.back();
-    std::vector<Answer> found = answers(result, load_case_, outer_radius(pair_.body));
+    std::vector<Answer> found = answers(result, load_case_, pair_.body.radius);
     // There is nothing to compare the first mesh with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;

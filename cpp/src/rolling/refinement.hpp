@@ -3,7 +3,7 @@
 #pragma once
 
 #include "parallel.hpp"
-#include "rolling/rolling_body.hpp"
+#include "rolling/rolling_pair.hpp"
 #include "viscoroll/load_case.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"

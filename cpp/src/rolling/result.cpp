@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "contact/contact_extent.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/initial_gap.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -38,20 +40,40 @@ double settled(double sum, double largest_summand, std::optional<double> given =
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
-/// Half length of the ellipse with the second moment of `weights` along `coordinate`.
-double semi_axis(const ArrayXd& coordinate, const ArrayXd& weights) {
-  const double center = (coordinate * weights).sum() / weights.sum();
-  return 2.0 * std::sqrt(((coordinate - center).square() * weights).sum() / weights.sum());
+/// Of what rolls by itself.
+VectorField own_displacement(const HeldContact& held) {
+  const SurfaceOperator& surface = *held.problem.surface;
+  return surface.bodies() == Bodies::rolling ? held.contact.displacement
+                                             : surface.rolling_displacement(held.contact.force);
+}
+
+/// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed surface;
+/// under a rigid ball that is the ball's.
+double drag(const Assembly& given, const HeldContact& held) {
+  switch (held.problem.surface->bodies()) {
+    case Bodies::rolling:
+      return 0.0;
+    case Bodies::counterpart:
+      return (pressing_force(held.contact) *
+              (held.nodes.x() / held.nodes.grid().radius - counterpart_slope(held.nodes, given.pair())))
+          .sum();
+    default:
+      return held.problem.surface->pushback(held.contact.force);
+  }
 }
 
 class Summary {
  public:
-  Summary(const SurfaceWindow& window, const ContactSolution& contact, const ContactConditions& given)
-      : window_(window),
-        contact_(contact),
-        given_(given),
+  Summary(const Assembly& given, const HeldContact& held)
+      : given_(given),
+        window_(held.nodes),
+        contact_(held.contact),
+        losses_(held.losses),
         size_(window_.shape().size()),
         pressing_(pressing_force(contact_)),
+        arms_(displaced(given.lever_arms(window_), own_displacement(held), given.pressure_share())),
+        curvature_(given.pair().on.curvatures.along),
+        drag_(drag(given, held)),
         flat_area_(ArrayXd::Constant(
             size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
         area_(window_.patch_area()) {}
@@ -66,25 +88,24 @@ class Summary {
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
     touching(contact_.contact) = 1.0;
-    r.centrifugal_displacement = given_.centrifugal;
-    r.contact_area = (touching * area_).sum();
-    // A strip is as wide as its area per length.
-    const bool line = window_.window().is_line();
-    r.semi_axis_x = line ? 0.5 * r.contact_area : semi_axis(window_.x(), touching * area_);
-    if (!line) r.semi_axis_z = semi_axis(window_.z(), touching * area_);
-    if (!given_.approach_exists) return;
-    const double penetration = contact_.penetration - given_.centrifugal;
+    r.centrifugal_displacement = given_.model.centrifugal;
+    const ContactExtent extent = contact_extent(window_, touching * area_);
+    r.contact_area = extent.area;
+    r.semi_axis_x = extent.semi_axis_x;
+    r.semi_axis_z = extent.semi_axis_z;
+    if (!given_.approach_exists()) return;
+    const double penetration = contact_.penetration - given_.model.centrifugal;
     r.penetration = penetration;
     r.center_height = radius() - penetration;
     // A half-space is strained as deep as the contact is wide.
     const double width = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
-    r.strain = penetration / (given_.thickness + given_.half_space_share * width);
+    r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * width);
     r.model_error = kErrorPerStrain * std::abs(*r.strain);
   }
 
   void add_forces(Result& r) const {
     const ArrayXd forward = contact_.force.col(kForward);
-    r.resisting_torque = (given_.lever * pressing_).sum();
+    r.resisting_torque = (pressure_lever(window_, given_.pair()) * pressing_).sum();
     const double load = given_.load_case.load;
     const GivenMotion motion = given_motion(given_.load_case.drive);
     r.driving_force = settled(-forward.sum() + counterpart_force(r), load, motion.force);
@@ -94,7 +115,7 @@ class Summary {
 
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
     r.driving_torque =
-        settled(moment(given_.arms, contact_.force) - radius() * counterpart_force(r), load * radius(), motion.torque);
+        settled(moment(arms_, contact_.force) - radius() * counterpart_force(r), load * radius(), motion.torque);
   }
 
   void add_powers(Result& r) const {
@@ -103,8 +124,8 @@ class Summary {
     r.creepage = motion.creepage ? motion.creepage : contact_.creepage;
     if (r.creepage) r.linear_speed = (1.0 + *r.creepage) * load_case.angular_speed * radius();
     const double speed = r.linear_speed.value_or(load_case.angular_speed * radius());
-    r.rolling_bulk_power = load_case.angular_speed * given_.losses.rolling;
-    r.counterpart_bulk_power = std::abs(speed) / radius() * given_.losses.counterpart;
+    r.rolling_bulk_power = load_case.angular_speed * losses_.rolling;
+    r.counterpart_bulk_power = std::abs(speed) / radius() * losses_.counterpart;
     r.bulk_power = r.rolling_bulk_power + r.counterpart_bulk_power;
     if (contact_.slip.rows() > 0) {
       r.slip_power = slip_power();
@@ -125,14 +146,14 @@ class Summary {
 
   void add_fields(Result& r) const {
     // The paper's flat patch has the size of those on the equator.
-    const bool flat = given_.patch_load == PatchLoad::flat && given_.curvature != Curvature::exact;
+    const bool flat = given_.options.patch_load == PatchLoad::flat && given_.model.curvature != Curvature::exact;
     const ArrayXd patch_area = flat ? flat_area_ : area_;
     const ArrayXd pressure = pressing_ / patch_area;
     ArrayX2d shear(size_, 2);
     shear.col(0) = contact_.force.col(kForward) / patch_area;
     shear.col(1) = contact_.force.col(kSideways) / patch_area;
     r.max_pressure = pressure.maxCoeff();
-    r.mesh = given_.mesh;
+    r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;
     r.x = to_vector(window_.x());
@@ -140,7 +161,7 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    const ArrayXd rise = contact_.gap - given_.height;
+    const ArrayXd rise = contact_.gap - initial_gap(given_.displaced_points(window_), 1.0, given_.pair());
     r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
@@ -154,17 +175,15 @@ class Summary {
   [[nodiscard]] double radius() const { return window_.grid().radius; }
 
   /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
-  [[nodiscard]] double counterpart_force(const Result& r) const {
-    return given_.drag - r.resisting_torque * given_.counterpart_curvature;
-  }
+  [[nodiscard]] double counterpart_force(const Result& r) const { return drag_ - r.resisting_torque * curvature_; }
 
   /// Its work per way, beside that of the force on the center: the moment about the counterpart's axis, which turns as
   /// well, per its radius.
   [[nodiscard]] double force_of_turning_counterpart(const Result& r) const {
-    if (given_.counterpart_curvature == 0.0) return 0.0;
+    if (curvature_ == 0.0) return 0.0;
     double moment = r.resisting_torque;
-    if (r.center_height) moment += ((given_.arms.y - *r.center_height) * contact_.force.col(kForward)).sum();
-    return given_.counterpart_curvature * moment;
+    if (r.center_height) moment += ((arms_.y - *r.center_height) * contact_.force.col(kForward)).sum();
+    return curvature_ * moment;
   }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
@@ -191,19 +210,23 @@ class Summary {
     return given_.load_case.angular_speed / window_.grid().phi_spacing * taken.sum();
   }
 
+  const Assembly& given_;
   const SurfaceWindow& window_;
   const ContactSolution& contact_;
-  const ContactConditions& given_;
+  const Losses& losses_;
   Index size_;
   ArrayXd pressing_;
+  LeverArms arms_;    // of the displaced nodes
+  double curvature_;  // of the counterpart along the path [1/m]
+  double drag_;       // of the pressure along the deformed surface of the counterpart, D_2 [N]
   ArrayXd flat_area_;
   ArrayXd area_;
 };
 
 }  // namespace
 
-Result make_result(const SurfaceWindow& window, const ContactSolution& contact, const ContactConditions& given) {
-  const Summary summary(window, contact, given);
+Result make_result(const Assembly& given, const HeldContact& held) {
+  const Summary summary(given, held);
   Result r;
   summary.add_status(r);
   summary.add_shape(r);
@@ -211,8 +234,8 @@ Result make_result(const SurfaceWindow& window, const ContactSolution& contact, 
   summary.add_powers(r);
   summary.add_fields(r);
   r.error_estimate = r.power_balance_error;
-  r.refinements = {{.mesh = given.mesh,
-                    .contact_nodes = static_cast<int>(contact.contact.size()),
+  r.refinements = {{.mesh = given.model.mesh,
+                    .contact_nodes = static_cast<int>(held.contact.contact.size()),
                     .resisting_torque = r.resisting_torque,
                     .penetration = r.penetration,
                     .power_balance_error = r.power_balance_error,

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "rolling/drives.hpp"
-#include "rolling/rolling_body.hpp"
+#include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
 

@@ -3,30 +3,15 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include "parallel.hpp"
 #include "rolling/mesh_model.hpp"
+#include "rolling/window_search.hpp"
 #include "viscoroll/load_case.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief A mesh that makes more around the contact than can be held.
-class MeshTooFine : public std::invalid_argument {
- public:
-  /// @param[in] nodes_per_revolution of the mesh
-  /// @param[in] most,made what can be held, and what the mesh makes
-  MeshTooFine(int nodes_per_revolution, const std::string& most, const std::string& made);
-};
-
-/// @brief How far a contact reaches from the lowest node.
-struct ContactReach {
-  double along;   ///< upstream or downstream, the larger one [m]
-  double across;  ///< to either side [m]
-};
 
 /// @return reach of the contact of a result
 [[nodiscard]] ContactReach contact_reach(const Result& result);

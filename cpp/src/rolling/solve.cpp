@@ -10,19 +10,19 @@
 #include "rolling/drives.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
-#include "rolling/rolling_body.hpp"
 #include "rolling/rolling_contact.hpp"
+#include "rolling/rolling_pair.hpp"
 #include "rolling/warnings.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
 namespace {
 
-void validate(const LoadCase& load_case, const RollingBody& body) {
-  detail::require_positive("load", load_case.load, detail::load_unit(body));
+void validate(const LoadCase& load_case, const detail::Body& body) {
+  detail::require_positive("load", load_case.load, body.form.load_unit);
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   detail::require_friction(load_case.friction);
-  detail::validate_drive(load_case);
+  detail::validate_drive(load_case, body);
 }
 
 void validate(const Options& options) {
@@ -46,16 +46,15 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
 }
 
 Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const Options& options) {
-  const detail::RollingPair pair{.body = body, .on = on};
-  detail::validate(pair);
-  validate(load_case, body);
+  const detail::RollingPair pair = detail::rolling_pair(body, on);
+  validate(load_case, pair.body);
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) {
     return with_warnings(detail::solve_to_accuracy(pair, load_case, options, watch), options, false);
   }
-  const detail::MeshModel model(pair, load_case.angular_speed, *options.mesh, options.curvature, options.threads,
-                                watch);
+  const detail::MeshModel model =
+      detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
 
@@ -69,14 +68,12 @@ RollingModel::RollingModel(const RollingBody& body, double angular_speed, const 
 
 RollingModel::RollingModel(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
                            int threads, Curvature curvature, const Observer& observer) {
-  const detail::RollingPair pair{.body = body, .on = on};
-  detail::validate(pair);
+  const detail::RollingPair pair = detail::rolling_pair(body, on);
   viscoroll::validate(mesh);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::require_thread_count(threads);
   detail::Watch watch(observer);
-  // NOLINTNEXTLINE(modernize-make-unique): which cannot make an aggregate in place, and this one cannot be moved
-  impl_ = std::unique_ptr<Impl>(new Impl{.model{pair, angular_speed, mesh, curvature, threads, watch}});
+  impl_ = std::make_unique<Impl>(Impl{detail::make_model(pair, angular_speed, mesh, curvature, {threads, watch})});
 }
 
 RollingModel::~RollingModel() = default;
@@ -84,14 +81,14 @@ RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
 Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
-  validate(load_case, impl_->model.body());
+  validate(load_case, impl_->model.pair.body);
   validate(options);
-  const double speed = impl_->model.angular_speed();
+  const double speed = impl_->model.angular_speed;
   if (load_case.angular_speed != speed) {
     detail::reject("angular_speed", "that of the model, " + detail::text(speed) + " rad/s",
                    detail::text(load_case.angular_speed) + " rad/s");
   }
-  if (options.mesh && *options.mesh != impl_->model.mesh()) {
+  if (options.mesh && *options.mesh != impl_->model.mesh) {
     detail::reject("mesh", "left out, or that of the model", "another one");
   }
   detail::Watch watch(options.observer);

@@ -1,9 +1,46 @@
 #include "rolling/sphere_tables.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "surface/sphere_operator.hpp"
+#include "validate.hpp"
+
 namespace viscoroll::detail {
+
+std::shared_ptr<const SurfaceOperator> SphereTables::operator_on(const SurfaceWindow& nodes,
+                                                                 const Formulation& formulation,
+                                                                 const Execution& execution) const {
+  SphereRequest request{.tangential = formulation.tangential || formulation.compliance == Compliance::vertical,
+                        .power = false,
+                        .patch_load = formulation.patch_load,
+                        .collocation = formulation.collocation};
+  const auto& [phi, theta] = nodes.window();
+  require_few_values(request, theta.last);
+  auto influence = this->influence(request, phi.count() - 1, theta.last, execution);
+  Formulation flat = formulation;
+  flat.patch_load = PatchLoad::flat;
+  auto nearby = std::make_shared<const TableOperator>(
+      flat, nodes, std::make_shared<const std::vector<Table>>(tables_around_equator(*influence)),
+      TableOperator::DissipationSource{}, execution);
+  request.power = true;
+  return std::make_shared<SphereOperator>(std::move(nearby), std::move(influence),
+                                          [this, request, execution](int phi_reach, int half_theta) {
+                                            return this->influence(request, phi_reach, half_theta, execution);
+                                          });
+}
+
+void SphereTables::require_few_values(const SphereRequest& request, int half_theta) const {
+  const double values = sum_.values(request, half_theta);
+  if (values <= kMostHarmonicValues) return;
+  const std::string most = text(kMostHarmonicValues) + " values of harmonics";
+  const std::string made = text(values) + " with curvature EXACT";
+  if (mesh_.max_order) {
+    reject("mesh.max_order", "small enough for " + most, std::to_string(*mesh_.max_order) + " (it makes " + made + ")");
+  }
+  throw MeshTooFine(mesh_.nodes_per_revolution, most, made);
+}
 
 std::shared_ptr<const SphereInfluence> SphereTables::influence(const SphereRequest& request, int phi_reach,
                                                                int half_theta, const Execution& execution) const {

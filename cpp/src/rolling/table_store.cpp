@@ -18,9 +18,20 @@ std::vector<TableRequest> requests(const Formulation& formulation, TableKind kin
 
 }  // namespace
 
-std::shared_ptr<const std::vector<Table>> TableStore::tables(const Formulation& formulation, TableKind kind,
-                                                             int phi_reach, int theta_reach,
-                                                             const Execution& execution) const {
+std::shared_ptr<const SurfaceOperator> TableStore::operator_on(const SurfaceWindow& nodes,
+                                                               const Formulation& formulation,
+                                                               const Execution& execution) const {
+  const auto [phi_nodes, theta_nodes] = nodes.shape();
+  return std::make_shared<TableOperator>(
+      formulation, nodes, tables(formulation, TableKind::displacement, phi_nodes - 1, theta_nodes - 1, execution),
+      [this, formulation, execution](int phi_reach, int theta_reach) {
+        return tables(formulation, TableKind::dissipation, phi_reach, theta_reach, execution);
+      },
+      execution);
+}
+
+TableOperator::Tables TableStore::tables(const Formulation& formulation, TableKind kind, int phi_reach, int theta_reach,
+                                         const Execution& execution) const {
   const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;

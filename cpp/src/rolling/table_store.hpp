@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence tables of one body, kept for the load cases of a model.
+/// @brief Influence tables of a body whose compliance is translation invariant.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "influence/table_sum.hpp"
-#include "surface/table_operator.hpp"
+#include "rolling/surface_tables.hpp"
 #include "viscoroll/mesh.hpp"
 
 namespace viscoroll::detail {
@@ -20,21 +20,16 @@ enum class TableKind {
   dissipation,   ///< those of `dissipation_tables`
 };
 
-/// @brief Threads may share it: tables are summed under a lock, and never change.
-class TableStore {
+/// @brief Tables as made for an earlier load case, where that is enough.
+class TableStore final : public SurfaceTables {
  public:
   /// @param[in] sum makes tables
   /// @param[in] mesh whose revolution bounds their reach
   TableStore(std::unique_ptr<const TableSum> sum, const Mesh& mesh) : sum_(std::move(sum)), mesh_(mesh) {}
 
-  /// @brief Tables of a formulation, as made for an earlier load case where that is enough.
-  /// @param[in] formulation which tables
-  /// @param[in] kind which of them
-  /// @param[in] phi_reach,theta_reach offsets that they reach at least
-  /// @param[in] execution of the sum
-  [[nodiscard]] std::shared_ptr<const std::vector<Table>> tables(const Formulation& formulation, TableKind kind,
-                                                                 int phi_reach, int theta_reach,
-                                                                 const Execution& execution) const;
+  [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
+                                                                   const Formulation& formulation,
+                                                                   const Execution& execution) const override;
 
  private:
   struct TableSet {
@@ -42,9 +37,15 @@ class TableStore {
     TableKind kind;
     int phi_reach;
     int theta_reach;
-    std::shared_ptr<const std::vector<Table>> tables;
+    TableOperator::Tables tables;
   };
 
+  /// @param[in] formulation which tables
+  /// @param[in] kind which of them
+  /// @param[in] phi_reach,theta_reach offsets that they reach at least
+  /// @param[in] execution of the sum
+  [[nodiscard]] TableOperator::Tables tables(const Formulation& formulation, TableKind kind, int phi_reach,
+                                             int theta_reach, const Execution& execution) const;
   /// Sum the tables of some kinds at once, and keep them.
   void add(const Formulation& formulation, std::span<const TableKind> kinds, int phi_reach, int theta_reach,
            const Execution& execution) const;

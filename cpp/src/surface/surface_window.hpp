@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <concepts>
 
 #include "surface/window.hpp"
 
@@ -19,6 +20,12 @@ struct SurfaceGrid {
   /// that of its paraboloid: over a plane that deforms, whose nodes they are, too (theory.md section 15).
   bool is_paraboloid = false;
 };
+
+/// @brief Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
+/// @return how many nodes of a revolution lie up to there, to either side of the lowest one
+[[nodiscard]] constexpr auto nodes_to_60_degrees(std::integral auto nodes_per_revolution) {
+  return nodes_per_revolution / 6;
+}
 
 /// @brief The nodes of a rectangle of the grid.
 class SurfaceWindow {

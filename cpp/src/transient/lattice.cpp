@@ -102,8 +102,7 @@ Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, const Ste
                               const CenterCondition& center) {
   const MirroredTables& tables = coating_->tables;
   const Index half_nodes = tables.half_nodes();
-  // Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
-  const Index most = tables.ring() / 6;
+  const Index most = nodes_to_60_degrees(tables.ring());
   for (;;) {
     Touch touch{.place = place_at(end.angle), .known = {}, .compliance = compliance, .contact = {}};
     const RingRows& rows = touch.place.rows;
@@ -382,7 +381,7 @@ void Lattice::write(NumberWriter& numbers) const {
 void Lattice::read(NumberReader& numbers) {
   for (const auto member : kLatticeScalars) now_.*member = numbers.get();
   center_acceleration_ = numbers.get();
-  half_rows_ = numbers.count(static_cast<double>(coating_->tables.ring()) / 6.0);
+  half_rows_ = numbers.count(static_cast<double>(nodes_to_60_degrees(coating_->tables.ring())));
   lowest_ = numbers.get();
   rows_ = {.first = numbers.count(static_cast<double>(coating_->tables.ring())), .count = numbers.count()};
   for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) *field = numbers.matrix();

@@ -110,7 +110,7 @@ struct RollingHistory::Impl {
 
   [[nodiscard]] std::shared_ptr<const CreepingCoating> with_width(Index half_nodes, detail::Watch& watch) const {
     const Mesh& mesh = *options.mesh;
-    const Index most = theta_nodes_per_revolution(mesh) / 6 + 1;
+    const Index most = detail::nodes_to_60_degrees(theta_nodes_per_revolution(mesh)) + 1;
     if (half_nodes > most) {
       if (coating && coating->tables.half_nodes() >= most) {
         reject("load", "small enough for the coating", "one that is in contact over 60 degrees to a side");
@@ -356,14 +356,16 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
   if (start == Start::fresh && impl.spectrum.instantaneous == 0.0) {
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
-  const double contact_radius = detail::estimate_contact_radius({.body = impl.elastic, .on = CoatedPlane{}}, 1.0, load);
+  const double contact_radius =
+      detail::estimate_contact_radius(detail::rolling_pair(impl.elastic, CoatedPlane{}), 1.0, load);
   if (!impl.options.mesh) impl.options.mesh = chosen_mesh(outer_radius(sphere), contact_radius);
   const auto half_width = [&](double spacing) {
     return static_cast<Index>(std::ceil(1.1 * contact_radius / (outer_radius(sphere) * spacing))) + 2;
   };
   const Mesh& mesh = *impl.options.mesh;
   impl.coating = impl.with_width(half_width(theta_spacing(mesh)), watch);
-  const Index half_rows = std::min<Index>(half_width(phi_spacing(mesh)), mesh.nodes_per_revolution / 6);
+  const Index half_rows =
+      std::min<Index>(half_width(phi_spacing(mesh)), detail::nodes_to_60_degrees(mesh.nodes_per_revolution));
   for (int l = 0; l < options.lattices; ++l) {
     impl.lattices.emplace_back(impl.coating, static_cast<double>(l) / options.lattices, half_rows);
   }

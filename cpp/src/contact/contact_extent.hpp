@@ -1,0 +1,22 @@
+/// @file
+/// @brief How large a contact is.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "surface/surface_window.hpp"
+
+namespace viscoroll::detail {
+
+struct ContactExtent {
+  double area;                        ///< [m^2], of a line per length [m]
+  double semi_axis_x;                 ///< of the ellipse with its second moments; half of the width of a line [m]
+  std::optional<double> semi_axis_z;  ///< likewise; a line has none
+};
+
+/// @param[in] nodes of a window
+/// @param[in] touching area in contact around every node [m^2]
+[[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching);
+
+}  // namespace viscoroll::detail

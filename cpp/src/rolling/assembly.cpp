@@ -1,0 +1,85 @@
+#include "rolling/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
+#include "rolling/initial_gap.hpp"
+#include "rolling/rigid_slip.hpp"
+#include "surface/sum_operator.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Of what rolls, of what it rolls on, or the sum of both.
+std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, const Assembly& given) {
+  const MeshModel& model = given.model;
+  std::shared_ptr<const SurfaceOperator> own;
+  if (model.own) own = model.own->operator_on(window, given.formulation, given.execution);
+  if (!model.track) return own;
+  Formulation formulation = given.formulation;
+  formulation.is_counterpart = true;
+  formulation.counterpart_curvature = given.pair().on.curvatures.along;
+  auto track = model.track->operator_on(window, formulation, given.execution);
+  return own ? std::make_shared<SumOperator>(std::move(own), std::move(track)) : track;
+}
+
+Friction make_friction(const SurfaceWindow& window, const Assembly& given) {
+  const LoadCase& load_case = given.load_case;
+  const RigidSlip slip = rigid_slip(given.displaced_points(window), given.swelling, given.options.slip_kinematics,
+                                    given.pair(), given_motion(load_case.drive));
+  return {.coefficient = load_case.friction,
+          .rigid_slip = slip.own + slip.guided,
+          .guided_slip = slip.guided,
+          .step = window.grid().radius * window.grid().phi_spacing,
+          .arms = given.lever_arms(window),
+          .drive = row_of(load_case.drive, given.pressure_share())};
+}
+
+}  // namespace
+
+bool Assembly::approach_exists() const { return pair().body.form.half_space_rests || std::isfinite(thickness(pair())); }
+
+SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
+  return {window.grid(), window.window(), formulation.collocation};
+}
+
+LeverArms Assembly::lever_arms(const SurfaceWindow& window) const {
+  LeverArms arms{.x = swelling * window.x(), .y = swelling * window.y(), .radius = pair().body.radius};
+  if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, pair());
+  return arms;
+}
+
+ContactProblem Assembly::problem(const SurfaceWindow& window) const {
+  ContactProblem problem{.surface = surface_on(window, *this),
+                         .initial_gap = initial_gap(displaced_points(window), swelling, pair()),
+                         .normal_force = load_case.load,
+                         .friction = std::nullopt};
+  if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
+  return problem;
+}
+
+Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
+  const auto& [body, on] = model.pair;
+  const double radius = body.radius;
+  const double contact_radius = estimate_contact_radius(model.pair, load_case.angular_speed, load_case.load);
+  const double half_chord = 0.8 * contact_radius;
+  return {.model = model,
+          .load_case = load_case,
+          .options = options,
+          .execution = {.threads = options.threads, .watch = watch},
+          .limits = {.max_iterations = options.max_iterations},
+          .formulation = {.compliance = options.compliance,
+                          .patch_load = options.patch_load,
+                          .tangential = load_case.friction > 0.0,
+                          .collocation = model.collocation},
+          .nodes = body.nodes(model.mesh, !on.is_rigid()),
+          .swelling = 1.0 + model.centrifugal / radius,
+          .contact_radius = contact_radius,
+          .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};
+}
+
+}  // namespace viscoroll::detail

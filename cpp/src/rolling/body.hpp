@@ -1,0 +1,103 @@
+/// @file
+/// @brief What rolls, and what it rolls on, as the contact between them sees it. A kind of body is a file with its
+/// `make_body`, and nothing else asks which one it is.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rolling/contact_form.hpp"
+#include "rolling/surface_tables.hpp"
+#include "viscoroll/options.hpp"
+#include "viscoroll/rolling_body.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief A layer that deforms, with its name in messages. A half-space is one of infinite thickness.
+struct NamedLayer {
+  std::string name;
+  Layer layer;
+};
+
+/// @brief Of a surface, > 0 where it bulges, < 0 where it is hollow [1/m].
+struct Curvatures {
+  double along = 0.0;   ///< the path
+  double across = 0.0;  ///< the path
+};
+
+/// @brief An undeformed surface at the nodes of what rolls on it.
+struct Profile {
+  Eigen::ArrayXd drop;   ///< below its highest point [m]; a hollow one rises
+  Eigen::ArrayXd slope;  ///< downwards along x [-]
+};
+
+/// @brief Nodes on what rolls.
+struct Nodes {
+  SurfaceGrid grid;
+  Window widest;  ///< beyond which no load can be borne
+};
+
+/// @brief How the material of both surfaces crosses the contact.
+struct Crossing {
+  double angular_speed;      ///< Omega of what rolls [rad/s]
+  double radius;             ///< of what rolls, at which the mesh's angles are arcs [m]
+  Mesh mesh;                 ///< of what rolls
+  Curvature curvature;       ///< what is kept of it in the equations of the layers
+  double inertia_tolerance;  ///< relative error of the compliance that may be left of inertia
+  ContactForm form;
+  Execution execution;
+
+  [[nodiscard]] double speed() const { return angular_speed * radius; }    ///< @return V [m/s]
+  [[nodiscard]] double arc() const { return radius * phi_spacing(mesh); }  ///< @return between neighbors [m]
+};
+
+/// @brief What the surface of a body does in a contact.
+struct BodySurface {
+  std::unique_ptr<const SurfaceTables> tables;  ///< none of a rigid body
+  std::complex<double> normal = 0.0;            ///< compliance of the mesh's highest order along phi [m/Pa]
+  std::complex<double> along = 0.0;             ///< the same along the way of the material
+  double stiffest_modulus = 0.0;                ///< largest shear modulus of a layer at the highest harmonic [Pa]
+  double centrifugal = 0.0;                     ///< d_R^(c) [m]
+};
+
+/// @brief All that is asked of a body.
+struct Body {
+  std::string_view type;           ///< name of the struct that users give
+  std::vector<NamedLayer> layers;  ///< from within outwards; none of a rigid body
+  Curvatures curvatures;
+  /// Refuses meshes and curvatures that the body knows nothing of, and critical speeds.
+  std::function<BodySurface(const Crossing&)> surface;
+  std::function<Profile(const SurfaceWindow&)> profile;
+  /// Refuses what has no room to roll on it.
+  std::function<void(const Body&)> require_room_for = [](const Body&) {};
+
+  // The rest of what rolls alone.
+  std::string_view name = {};                       ///< in messages
+  std::vector<std::string_view> counterparts = {};  ///< types of what it may roll on
+  double radius = 0.0;                              ///< [m]
+  ContactForm form = kSpotContact;
+  /// Of a mesh, given whether the counterpart deforms, whose nodes they are then, too.
+  std::function<Nodes(const Mesh&, bool)> nodes = {};
+  /// Refuses options that the body knows nothing of.
+  std::function<void(const Options&)> require = [](const Options&) {};
+
+  [[nodiscard]] bool is_rigid() const { return layers.empty(); }
+};
+
+[[nodiscard]] Body make_body(const CoatedSphere& sphere);
+[[nodiscard]] Body make_body(const CoatedCylinder& cylinder);
+[[nodiscard]] Body make_body(const CoatedPlane& plane);
+[[nodiscard]] Body make_body(const Groove& groove);
+
+/// @return layers[0], layers[1], ...
+[[nodiscard]] std::vector<NamedLayer> named(const std::vector<Layer>& layers);
+
+/// @return the profile of circles; over a plane that deforms, of parabolas
+[[nodiscard]] std::function<Profile(const SurfaceWindow&)> circles(const Curvatures& curvatures);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,134 @@
+#include "rolling/refusals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "contact/multilevel.hpp"
+#include "rolling/contact_estimate.hpp"
+#include "rolling/drives.hpp"
+#include "validate.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr int kMostNodes = 25000000;  // of a window: some ten gigabytes
+
+/// The layer that relaxes most, and to which share of its modulus at the frequency of what passes the contact.
+struct Relaxation {
+  std::string layer;
+  double modulus;  ///< relaxed [Pa]
+  double share;
+};
+
+Relaxation strongest_relaxation(const RollingPair& pair, double frequency) {
+  const std::array frequencies{0.0, frequency};
+  Relaxation strongest{.layer = "", .modulus = 0.0, .share = 2.0};
+  for (const auto& [name, layer] : layers(pair)) {
+    const auto moduli = complex_modulus(layer.shear_modulus, frequencies);
+    const double share = moduli.front().real() / std::abs(moduli.back());
+    if (share < strongest.share) strongest = {.layer = name, .modulus = moduli.front().real(), .share = share};
+  }
+  return strongest;
+}
+
+/// Moments about the center of what skids, and of what spins on the spot.
+std::array<double, 2> sliding_moments(const Assembly& assembly, ContactProblem problem) {
+  std::array<double, 2> moments{};
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
+    const LocatedContact sliding = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+    moments[side] = moment_about_center(
+        {*sliding.problem.surface, sliding.problem.friction->arms, sliding.contact.force, sliding.contact.displacement},
+        assembly.pressure_share());
+  }
+  return moments;
+}
+
+}  // namespace
+
+void reject_load(const RollingPair& pair, double load, const std::string& reason) {
+  reject("load", "small enough for the coating",
+         text(load) + " " + std::string(pair.body.form.load_unit) + " (the " + std::string(pair.body.name) + " " +
+             reason + ")");
+}
+
+void require_formulation(const MeshModel& model, const Options& options) {
+  model.pair.body.require(options);
+  if (!model.track) return;
+  const std::string why = " where the counterpart deforms";
+  if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
+  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");
+}
+
+void require_bearable_load(const MeshModel& model, double load) {
+  if (load <= unbearable_load(model.pair, model.stiffest_modulus)) return;
+  reject_load(model.pair, load, "would be pressed through any such coating");
+}
+
+void require_lasting_stiffness(const Assembly& assembly) {
+  constexpr double kLeastShare = 3e-3;  // below, sets of nodes in contact do not settle
+  const double passing =
+      assembly.load_case.angular_speed * std::max(1.0, assembly.nodes.grid.radius / assembly.contact_radius);
+  const Relaxation relaxation = strongest_relaxation(assembly.pair(), passing);
+  if (relaxation.share >= kLeastShare) return;
+  reject(relaxation.layer + ".shear_modulus",
+         "one that relaxes to " + text(kLeastShare) + " of what it is in passing the contact at the least",
+         "a relaxed modulus of " + rounded(relaxation.modulus) + " Pa, " + rounded(relaxation.share) + " of it");
+}
+
+void require_few_nodes(const Window& window, const Mesh& mesh) {
+  const double nodes = static_cast<double>(window.phi.count()) * static_cast<double>(window.theta.count());
+  if (nodes <= kMostNodes) return;
+  throw MeshTooFine(mesh.nodes_per_revolution, std::to_string(kMostNodes) + " nodes around the contact",
+                    text(nodes) + " nodes");
+}
+
+void require_clear_of_core(const Assembly& assembly, double penetration) {
+  const double depth = penetration - assembly.model.centrifugal;
+  if (!std::isfinite(depth)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
+  const double most = thickness(assembly.pair());
+  if (depth < most) return;
+  reject_load(assembly.pair(), assembly.load_case.load,
+              "is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
+}
+
+void require_contact(const Assembly& assembly, double penetration) {
+  if (assembly.approach_exists() && !(penetration > 0.0)) {
+    reject("friction",
+           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body.name) +
+               " out of its own contact",
+           text(assembly.load_case.friction));
+  }
+  require_clear_of_core(assembly, penetration);
+}
+
+void require_rolling(const Assembly& assembly, const ContactProblem& problem) {
+  const LoadCase& load_case = assembly.load_case;
+  const auto torque = given_motion(load_case.drive).torque;
+  if (!torque) return;
+  // In a contact over 60 degrees the lever of friction is half of the radius; that of the pressure is no larger than
+  // it.
+  const double moment = load_case.load * assembly.pair().body.radius;
+  if (std::abs(*torque) < (0.5 * load_case.friction - 1.0) * moment) return;
+  // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
+  // counterpart times it.
+  const double largest = (load_case.friction + 2.0) * moment;
+  std::array<double, 2> limits{};
+  try {
+    limits = sliding_moments(assembly, problem);
+  } catch (const ConvergenceError&) {
+    limits = {-largest, largest};
+  }
+  if (*torque > limits[0] && *torque < limits[1]) return;
+  const Body& body = assembly.pair().body;
+  const std::string unit = " " + std::string(body.form.torque_unit);
+  reject("drive.torque",
+         "between " + rounded(limits[0]) + unit + " and " + rounded(limits[1]) + unit + ", else the " +
+             std::string(body.name) + " slides without end",
+         text(*torque) + unit);
+}
+
+}  // namespace viscoroll::detail

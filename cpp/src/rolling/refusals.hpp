@@ -1,0 +1,41 @@
+/// @file
+/// @brief What is absurd, or beyond what the method can say: each refused with a message, `std::invalid_argument`.
+#pragma once
+
+#include <string>
+
+#include "rolling/assembly.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Forms of the equations that the bodies have no tables for.
+void require_formulation(const MeshModel& model, const Options& options);
+
+/// @brief Loads that no coating of such layers bears.
+void require_bearable_load(const MeshModel& model, double load);
+
+/// @brief Steady rolling has gone on for ever: order m = 0 has relaxed, and leaves a groove all around that a modulus
+/// of next to nothing cannot bound.
+void require_lasting_stiffness(const Assembly& assembly);
+
+/// @brief A window with more nodes than can be held.
+/// @throws MeshTooFine
+void require_few_nodes(const Window& window, const Mesh& mesh);
+
+/// @brief A penetration [m] through to the core.
+/// @throws ConvergenceError where it is no number
+void require_clear_of_core(const Assembly& assembly, double penetration);
+
+/// @brief The same, and forces of friction that lift what rolls out of its own contact.
+void require_contact(const Assembly& assembly, double penetration);
+
+/// @brief Where no state was found: a driving torque out of reach of the moments of what slides as a whole.
+void require_rolling(const Assembly& assembly, const ContactProblem& problem);
+
+/// @brief The load, always.
+/// @param[in] pair both bodies
+/// @param[in] load [N], or per length
+/// @param[in] reason what becomes of what rolls
+[[noreturn]] void reject_load(const RollingPair& pair, double load, const std::string& reason);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,161 @@
+#include "rolling/window_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/multilevel.hpp"
+#include "rolling/refusals.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Overclosure outside the box of a contact, per penetration, that shows that the contact reaches there.
+constexpr double kOverclosure = 1e-8;
+
+constexpr double kMarginOfEstimate = 1.1;  // of windows around a contact that was estimated, rather from above ...
+constexpr double kMarginOfSeen = 1.2;      // ... and around one that was seen on a coarser mesh
+
+constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
+
+constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
+
+constexpr Eigen::Index kFewNodes = 1024;  // that show whether a window holds a contact
+
+/// Nodes to either side of the lowest one.
+struct HalfWidths {
+  int phi;
+  int theta;
+
+  [[nodiscard]] Window window() const { return {{-phi, phi}, {-theta, theta}}; }
+};
+
+/// Smallest gap of the nodes that a box leaves out.
+double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& window) {
+  for_nodes_within(window, box, [&gap](Eigen::Index, Eigen::Index node) { gap[node] = 0.0; });
+  return gap.minCoeff();
+}
+
+/// Whether a window holds the contact without friction, before stick and slip are sought; loads that press through to
+/// the core are refused.
+/// @param[in] most_nodes up to which every other node is left out
+bool holds_pressed_contact(const Assembly& assembly, ContactProblem problem, Eigen::Index most_nodes) {
+  problem.friction.reset();
+  while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
+  const LocatedContact pressed = solve_multilevel(problem, assembly.estimated_depth, assembly.limits);
+  if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
+  require_clear_of_core(assembly, pressed.contact.penetration);
+  return true;
+}
+
+LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& problem) {
+  try {
+    return solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+  } catch (const ConvergenceError&) {
+    require_rolling(assembly, problem);
+    throw;
+  }
+}
+
+/// @param[in] is_widest whether there is no wider window
+/// @param[in] is_seen whether it need not be shown first that it holds the contact without friction
+/// @return nothing where the contact reaches the edge of the window
+std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Window& window, bool is_widest,
+                                           bool is_seen) {
+  require_few_nodes(window, assembly.model.mesh);
+  const SurfaceWindow nodes(assembly.nodes.grid, window);
+  const ContactProblem problem = assembly.problem(nodes);
+  if (!is_seen && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
+      !(is_widest && holds_pressed_contact(assembly, problem, problem.initial_gap.size()))) {
+    return std::nullopt;
+  }
+  LocatedContact located = solve_contact(assembly, problem);
+  for (;;) {
+    const bool boxed = located.window() != window;
+    const bool at_edge = touches_edge(located);
+    if (!boxed && at_edge) return std::nullopt;
+    ContactSolution whole = extended(located, problem);
+    const bool overclosed = least_gap_outside(located.window(), whole.gap, window) < -kOverclosure * whole.penetration;
+    if (!boxed || !(at_edge || overclosed)) {
+      const Losses losses = located.problem.surface->dissipation(located.contact.force);
+      require_contact(assembly, whole.penetration);
+      return HeldContact{.nodes = nodes, .problem = problem, .contact = std::move(whole), .losses = losses};
+    }
+    // The box that was thought to hold the contact does not.
+    located = solve_on_window(problem, whole, assembly.limits);
+  }
+}
+
+/// The same without friction, on a mesh that leaves a window kRoughNodes to a side.
+bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Curvature curvature) {
+  const double coarsening = static_cast<double>(half.phi) / kRoughNodes;
+  const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
+  const Mesh& fine = assembly.model.mesh;
+  const Mesh mesh{.nodes_per_revolution = coarsened(fine.nodes_per_revolution),
+                  .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(fine))};
+  const LoadCase& load_case = assembly.load_case;
+  const MeshModel rough = make_model(assembly.pair(), load_case.angular_speed, mesh, curvature, assembly.execution);
+  const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
+  const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = coarsened(half.theta) + 1};
+  const Assembly roughly = assemble(rough, pressed, assembly.options, assembly.execution.watch);
+  return solve_in_window(roughly, width.window(), false, true).has_value();
+}
+
+/// Whether a window holds the contact, as far as a mesh shows that is much coarser: of a load that is far beyond the
+/// estimate, or absurd, fine meshes on window after window would take long.
+bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool is_widest) {
+  if (half.phi < 3 * kRoughNodes) return true;
+  // A larger window costs little where the torus says that it is needed and the sphere does not; a refused load does.
+  const bool torus_will_do = assembly.model.curvature == Curvature::exact && !is_widest;
+  const Curvature curvature = torus_will_do ? Curvature::sphere : assembly.model.curvature;
+  const double bearable_depth = kPressedThrough * thickness(assembly.pair());
+  const auto reject_if_beyond = [&](double depth) {
+    if (depth > bearable_depth) reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
+  };
+  try {
+    if (holds_contact_roughly(assembly, half, curvature)) return true;
+  } catch (const ConvergenceError&) {
+    reject_if_beyond(assembly.estimated_depth);  // estimates are from above, if not by so much
+    throw;
+  }
+  const SurfaceGrid& grid = assembly.nodes.grid;
+  const double angle = std::min(half.phi * grid.phi_spacing, half.theta * grid.theta_spacing);
+  reject_if_beyond(grid.radius * (1.0 - std::cos(angle)));
+  return false;
+}
+
+}  // namespace
+
+HeldContact find_contact(const Assembly& assembly, const std::optional<ContactReach>& seen) {
+  const SurfaceGrid& grid = assembly.nodes.grid;
+  const double estimate = assembly.contact_radius;
+  const ContactReach likely = seen.value_or(ContactReach{.along = estimate, .across = estimate});
+  const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;
+  const auto half_width = [&](double reach, double spacing) {
+    return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing))) + 2;
+  };
+  const Window& widest = assembly.nodes.widest;
+  const auto at_most_widest = [&widest](int phi, int theta) {
+    return HalfWidths{.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
+  };
+  HalfWidths half =
+      at_most_widest(half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
+  const bool is_shallow = assembly.estimated_depth < 0.5 * thickness(assembly.pair());
+  const bool is_cheap = widest.is_line();
+  bool is_seen = seen.has_value();
+  for (bool is_likely = is_cheap || is_shallow || is_seen;; is_likely = is_cheap) {
+    const Window window = half.window();
+    const bool is_widest = window == widest;
+    if (is_likely || holds_rough_contact(assembly, half, is_widest)) {
+      if (auto held = solve_in_window(assembly, window, is_widest, is_seen)) return *std::move(held);
+    }
+    is_seen = false;
+    if (is_widest) {
+      reject_load(assembly.pair(), assembly.load_case.load, "is in contact over 60 degrees to a side");
+    }
+    half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
+  }
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,33 @@
+/// @file
+/// @brief Finding the window: from a likely one to one that holds the contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/contact_solution.hpp"
+#include "rolling/assembly.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief How far a contact reaches from the lowest node.
+struct ContactReach {
+  double along;   ///< upstream or downstream, the larger one [m]
+  double across;  ///< to either side [m]
+};
+
+/// @brief A contact in a window that holds it.
+struct HeldContact {
+  SurfaceWindow nodes;
+  ContactProblem problem;
+  ContactSolution contact;
+  Losses losses;
+};
+
+/// @brief Solve in windows, each half as wide again as the one before, until one holds the contact.
+/// @param[in] assembly the load case
+/// @param[in] seen reach of the contact on a coarser mesh, where there was one
+/// @throws std::invalid_argument for loads under which no window does
+/// @throws MeshTooFine where the mesh needs too many nodes
+[[nodiscard]] HeldContact find_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
+
+}  // namespace viscoroll::detail
