@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "transient/contact_stiffness.hpp"
 #include "transient/mirrored_tables.hpp"
 
 namespace viscoroll::detail {
@@ -56,14 +57,18 @@ struct StickSlip {
   double way = 0.0;        ///< of the center [m]
   HalfField forward_slip;  ///< of the nodes over the plane in this step
   HalfField sideways_slip;
+  HalfField displacement;           ///< by these forces, of all rows within reach
   std::vector<Eigen::Index> nodes;  ///< in contact, ascending
   Eigen::Index sticking = 0;        ///< number of these that stick
 };
 
-/// @brief Semismooth Newton method on forces, penetration and way together.
+/// @brief Semismooth Newton method on forces, penetration and way together, whose linear systems have as unknowns how
+/// far nodes have slipped, or moved away from the plane: all else follows from the stiffness.
 /// @param[in] problem of this step
 /// @param[in] guess forces to start from
+/// @param[in,out] stiffness of an earlier contact
 /// @throws ConvergenceError where the sets do not settle
-[[nodiscard]] StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess);
+[[nodiscard]] StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess,
+                                         ContactStiffness& stiffness);
 
 }  // namespace viscoroll::detail
