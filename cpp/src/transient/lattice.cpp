@@ -129,25 +129,18 @@ Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, const Ste
 StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, double load) {
   const MirroredTables& tables = coating_->tables;
   const Index half_nodes = tables.half_nodes();
-  const bool radial = tables.components() == 1;
-  const auto& down = place.axes[1];
+  const auto& down = place.axes[kDown];
   const ArrayXd weights = half_weights(half_nodes);
-  ElasticContactProblem problem{
-      .displacement =
-          [&](const HalfField& pressing, Index first, Index last) {
-            if (radial) return tables.displacement(pressing, first, last);
-            return along(down, tables.displacement(spread(down, pressing), first, last));
-          },
-      .compliance = [&](const std::vector<Index>& nodes) { return tables.compliance(nodes, down); },
-      .gap = weights.matrix().asDiagonal() * as_field(place.nodes.height(), half_nodes),
-      .weights = weights.matrix().replicate(1, place.rows.count),
-      .load = load,
-      .stiffness = 1.0 / tables.own_compliance()};
-  problem.gap += radial ? known : along(down, known);
-  ElasticContact contact = solve_elastic_contact(problem, guess(place, load).pressing, inverse_);
+  ElasticContactProblem problem{.tables = tables,
+                                .down = down,
+                                .gap = weights.matrix().asDiagonal() * as_field(place.nodes.height(), half_nodes),
+                                .weights = weights.matrix().replicate(1, place.rows.count),
+                                .load = load};
+  problem.gap += tables.components() == 1 ? known : along(down, known);
+  PressedNodes contact = solve_elastic_contact(problem, guess(place, load).pressing, inverse_);
   StickSlip result;
-  result.forces.pressing = std::move(contact.pressing);
-  result.penetration = contact.penetration;
+  result.forces.pressing = as_field(contact.pressing, half_nodes);
+  result.penetration = *contact.penetration;
   result.displacement = tables.displacement_in_reach(
       by_components(result.forces, place), contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
   result.nodes = std::move(contact.nodes);
