@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "cases.hpp"
+#include "influence/coating_sum.hpp"
+#include "transient/coating_history.hpp"
+#include "transient/contact_stiffness.hpp"
 #include "transient/creep_spectrum.hpp"
 #include "transient/nnls.hpp"
 #include "transient/step_choice.hpp"
@@ -138,6 +141,39 @@ TEST(StepChoice, GrowsAtStandstillAndFollowsTheSpacing) {
   EXPECT_EQ(stand.back(), 1.0);
   EXPECT_EQ(StepChoice(0.01, std::nullopt, 0.25).shares({.duration = 1.0, .turn = 9.0, .relative_load = 0.0}, 0.0),
             std::vector{1.0});
+}
+
+/// Nodes join by ones and by many, and leave; some lie where nothing moves sideways.
+TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
+  const Observer silent;
+  Watch watch(silent);
+  const Mesh mesh{.nodes_per_revolution = 200};
+  const CoatingSum sum(coating_without_time(cases::paper_sphere()), 1.0, mesh, 1, watch, Curvature::sphere);
+  const MirroredTables tables(sum, 3, 5, 1, watch);
+  const auto nodes = [](Eigen::Index first, Eigen::Index last) {
+    std::vector<Eigen::Index> range;
+    for (Eigen::Index node = first; node < last; ++node) range.push_back(node);
+    return range;
+  };
+  ContactStiffness stiffness;
+  EXPECT_TRUE(stiffness.cover(tables, nodes(10, 14)));
+  EXPECT_TRUE(stiffness.cover(tables, nodes(10, 15)));
+  EXPECT_TRUE(stiffness.cover(tables, nodes(7, 50)));
+  EXPECT_FALSE(stiffness.cover(tables, nodes(12, 49)));
+  EXPECT_EQ(stiffness.nodes().size(), 43U);
+  const auto largest_error = [&] {
+    Eigen::MatrixXd product = stiffness.matrix() * tables.compliance(stiffness.nodes(), stiffness.nodes());
+    for (Eigen::Index i = 0; i < product.rows(); ++i) {
+      const bool still = i % 3 == 2 && stiffness.nodes()[static_cast<std::size_t>(i / 3)] % 5 == 0;
+      EXPECT_EQ(product(i, i) == 0.0, still);
+      product(i, i) -= still ? 0.0 : 1.0;
+    }
+    return product.cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(largest_error(), 1e-11);  // round-off by the condition of an incompressible coating
+  EXPECT_TRUE(stiffness.cover(tables, nodes(20, 30)));
+  EXPECT_EQ(stiffness.nodes(), nodes(20, 30));
+  EXPECT_LT(largest_error(), 1e-11);
 }
 
 TEST(RollingHistory, ResultsDoNotDependOnThreads) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "contact/active_set.hpp"
 #include "contact/krylov.hpp"
 #include "influence/fft.hpp"
 #include "influence/inverse_convolution.hpp"
@@ -17,13 +18,10 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kFirstTolerance = 1e-5;      // of relative residuals, while the set is far from the right one
-constexpr double kTightening = 0.03;          // of the tolerance as the set comes closer
-constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
-constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
-constexpr int kExchanges = 8;                 // passes in which nodes leave and join at once
-constexpr double kFailure = 1e-8;             // relative residual that no answer can be built on
-constexpr Index kSmallContact = 1300;         // nodes: those of the rough mesh on which windows are tried
+constexpr double kFirstTolerance = 1e-5;  // of relative residuals, while the set is far from the right one
+constexpr double kTightening = 0.03;      // of the tolerance as the set comes closer
+constexpr double kFailure = 1e-8;         // relative residual that no answer can be built on
+constexpr Index kSmallContact = 1300;     // nodes: those of the rough mesh on which windows are tried
 
 /// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
 struct FlatPressing {
@@ -55,10 +53,10 @@ class FlatEquations {
   }
 
   /// A guess whose forces bear the load.
-  [[nodiscard]] VectorXd unknowns(const ContactSolution& state) const {
+  [[nodiscard]] VectorXd unknowns(const PressedNodes& contact) const {
     VectorXd unknowns(count_ + 1);
-    unknowns.head(count_) = -state.force.col(kDown)(contact_).matrix();
-    unknowns[count_] = stiffness_ * state.penetration;
+    unknowns.head(count_) = contact.pressing(contact_).matrix();
+    unknowns[count_] = stiffness_ * *contact.penetration;
     VectorXd missing = VectorXd::Zero(count_ + 1);
     missing[count_] = balance_ * (problem_.normal_force - unknowns.head(count_).sum());
     return unknowns + precondition(missing);
@@ -104,136 +102,92 @@ class FlatEquations {
   VectorXd uniform_;  // forces that lower all nodes alike
 };
 
-class NormalContactSolver {
+/// A surface whose compliance is known by its products: a Krylov method solves the systems.
+class SurfaceOfProducts : public PressedSurface {
  public:
-  NormalContactSolver(const ContactProblem& problem, const NormalContactGuess& guess, const ContactOptions& options)
-      : problem_(problem), options_(options) {
-    state_.force = VectorField::Zero(problem.initial_gap.size(), 3);
-    state_.force.col(kDown) = -guess.pressing;
-    state_.contact = guess.contact;
-    state_.penetration = guess.penetration;
-  }
+  explicit SurfaceOfProducts(const ContactProblem& problem)
+      : problem_(problem), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
-  [[nodiscard]] ContactSolution solve() {
-    tolerance_ = std::max(kFirstTolerance, options_.tolerance);
-    if (state_.penetration > 0.0) predict_contact();
-    while (state_.iterations < options_.max_iterations && !state_.converged) {
-      ++state_.iterations;
-      press();
-      const bool rough = tolerance_ > options_.tolerance;
-      const bool exchange = state_.iterations <= kExchanges;
-      if (exchange) find_gap();
-      std::size_t changes = drop_tensile();
-      if (state_.contact.empty()) throw ConvergenceError("no node carries load", state_.iterations, 1.0);
-      if (!exchange && changes == 0) find_gap();
-      if (exchange || changes == 0) {
-        changes += add_overclosed();
-        const auto count = static_cast<double>(state_.contact.size());
-        state_.converged = !rough && static_cast<double>(changes) <= options_.unsettled * count;
-      }
-      tolerance_ = std::max(kTightening * tolerance_, options_.tolerance);
-    }
-    if (!state_.converged) {
-      state_.force = state_.force.min(0.0);
-      find_gap();
-    }
-    state_.residual = largest_violation();
-    return std::move(state_);
-  }
-
- private:
-  void press() {
-    if (!inverse_) {
-      const WindowShape shape = problem_.surface->shape();
-      const WindowShape period{ComplexFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
-      const Execution& execution = problem_.surface->execution();
-      inverse_ = std::make_unique<InverseConvolution>(
-          shape, period, std::vector{&problem_.surface->local().table(Entry::rr)},
-          std::vector<ConvolutionTerm>{{.result = 0, .table = 0, .operand = 0, .sign = 1.0}}, execution.threads,
-          execution.watch);
-    }
-    const FlatEquations equations(problem_, *inverse_, state_.contact);
+  void press(PressedNodes& contact, double tolerance) override {
+    if (!inverse_) inverse_ = std::make_unique<InverseConvolution>(make_inverse());
+    const FlatEquations equations(problem_, *inverse_, contact.nodes);
     const VectorXd right_side = equations.right_side();
     const KrylovSolution solution = solve_krylov(
         [&](const VectorXd& vector) { return equations.times(vector); },
-        [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side, equations.unknowns(state_),
-        {.absolute = tolerance_ * right_side.norm(), .small_system = kSmallContact});
-    state_.operator_applications += solution.products;
+        [&](const VectorXd& vector) { return equations.precondition(vector); }, right_side, equations.unknowns(contact),
+        {.absolute = tolerance * right_side.norm(), .small_system = kSmallContact});
+    products_ += solution.products;
     const double error = solution.residual / right_side.norm();
-    if (!(error < std::max(kFailure, 2.0 * tolerance_))) {
-      throw ConvergenceError("the contact equations were not solved", state_.iterations, error);
+    if (!(error < std::max(kFailure, 2.0 * tolerance))) {
+      throw ConvergenceError("the contact equations were not solved", contact.passes, error);
     }
-    take(equations.pressing(solution.unknowns));
+    const FlatPressing pressing = equations.pressing(solution.unknowns);
+    contact.penetration = pressing.penetration;
+    contact.pressing.setZero();
+    contact.pressing(contact.nodes) = pressing.forces.array();
   }
 
-  /// Who touches, by the forces of the guess and the gaps that they leave.
-  void predict_contact() {
-    find_gap();
-    const double stiffness = kPredictionStiffness * problem_.surface->normal_stiffness();
-    const ArrayXd predicted = -state_.force.col(kDown) - stiffness * state_.gap;
-    std::vector<Index> contact;
-    for (Index node = 0; node < predicted.size(); ++node) {
-      if (predicted[node] > 0.0) {
-        contact.push_back(node);
-      } else {
-        state_.force(node, kDown) = 0.0;
-      }
-    }
-    if (!contact.empty()) state_.contact = std::move(contact);
+  [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
+    ++products_;
+    return problem_.initial_gap + problem_.surface->normal_displacement(contact.pressing);
   }
 
-  void take(const FlatPressing& pressing) {
-    state_.penetration = pressing.penetration;
-    state_.force.col(kDown).setZero();
-    state_.force.col(kDown)(state_.contact) = -pressing.forces.array();
-  }
+  [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
+  [[nodiscard]] double stiffness() const override { return problem_.surface->normal_stiffness(); }
+  [[nodiscard]] int products() const { return products_; }
 
-  /// @return how many nodes left
-  std::size_t drop_tensile() {
-    const auto is_tensile = [&](Index node) { return !(state_.force(node, kDown) < 0.0); };
-    for (const Index node : state_.contact) {
-      if (is_tensile(node)) state_.force(node, kDown) = 0.0;
-    }
-    return std::erase_if(state_.contact, is_tensile);
-  }
-
-  void find_gap() {
-    ++state_.operator_applications;
-    const ArrayXd rise = problem_.surface->normal_displacement(-state_.force.col(kDown));
-    state_.gap = problem_.initial_gap + rise - state_.penetration;
-  }
-
-  /// Those that are there already, and those that have just left, have no gap. @return how many nodes joined
-  std::size_t add_overclosed() {
-    const double tolerance = kOverclosureFactor * tolerance_;
-    std::vector<Index> added;
-    for (Index node = 0; node < state_.gap.size(); ++node) {
-      const bool overclosed = state_.gap[node] < -tolerance * state_.penetration;
-      if (overclosed && state_.force(node, kDown) == 0.0) added.push_back(node);
-    }
-    state_.contact.insert(state_.contact.end(), added.begin(), added.end());
-    std::ranges::sort(state_.contact);
-    return added.size();
-  }
-
-  [[nodiscard]] double largest_violation() const {
-    const double overclosure = -state_.gap.minCoeff();
-    const double opening = state_.gap(state_.contact).abs().maxCoeff();
-    return std::max(overclosure, opening) / state_.penetration;
+ private:
+  [[nodiscard]] InverseConvolution make_inverse() const {
+    const WindowShape shape = problem_.surface->shape();
+    const WindowShape period{ComplexFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
+    const Execution& execution = problem_.surface->execution();
+    return {shape,
+            period,
+            std::vector{&problem_.surface->local().table(Entry::rr)},
+            std::vector<ConvolutionTerm>{{.result = 0, .table = 0, .operand = 0, .sign = 1.0}},
+            execution.threads,
+            execution.watch};
   }
 
   const ContactProblem& problem_;
-  const ContactOptions& options_;
-  ContactSolution state_;
-  double tolerance_ = 0.0;
+  ArrayXd weights_;
+  int products_ = 0;
   std::unique_ptr<InverseConvolution> inverse_;
 };
+
+double largest_violation(const PressedNodes& contact) {
+  const double overclosure = -contact.gap.minCoeff();
+  const double opening = contact.gap(contact.nodes).abs().maxCoeff();
+  return std::max(overclosure, opening) / *contact.penetration;
+}
 
 }  // namespace
 
 ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                      const ContactOptions& options) {
-  return NormalContactSolver(problem, guess, options).solve();
+  SurfaceOfProducts surface(problem);
+  PressedNodes contact =
+      find_contact(surface, {.pressing = guess.pressing, .nodes = guess.contact, .penetration = guess.penetration},
+                   {.most_passes = options.max_iterations,
+                    .first_tolerance = kFirstTolerance,
+                    .tightening = kTightening,
+                    .tolerance = options.tolerance,
+                    .unsettled = options.unsettled});
+  if (!contact.converged) {
+    contact.pressing = contact.pressing.max(0.0);
+    contact.gap = surface.height(contact) - *contact.penetration;
+  }
+  ContactSolution solution;
+  solution.force = VectorField::Zero(problem.initial_gap.size(), 3);
+  solution.force.col(kDown) = -contact.pressing;
+  solution.residual = largest_violation(contact);
+  solution.gap = std::move(contact.gap);
+  solution.contact = std::move(contact.nodes);
+  solution.penetration = *contact.penetration;
+  solution.iterations = contact.passes;
+  solution.operator_applications = surface.products();
+  solution.converged = contact.converged;
+  return solution;
 }
 
 }  // namespace viscoroll::detail

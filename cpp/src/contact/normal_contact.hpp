@@ -17,9 +17,7 @@ struct NormalContactGuess {
   double penetration;                 ///< [m]
 };
 
-/// @brief Active set, until nothing changes: drop all tensile nodes and add all overclosed ones, at first in the same
-/// pass, which is quick but may cycle, then only when there are none to drop. Systems are solved by products and a
-/// Krylov method, the first ones roughly.
+/// @brief Active set whose systems are solved by products and a Krylov method, the first ones roughly.
 /// @param[in] problem surface, initial gap and normal force; friction is left out
 /// @param[in] guess to start from
 /// @param[in] options limits

@@ -3,88 +3,50 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
+using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Residuals of the first and of the last pass, as displacements per penetration.
-constexpr double kFirstTolerance = 1e-4;
-constexpr double kTolerance = 1e-11;
+constexpr double kFirstTolerance = 1e-4;  // of residuals as displacements per penetration, in the first pass
+constexpr double kTolerance = 1e-11;      // and in all others
 constexpr int kMostPasses = 200;
-/// Passes in which nodes join while others leave; later, nodes join only when none leaves.
-constexpr int kExchanges = 8;
 constexpr int kMostProducts = 400;  // of a pass
-constexpr double kPredictionStiffness = 0.3;
 
-class ElasticContactSolver {
+/// A coating over the plane: conjugate gradients solve the systems, preconditioned by the factor of an earlier contact.
+class CoatingSurface : public PressedSurface {
  public:
-  ElasticContactSolver(const ElasticContactProblem& problem, HalfField guess, ContactInverse& inverse)
-      : problem_(problem), inverse_(inverse), pressing_(std::move(guess)) {}
+  CoatingSurface(const ElasticContactProblem& problem, ContactInverse& inverse)
+      : problem_(problem), inverse_(inverse), weights_(problem.weights.reshaped()) {}
 
-  [[nodiscard]] ElasticContact solve() {
-    double tolerance = kFirstTolerance;
-    predict_nodes();
-    for (int pass = 0; pass < kMostPasses; ++pass) {
-      find_nodes();
-      if (nodes_.empty()) throw ConvergenceError("no node carries load", pass, 1.0);
-      press(tolerance);
-      const bool left = drop_tensile();
-      const bool joined = (pass < kExchanges || !left) && add_overclosed(tolerance);
-      if (!left && !joined && tolerance == kTolerance) return result();
-      tolerance = kTolerance;
-    }
-    throw ConvergenceError("the nodes in contact did not settle", kMostPasses, 1.0);
-  }
-
- private:
-  /// Who touches, by the forces of the guess and the gaps that they leave.
-  void predict_nodes() {
-    Index first = 0;
-    Index last = pressing_.cols() - 1;
-    while (first < last && (pressing_.col(first).array() == 0.0).all()) ++first;
-    while (first < last && (pressing_.col(last).array() == 0.0).all()) --last;
-    HalfField gap = problem_.displacement(pressing_, first, last) + problem_.gap;
-    const double depth = gap.cwiseProduct(pressing_).sum() / problem_.weights.cwiseProduct(pressing_).sum();
-    gap -= depth * problem_.weights;
-    const double stiffness = kPredictionStiffness * problem_.stiffness;
-    HalfField predicted = (pressing_ - stiffness * gap).cwiseMax(0.0);
-    if ((predicted.array() > 0.0).any()) pressing_ = std::move(predicted);
-  }
-
-  /// Nodes with a force, or with the smallest of forces, which marks those that join.
-  void find_nodes() {
-    nodes_.clear();
-    for (Index node = 0; node < pressing_.size(); ++node) {
-      if (pressing_.data()[node] > 0.0) nodes_.push_back(node);
-    }
-    compliance_ = problem_.compliance(nodes_);
-    inverse_.follow(nodes_, compliance_);
-    weight_ = problem_.weights.reshaped()(nodes_);
-    by_weight_ = inverse_.times(weight_);
-  }
-
-  [[nodiscard]] VectorXd times(const VectorXd& forces) const {
-    return compliance_.selfadjointView<Eigen::Lower>() * forces;
-  }
-
-  /// Conjugate gradients for the nodes in contact; the preconditioner keeps the sum of forces as it is.
-  void press(double tolerance) {
-    VectorXd forces = pressing_.reshaped()(nodes_);
-    forces += by_weight_ * ((problem_.load - weight_.dot(forces)) / weight_.dot(by_weight_));
-    VectorXd residual = -(times(forces) + problem_.gap.reshaped()(nodes_));
+  /// The preconditioner keeps the sum of forces as it is.
+  void press(PressedNodes& contact, double tolerance) override {
+    const auto& nodes = contact.nodes;
+    const Eigen::MatrixXd compliance = problem_.tables.compliance(nodes, problem_.down);
+    const auto times = [&](const VectorXd& forces) -> VectorXd {
+      return compliance.selfadjointView<Eigen::Lower>() * forces;
+    };
+    inverse_.follow(nodes, compliance);
+    const VectorXd weight = weights_(nodes);
+    const VectorXd by_weight = inverse_.times(weight);  // forces that displace all nodes alike
+    VectorXd forces = contact.pressing(nodes);
+    forces += by_weight * ((problem_.load - weight.dot(forces)) / weight.dot(by_weight));
+    VectorXd residual = -(times(forces) + problem_.gap.reshaped()(nodes));
     VectorXd direction;
+    double penetration = 0.0;
     double product = 0.0;
     for (int i = 0; i < kMostProducts; ++i) {
       VectorXd step = inverse_.times(residual);
-      penetration_ = -weight_.dot(step) / weight_.dot(by_weight_);
-      const VectorXd violation = residual + penetration_ * weight_;
-      if (violation.norm() <= tolerance * std::abs(penetration_) * weight_.norm()) break;
-      step += penetration_ * by_weight_;
+      penetration = -weight.dot(step) / weight.dot(by_weight);
+      const VectorXd violation = residual + penetration * weight;
+      if (violation.norm() <= tolerance * std::abs(penetration) * weight.norm()) break;
+      step += penetration * by_weight;
       const double next = violation.dot(step);
       direction = i == 0 ? step : VectorXd(step + next / product * direction);
       product = next;
@@ -93,43 +55,30 @@ class ElasticContactSolver {
       forces += length * direction;
       residual -= length * change;
     }
-    pressing_.setZero();
-    pressing_.reshaped()(nodes_) = forces;
-    const Index height = pressing_.rows();
-    displacement_ = problem_.displacement(pressing_, nodes_.front() / height, nodes_.back() / height);
+    contact.penetration = penetration;
+    contact.pressing.setZero();
+    contact.pressing(nodes) = forces.array();
   }
 
-  bool drop_tensile() {
-    const bool left = (pressing_.reshaped()(nodes_).array() <= 0.0).any();
-    pressing_ = pressing_.cwiseMax(0.0);
-    return left;
-  }
-
-  bool add_overclosed(double tolerance) {
-    const double least = 1e-12 * problem_.load;
-    const double slack = 10.0 * tolerance * std::abs(penetration_);
-    const HalfField gap = displacement_ + problem_.gap - penetration_ * problem_.weights;
-    std::vector<Index> added;
-    for (Index node = 0; node < gap.size(); ++node) {
-      if (gap.data()[node] < -slack && !std::ranges::binary_search(nodes_, node)) added.push_back(node);
+  [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
+    const Index half_nodes = problem_.gap.rows();
+    const Index first = contact.nodes.front() / half_nodes;
+    const Index last = contact.nodes.back() / half_nodes;
+    const HalfField pressing = contact.pressing.matrix().reshaped(half_nodes, problem_.gap.cols());
+    if (problem_.tables.components() == 1) {
+      return (problem_.gap + problem_.tables.displacement(pressing, first, last)).reshaped();
     }
-    for (const Index node : added) pressing_.data()[node] = least;
-    return !added.empty();
+    const HalfField moved = problem_.tables.displacement(spread(problem_.down, pressing), first, last);
+    return (problem_.gap + along(problem_.down, moved)).reshaped();
   }
 
-  [[nodiscard]] ElasticContact result() {
-    return {.pressing = std::move(pressing_), .penetration = penetration_, .nodes = std::move(nodes_)};
-  }
+  [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
+  [[nodiscard]] double stiffness() const override { return 1.0 / problem_.tables.own_compliance(); }
 
+ private:
   const ElasticContactProblem& problem_;
   ContactInverse& inverse_;
-  HalfField pressing_;
-  HalfField displacement_;
-  double penetration_ = 0.0;
-  std::vector<Index> nodes_;
-  Eigen::MatrixXd compliance_;
-  VectorXd weight_;
-  VectorXd by_weight_;  // forces that displace all nodes alike
+  ArrayXd weights_;
 };
 
 }  // namespace
@@ -167,9 +116,18 @@ VectorXd ContactInverse::times(const VectorXd& displacement) const {
   return forces;
 }
 
-ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
-                                     ContactInverse& inverse) {
-  return ElasticContactSolver(problem, guess, inverse).solve();
+PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+                                   ContactInverse& inverse) {
+  CoatingSurface surface(problem, inverse);
+  PressedNodes start{.pressing = guess.reshaped(), .nodes = {}, .penetration = {}};
+  for (Index node = 0; node < guess.size(); ++node) {
+    if (start.pressing[node] > 0.0) start.nodes.push_back(node);
+  }
+  PressedNodes contact = find_contact(
+      surface, std::move(start),
+      {.most_passes = kMostPasses, .first_tolerance = kFirstTolerance, .tightening = 0.0, .tolerance = kTolerance});
+  if (!contact.converged) throw ConvergenceError("the nodes in contact did not settle", kMostPasses, 1.0);
+  return contact;
 }
 
 }  // namespace viscoroll::detail

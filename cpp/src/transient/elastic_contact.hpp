@@ -5,11 +5,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <functional>
+#include <array>
 #include <memory>
 #include <vector>
 
-#include "transient/mirrored_tables.hpp"
+#include "contact/active_set.hpp"
+#include "transient/plane_frame.hpp"
 
 namespace viscoroll::detail {
 
@@ -38,21 +39,11 @@ class ContactInverse {
 
 /// @brief Minimize p K p / 2 + gap p over the pressing forces p >= 0 of a given sum.
 struct ElasticContactProblem {
-  /// Displacement of all nodes of the window by forces on some of its rows, first to last.
-  std::function<HalfField(const HalfField& pressing, Eigen::Index first, Eigen::Index last)> displacement;
-  /// Compliance between some nodes, its lower half.
-  std::function<Eigen::MatrixXd(const std::vector<Eigen::Index>& nodes)> compliance;
-  HalfField gap;      ///< without these forces, up to a constant
-  HalfField weights;  ///< of `half_weights`, at every node
-  double load;        ///< sum of all forces
-  double stiffness;   ///< force per own displacement of a node
-};
-
-/// @brief Who touches, and with which force.
-struct ElasticContact {
-  HalfField pressing;               ///< forces
-  double penetration = 0.0;         ///< how far the plane comes into the gap
-  std::vector<Eigen::Index> nodes;  ///< in contact, ascending
+  const MirroredTables& tables;
+  std::array<HalfField, 3> down;  ///< its components at every node; empty where there is r alone
+  HalfField gap;                  ///< without these forces, up to a constant
+  HalfField weights;              ///< of `half_weights`, at every node
+  double load;                    ///< sum of all forces
 };
 
 /// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.
@@ -60,7 +51,7 @@ struct ElasticContact {
 /// @param[in] guess forces to start from, one of them above zero
 /// @param[in,out] inverse of an earlier contact
 /// @throws ConvergenceError where the contact does not settle
-[[nodiscard]] ElasticContact solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
-                                                   ContactInverse& inverse);
+[[nodiscard]] PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+                                                 ContactInverse& inverse);
 
 }  // namespace viscoroll::detail

@@ -22,12 +22,6 @@ constexpr int kPressingSteps = 8;
 
 Index on_ring(Index row, Index ring) { return ((row % ring) + ring) % ring; }
 
-/// First and last row of a window that bear loads; none where it has lifted off.
-std::pair<Index, Index> rows_in_contact(const StickSlip& contact, Index half_nodes) {
-  if (contact.nodes.empty()) return {0, -1};
-  return {contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes};
-}
-
 /// Numbers of the nodes of a window, row by row, as the columns of a field.
 auto as_field(const ArrayXd& values, Index half_nodes) {
   return values.matrix().reshaped(half_nodes, values.size() / half_nodes);
@@ -127,34 +121,27 @@ Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, const Ste
              text(end.load) + " N (it is in contact over 60 degrees to a side)");
     }
     half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
-    inverse_ = {};
+    forget_contact();
   }
 }
 
 StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, double load) {
   const MirroredTables& tables = coating_->tables;
   const Index half_nodes = tables.half_nodes();
-  const bool radial = tables.components() == 1;
-  const auto& down = place.axes[1];
+  const auto& down = place.axes[kDown];
   const ArrayXd weights = half_weights(half_nodes);
-  ElasticContactProblem problem{
-      .displacement =
-          [&](const HalfField& pressing, Index first, Index last) {
-            if (radial) return tables.displacement(pressing, first, last);
-            return along(down, tables.displacement(spread(down, pressing), first, last));
-          },
-      .compliance = [&](const std::vector<Index>& nodes) { return tables.compliance(nodes, down); },
-      .gap = weights.matrix().asDiagonal() * as_field(place.nodes.height(), half_nodes),
-      .weights = weights.matrix().replicate(1, place.rows.count),
-      .load = load,
-      .stiffness = 1.0 / tables.block(0)(0, 0)};
-  problem.gap += radial ? known : along(down, known);
-  const HalfField likely = guess(forces_.pressing, place);
-  ElasticContact contact =
-      solve_elastic_contact(problem, load / likely.cwiseProduct(problem.weights).sum() * likely, inverse_);
+  ElasticContactProblem problem{.tables = tables,
+                                .down = down,
+                                .gap = weights.matrix().asDiagonal() * as_field(place.nodes.height(), half_nodes),
+                                .weights = weights.matrix().replicate(1, place.rows.count),
+                                .load = load};
+  problem.gap += tables.components() == 1 ? known : along(down, known);
+  PressedNodes contact = solve_elastic_contact(problem, guess(place, load).pressing, inverse_);
   StickSlip result;
-  result.forces.pressing = std::move(contact.pressing);
-  result.penetration = contact.penetration;
+  result.forces.pressing = as_field(contact.pressing, half_nodes);
+  result.penetration = *contact.penetration;
+  result.displacement = tables.displacement_in_reach(
+      by_components(result.forces, place), contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
   result.nodes = std::move(contact.nodes);
   return result;
 }
@@ -171,11 +158,12 @@ StickSlip Lattice::lifted(const Place& place, const HalfField& known, const Cent
   result.way = center.way != 0.0 ? center.value / center.way : 0.0;
   result.forward_slip = none;
   result.sideways_slip = none;
+  result.displacement = HalfField::Zero(coating_->tables.height(), place.rows.count + 2 * coating_->tables.reach());
   return result;
 }
 
 StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance,
-                                       const StepEnd& end, const CenterCondition& center) const {
+                                       const StepEnd& end, const CenterCondition& center) {
   const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceGrid& grid = coating_->grid;
   const ArrayXd weights = half_weights(half_nodes);
@@ -198,16 +186,12 @@ StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& know
       .load = compliance * end.load,
       .friction = coating_->friction,
       .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};
-  const HalfField likely = guess(forces_.pressing, place);
-  return solve_stick_slip(problem, {.pressing = problem.load / likely.cwiseProduct(problem.weights).sum() * likely,
-                                    .forward = HalfField::Zero(half_nodes, place.rows.count),
-                                    .sideways = HalfField::Zero(half_nodes, place.rows.count)});
+  return solve_stick_slip(problem, guess(place, problem.load), stiffness_);
 }
 
-/// The last pressure, where it has been carried to: it stays below while nodes pass.
-HalfField Lattice::guess(const HalfField& last, const Place& place) const {
-  const Index half_nodes = coating_->tables.half_nodes();
-  HalfField field = HalfField::Zero(half_nodes, place.rows.count);
+/// Forces of the last window, where they have been carried to: they stay below while nodes pass.
+HalfField Lattice::carried(const HalfField& last, const Place& place) const {
+  HalfField field = HalfField::Zero(coating_->tables.half_nodes(), place.rows.count);
   const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(last.cols() - field.cols());
   const auto whole = static_cast<Index>(std::floor(lowest));
   const double share = lowest - static_cast<double>(whole);
@@ -215,29 +199,43 @@ HalfField Lattice::guess(const HalfField& last, const Place& place) const {
     if (i + whole >= 0 && i + whole < last.cols()) field.col(i) += (1.0 - share) * last.col(i + whole);
     if (i + whole + 1 >= 0 && i + whole + 1 < last.cols()) field.col(i) += share * last.col(i + whole + 1);
   }
-  if ((field.array() > 0.0).any()) return field;
-  // The window was made a little wider than a first contact.
-  const ArrayXd& height = place.nodes.height();
-  return as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
+  return field;
+}
+
+/// The last forces for a new load, or those of a first contact, which the window was made a little wider than.
+PlaneForces Lattice::guess(const Place& place, double load) const {
+  PlaneForces guess{.pressing = carried(forces_.pressing, place),
+                    .forward = carried(forces_.forward, place),
+                    .sideways = carried(forces_.sideways, place)};
+  const Index half_nodes = coating_->tables.half_nodes();
+  if (!(guess.pressing.array() > 0.0).any()) {
+    const ArrayXd& height = place.nodes.height();
+    guess.pressing = as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
+  }
+  const double scale = load / (half_weights(half_nodes).matrix().transpose() * guess.pressing).sum();
+  for (HalfField* field : {&guess.pressing, &guess.forward, &guess.sideways}) *field *= scale;
+  return guess;
+}
+
+/// What the plane does to the coating.
+HalfField Lattice::by_components(const PlaneForces& forces, const Place& place) const {
+  if (has_friction()) return on_plane(place.axes, forces);
+  return coating_->tables.components() == 1 ? forces.pressing : spread(place.axes[1], forces.pressing);
+}
+
+void Lattice::forget_contact() {
+  inverse_ = {};
+  stiffness_ = {};
 }
 
 RingMemory::Load Lattice::load_of(const Touch& touch) const {
   const MirroredTables& tables = coating_->tables;
-  const Place& place = touch.place;
-  const PlaneForces& forces = touch.contact.forces;
-  HalfField force = forces.pressing / touch.compliance;
-  if (has_friction()) {
-    force = on_plane(place.axes, forces) / touch.compliance;
-  } else if (tables.components() == 3) {
-    force = spread(place.axes[1], force);
-  }
+  const RingRows& rows = touch.place.rows;
   const Index reach = tables.reach();
-  const auto [first, last] = rows_in_contact(touch.contact, tables.half_nodes());
-  RingMemory::Load load{
-      .rows = {.first = on_ring(place.rows.first - reach, tables.ring()), .count = place.rows.count + 2 * reach},
-      .force = HalfField::Zero(tables.height(), place.rows.count + 2 * reach),
-      .displacement = tables.displacement_in_reach(force, first, last)};
-  load.force.middleCols(reach, place.rows.count) = force;
+  RingMemory::Load load{.rows = {.first = on_ring(rows.first - reach, tables.ring()), .count = rows.count + 2 * reach},
+                        .force = HalfField::Zero(tables.height(), rows.count + 2 * reach),
+                        .displacement = touch.contact.displacement / touch.compliance};
+  load.force.middleCols(reach, rows.count) = by_components(touch.contact.forces, touch.place) / touch.compliance;
   return load;
 }
 
@@ -281,21 +279,20 @@ void Lattice::take_contact(const Touch& touch) {
 /// Forces along the plane act at the height of the center; pressure on undeformed normals does work along the plane.
 void Lattice::take_friction(const Touch& touch) {
   const StickSlip& contact = touch.contact;
-  const Index half_nodes = coating_->tables.half_nodes();
   if (coating_->compliance == Compliance::vertical) {
-    const HalfField force = has_friction() ? on_plane(touch.place.axes, contact.forces)
-                                           : spread(touch.place.axes[1], contact.forces.pressing);
-    const auto [first, last] = rows_in_contact(contact, half_nodes);
-    const HalfField moved = touch.known + coating_->tables.displacement(force, first, last);
+    const MirroredTables& tables = coating_->tables;
+    const HalfField moved = touch.known + contact.displacement.middleCols(tables.reach(), touch.place.rows.count);
     now_.driving_torque -=
         along(touch.place.axes[0], moved).cwiseProduct(contact.forces.pressing).sum() / touch.compliance;
   }
   if (!has_friction()) return;
-  const ArrayXd weights = half_weights(half_nodes).matrix().replicate(1, touch.place.rows.count).reshaped();
+  const ArrayXd weights =
+      half_weights(coating_->tables.half_nodes()).matrix().replicate(1, touch.place.rows.count).reshaped();
   now_.driving_force = -(weights * contact.forces.forward.reshaped().array()).sum() / touch.compliance;
   now_.driving_torque -= now_.driving_force * (coating_->grid.radius - contact.penetration);
-  now_.dissipated_energy += slip_work(touch);
-  now_.slip_energy += slip_work(touch);
+  const double lost = slip_work(touch);
+  now_.dissipated_energy += lost;
+  now_.slip_energy += lost;
   now_.stick_share = static_cast<double>(contact.sticking) / std::max(1.0, static_cast<double>(contact.nodes.size()));
   forces_.forward = contact.forces.forward / touch.compliance;
   forces_.sideways = contact.forces.sideways / touch.compliance;
@@ -359,7 +356,7 @@ void Lattice::advance(const TimeStep& step, double duration, const StepEnd& end)
 void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
   coating_ = std::move(coating);
   memory_ = memory_.widened(coating_->tables);
-  inverse_ = {};
+  forget_contact();
   for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) {
     HalfField wide = HalfField::Zero(field->size() > 0 ? coating_->tables.half_nodes() : 0, field->cols());
     wide.topRows(field->rows()) = *field;
@@ -387,7 +384,7 @@ void Lattice::read(NumberReader& numbers) {
   for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) *field = numbers.matrix();
   memory_ = RingMemory(coating_->tables, coating_->spectrum);
   memory_.read(numbers, coating_->tables);
-  inverse_ = {};
+  forget_contact();
 }
 
 ContactField Lattice::field() const {

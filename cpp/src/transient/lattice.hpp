@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "transient/coating_history.hpp"
+#include "transient/contact_stiffness.hpp"
 #include "transient/elastic_contact.hpp"
 #include "transient/ring_memory.hpp"
 #include "transient/stick_slip_step.hpp"
@@ -100,23 +101,27 @@ class Lattice {
   [[nodiscard]] Touch touch(const TimeStep* step, double compliance, const StepEnd& end, const CenterCondition& center);
   [[nodiscard]] StickSlip touch_smooth(const Place& place, const HalfField& known, double load);
   [[nodiscard]] StickSlip touch_with_friction(const Place& place, const HalfField& known, double compliance,
-                                              const StepEnd& end, const CenterCondition& center) const;
+                                              const StepEnd& end, const CenterCondition& center);
   [[nodiscard]] StickSlip lifted(const Place& place, const HalfField& known, const CenterCondition& center) const;
   [[nodiscard]] CenterCondition center_condition(double duration, const StepEnd& end) const;
   void move_center(double duration, double way);
-  [[nodiscard]] HalfField guess(const HalfField& last, const Place& place) const;
+  [[nodiscard]] HalfField carried(const HalfField& last, const Place& place) const;
+  [[nodiscard]] PlaneForces guess(const Place& place, double load) const;
+  [[nodiscard]] HalfField by_components(const PlaneForces& forces, const Place& place) const;
   [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
   void take(const Touch& touch, const StepEnd& end);
   void take_contact(const Touch& touch);
   void take_friction(const Touch& touch);
   [[nodiscard]] double slip_work(const Touch& touch) const;
+  void forget_contact();
   [[nodiscard]] bool has_friction() const { return coating_->friction > 0.0; }
 
   std::shared_ptr<const CreepingCoating> coating_;
   double shift_;
   Eigen::Index half_rows_;
   RingMemory memory_;
-  ContactInverse inverse_;
+  ContactInverse inverse_;            // without friction,
+  ContactStiffness stiffness_;        // and with it
   PlaneForces forces_;                // of the window at the last angle
   RingRows rows_;                     // which it is of
   double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]

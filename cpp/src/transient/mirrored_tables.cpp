@@ -6,10 +6,14 @@
 #include <numbers>
 #include <vector>
 
+#include "dense_products.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
 using Eigen::Index;
+
+constexpr Index kPhi = 1;  // the component that changes its sign with the sense of phi
 
 constexpr std::array kEntriesInUse{Entry::rr,     Entry::rphi,     Entry::rtheta,
                                    Entry::phiphi, Entry::phitheta, Entry::thetatheta};
@@ -20,46 +24,6 @@ std::vector<TableRequest> requests(Index components) {
     if (components == 3 || entry == Entry::rr) requests.push_back({.entry = entry});
   }
   return requests;
-}
-
-/// Nodes that follow each other in a row.
-struct Run {
-  Index row;
-  Index first;  // node of the row
-  Index place;  // in the list of nodes
-  Index length;
-};
-
-std::vector<Run> runs_of(const std::vector<Index>& nodes, Index half_nodes) {
-  std::vector<Run> runs;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Index row = nodes[i] / half_nodes;
-    const Index node = nodes[i] % half_nodes;
-    if (!runs.empty() && runs.back().row == row && runs.back().first + runs.back().length == node) {
-      ++runs.back().length;
-    } else {
-      runs.push_back({.row = row, .first = node, .place = static_cast<Index>(i), .length = 1});
-    }
-  }
-  return runs;
-}
-
-/// Influence of a run of nodes on another one, from one direction to another one.
-template <class Influence>
-Eigen::MatrixXd projected(const Influence& influence, const Run& to, const Run& from,
-                          const std::array<HalfField, 3>& displaced, const std::array<HalfField, 3>& loaded) {
-  const Index half_nodes = influence.rows() / 3;
-  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(to.length, from.length);
-  for (Index p = 0; p < 3; ++p) {
-    const auto left = displaced[static_cast<std::size_t>(p)].col(to.row).segment(to.first, to.length);
-    for (Index q = 0; q < 3; ++q) {
-      const auto right = loaded[static_cast<std::size_t>(q)].col(from.row).segment(from.first, from.length);
-      part += left.asDiagonal() *
-              influence.block(p * half_nodes + to.first, q * half_nodes + from.first, to.length, from.length) *
-              right.asDiagonal();
-    }
-  }
-  return part;
 }
 
 /// The offset beyond which no value of a table is above a share of its center.
@@ -105,52 +69,54 @@ MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index ha
       }
     }
   };
-  const auto stack = [&](int sense) {
-    HalfField blocks((reach_ + 1) * height(), height());
-    for (Index j = 0; j <= reach_; ++j) {
-      for (Index p = 0; p < components; ++p) {
-        for (Index q = 0; q < components; ++q) {
-          fill(p, q, sense * static_cast<int>(j), blocks.middleRows(j * height(), height()));
-        }
-      }
+  ahead_.resize((reach_ + 1) * height(), height());
+  for (Index j = 0; j <= reach_; ++j) {
+    for (Index p = 0; p < components; ++p) {
+      for (Index q = 0; q < components; ++q) fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
     }
-    return blocks;
-  };
-  ahead_ = stack(1);
-  if (components == 3) behind_ = stack(-1);
+  }
 }
 
-Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
-                                           const std::array<HalfField, 3>& direction) const {
-  const auto count = static_cast<Index>(nodes.size());
-  const std::vector<Run> runs = runs_of(nodes, half_nodes_);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
-  for (std::size_t b = 0; b < runs.size(); ++b) {
-    for (std::size_t a = b; a < runs.size() && runs[a].row - runs[b].row <= reach_; ++a) {
-      const Run& to = runs[a];
-      const Run& from = runs[b];
-      const auto influence = block(to.row - from.row);
-      auto part = matrix.block(to.place, from.place, to.length, from.length);
-      if (components_ == 1) {
-        part = influence.block(to.first, from.first, to.length, from.length);
-        continue;
-      }
-      part = projected(influence, to, from, direction, direction);
+Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  const Index offset = displaced / half_nodes_ - loaded / half_nodes_;
+  if (std::abs(offset) > reach_) return matrix;
+  const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes_, loaded % half_nodes_);
+  for (Index q = 0; q < components_; ++q) {
+    for (Index p = 0; p < components_; ++p) {
+      const bool is_reversed = offset < 0 && (p == kPhi) != (q == kPhi);
+      const double value = first[half_nodes_ * (p + q * ahead_.rows())];
+      matrix(p, q) = is_reversed ? -value : value;
     }
   }
   return matrix;
 }
 
-Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes, const std::array<HalfField, 3>& displaced,
-                                           const std::array<HalfField, 3>& loaded) const {
+Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced,
+                                           const std::vector<Index>& loaded) const {
+  Eigen::MatrixXd matrix(components_ * static_cast<Index>(displaced.size()),
+                         components_ * static_cast<Index>(loaded.size()));
+  for (std::size_t j = 0; j < loaded.size(); ++j) {
+    for (std::size_t i = 0; i < displaced.size(); ++i) {
+      matrix.block(components_ * static_cast<Index>(i), components_ * static_cast<Index>(j), components_, components_) =
+          influence(displaced[i], loaded[j]).topLeftCorner(components_, components_);
+    }
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
+                                           const std::array<HalfField, 3>& direction) const {
   const auto count = static_cast<Index>(nodes.size());
-  const std::vector<Run> runs = runs_of(nodes, half_nodes_);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
-  for (const Run& from : runs) {
-    for (const Run& to : runs) {
-      if (std::abs(to.row - from.row) > reach_) continue;
-      matrix.block(to.place, from.place, to.length, from.length) =
-          projected(block(to.row - from.row), to, from, displaced, loaded);
+  Eigen::Matrix3Xd along = Eigen::Vector3d::UnitX().replicate(1, count);
+  for (Index p = 0; p < 3 && components_ == 3; ++p) {
+    along.row(p) = direction[static_cast<std::size_t>(p)].reshaped()(nodes).transpose();
+  }
+  Eigen::MatrixXd matrix(count, count);
+  for (Index j = 0; j < count; ++j) {
+    for (Index i = j; i < count; ++i) {
+      const auto node = [&](Index place) { return nodes[static_cast<std::size_t>(place)]; };
+      matrix(i, j) = along.col(i).dot(influence(node(i), node(j)) * along.col(j));
     }
   }
   return matrix;
@@ -160,15 +126,32 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
                          HalfField& result) const {
   const Index count = last - first + 1;
   if (count <= 0) return;
-  // Of r alone, the nodes beside the loaded ones are left out of the product.
+  // The nodes beside the loaded ones are left out of the product.
   const auto sources = loads.middleCols(first, count);
-  Index width = height();
-  while (components_ == 1 && width > 1 && (sources.row(width - 1).array() == 0.0).all()) --width;
-  const auto product = [&](const HalfField& stack) -> HalfField {
-    return stack.topLeftCorner((reach + 1) * height(), width) * sources.topRows(width);
+  const auto is_loaded = [&](Index node) {
+    for (Index p = 0; p < components_; ++p) {
+      if ((sources.row(p * half_nodes_ + node).array() != 0.0).any()) return true;
+    }
+    return false;
   };
-  const HalfField forward = product(ahead_);
-  const HalfField backward = components_ == 1 ? HalfField() : product(behind_);
+  Index width = half_nodes_;
+  while (width > 1 && !is_loaded(width - 1)) --width;
+  const auto add_influence = [&](Index component, HalfField& displaced) {
+    const Index start = component * half_nodes_;
+    add_product(ahead_.block(0, start, (reach + 1) * height(), width), sources.middleRows(start, width), displaced);
+  };
+  HalfField forward = HalfField::Zero((reach + 1) * height(), count);
+  for (Index q = 0; q < components_; ++q) {
+    if (q != kPhi) add_influence(q, forward);
+  }
+  HalfField backward;
+  if (components_ == 3) {
+    HalfField along = HalfField::Zero(forward.rows(), count);
+    add_influence(kPhi, along);
+    backward = forward - along;
+    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes_, half_nodes_) *= -1.0;
+    forward += along;
+  }
   const HalfField& other = components_ == 1 ? forward : backward;
   for (Index source = 0; source < count; ++source) {
     const Index place = first + source + shift;

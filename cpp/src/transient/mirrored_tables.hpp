@@ -41,25 +41,21 @@ class MirroredTables {
   /// @return offset along phi beyond which nothing is displaced, to ten digits of the table's center
   [[nodiscard]] Eigen::Index reach() const { return reach_; }
 
-  /// @brief Influence of a row of nodes on another one.
-  /// @param[in] offset of the displaced row from the loaded one, at most the reach in size
-  [[nodiscard]] auto block(Eigen::Index offset) const {
-    const HalfField& stack = offset >= 0 || components_ == 1 ? ahead_ : behind_;
-    return stack.middleRows(std::abs(offset) * height(), height());
-  }
+  /// @return displacement of a node in the middle by a unit force on it, along r [m/N]
+  [[nodiscard]] double own_compliance() const { return ahead_(0, 0); }
 
-  /// @brief Compliance between some nodes of a window, in one direction.
-  /// @param[in] nodes numbers in the window, row by row, ascending
+  /// @brief Displacements of some nodes of a window by forces on others of it.
+  /// @param[in] displaced,loaded numbers in the window, row by row
+  /// @return [components * displaced + component][components * loaded + component]
+  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& displaced,
+                                           const std::vector<Eigen::Index>& loaded) const;
+
+  /// @brief Compliance between some nodes, in one direction.
+  /// @param[in] nodes as above, ascending
   /// @param[in] direction its components at all nodes of the window; not looked at where there is r alone
   /// @return symmetric matrix, whose lower half is set
   [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
                                            const std::array<HalfField, 3>& direction) const;
-
-  /// @brief Displacements along one direction by forces along another one.
-  /// @param[in] nodes,displaced,loaded as above; there must be three components
-  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
-                                           const std::array<HalfField, 3>& displaced,
-                                           const std::array<HalfField, 3>& loaded) const;
 
   /// @brief Displacements of a window of rows by forces on it.
   /// @param[in] loads a column for each row of the window
@@ -71,6 +67,8 @@ class MirroredTables {
   [[nodiscard]] HalfField displacement_in_reach(const HalfField& loads, Eigen::Index first, Eigen::Index last) const;
 
  private:
+  /// The influence of one node on another, by components.
+  [[nodiscard]] Eigen::Matrix3d influence(Eigen::Index displaced, Eigen::Index loaded) const;
   void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, Eigen::Index shift, Eigen::Index reach,
            HalfField& result) const;
 
@@ -78,8 +76,7 @@ class MirroredTables {
   Eigen::Index half_nodes_;
   Eigen::Index ring_;
   Eigen::Index reach_ = 0;
-  HalfField ahead_;   // blocks of offsets 0, 1, ... one below the other
-  HalfField behind_;  // of offsets 0, -1, ..., where they differ: the transposes
+  HalfField ahead_;  // influence of a row on those 0, 1, ... rows ahead, one below the other; behind, phi is reversed
 };
 
 }  // namespace viscoroll::detail

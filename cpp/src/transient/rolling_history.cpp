@@ -285,7 +285,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
 RollingState RollingHistory::Impl::state() const {
   RollingState state;
   detail::NumberWriter numbers(state.numbers);
-  numbers.put(coating->tables.block(0)(0, 0));
+  numbers.put(coating->tables.own_compliance());
   numbers.put(static_cast<double>(coating->tables.half_nodes()));
   numbers.put(static_cast<double>(lattices.size()));
   numbers.put(spectrum.instantaneous);
@@ -302,7 +302,7 @@ void RollingHistory::Impl::restore(const RollingState& state) {
   constexpr double kSame = 1e-9;
   detail::NumberReader numbers(state.numbers);
   const double compliance = numbers.get();
-  if (!(std::abs(compliance / coating->tables.block(0)(0, 0) - 1.0) < kSame)) {
+  if (!(std::abs(compliance / coating->tables.own_compliance() - 1.0) < kSame)) {
     reject("start", "a state of the same ball and mesh", "one of another compliance");
   }
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);

@@ -1,6 +1,5 @@
 #include "transient/stick_slip_step.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -10,43 +9,34 @@ namespace viscoroll::detail {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
-enum Along : std::size_t { kForward = 0, kDown = 1, kSideways = 2 };
-
+constexpr int kStepsNearby = 25;  // from the forces of the guess, before all nodes of it stick
 constexpr int kMostSteps = 100;
-/// Steps in which nodes join while others leave.
-constexpr int kExchanges = 12;
+constexpr int kExchanges = 12;        // steps in which nodes join while others leave
 constexpr int kFewJoins = 3;          // of a node, after which it slips
 constexpr int kMostJoins = 6;         // after which it stays out of this instant
-constexpr double kTolerance = 1e-10;  // of forces per load, and of gaps per penetration
+constexpr double kBalance = 1e-12;    // of tractions per load
+constexpr double kTolerance = 1e-10;  // of gaps per penetration
+constexpr double kLikelySlip = 0.97;  // traction per its limit from which a node of the guess is taken to slip
 
 class StickSlipSolver {
  public:
-  StickSlipSolver(const StickSlipProblem& problem, const PlaneForces& guess) : problem_(problem), forces_(guess) {
-    const auto own = [&](std::size_t axis) {
-      const Index middle = forces_.pressing.cols() / 2 * forces_.pressing.rows();
-      return problem.tables.compliance({middle}, problem.axes[axis])(0, 0);
-    };
-    stiffness_ = 1.0 / own(kForward);
-    joined_ = Eigen::ArrayXXi::Zero(guess.pressing.rows(), guess.pressing.cols());
-    slips_ = Eigen::ArrayXX<bool>::Constant(guess.pressing.rows(), guess.pressing.cols(), false);
-    for (Index node = 0; node < size(); ++node) {
-      if (pressing(node) > 0.0) nodes_.push_back(node);
-    }
-  }
+  StickSlipSolver(const StickSlipProblem& problem, const PlaneForces& guess, ContactStiffness& stiffness)
+      : problem_(problem),
+        equations_(problem, stiffness),
+        forces_(guess),
+        gap_(HalfField::Zero(guess.pressing.rows(), guess.pressing.cols())),
+        forward_slip_(gap_),
+        sideways_slip_(gap_),
+        slips_(Eigen::ArrayXX<bool>::Constant(gap_.rows(), gap_.cols(), false)),
+        joined_(Eigen::ArrayXXi::Zero(gap_.rows(), gap_.cols())) {}
 
   [[nodiscard]] StickSlip solve() {
-    for (int step = 0; step < kMostSteps; ++step) {
-      if (nodes_.empty()) throw ConvergenceError("no node carries load", step, 1.0);
-      const double change = newton_step();
-      find_gaps_and_slips();
-      const bool left = drop_tensile();
-      const bool joined = (step < kExchanges || !left) && add_overclosed();
-      const bool switched = switch_stick_and_slip();
-      if (!left && !joined && !switched && change < kTolerance * problem_.load) return result();
-    }
+    const PlaneForces guess = forces_;
+    start_from(guess);
+    if (settles(kStepsNearby)) return result();
+    start_from({.pressing = guess.pressing, .forward = 0.0 * guess.forward, .sideways = 0.0 * guess.sideways});
+    if (settles(kMostSteps)) return result();
     throw ConvergenceError("stick and slip did not settle", kMostSteps, 1.0);
   }
 
@@ -59,100 +49,90 @@ class StickSlipSolver {
   [[nodiscard]] bool in_middle(Index node) const { return node % forces_.pressing.rows() == 0; }
   /// Where the traction would be if slip were resisted elastically: its direction is that of slip.
   [[nodiscard]] Eigen::Vector2d trial(Index node) const {
-    return traction(node) - stiffness_ * Eigen::Vector2d(forward_slip_.data()[node], sideways_slip_.data()[node]);
+    return traction(node) -
+           Eigen::Vector2d(forward_slip_.data()[node], sideways_slip_.data()[node]) / equations_.own_compliance();
   }
 
-  /// One linear system for all nodes in contact. @return norm of the change of forces
-  double newton_step() {
-    const auto m = static_cast<Index>(nodes_.size());
-    std::array<std::array<MatrixXd, 3>, 3> c;
-    for (std::size_t a = 0; a < 3; ++a) {
-      c[a][a] = problem_.tables.compliance(nodes_, problem_.axes[a]).selfadjointView<Eigen::Lower>();
-      for (std::size_t b = a + 1; b < 3; ++b) {
-        c[a][b] = problem_.tables.compliance(nodes_, problem_.axes[a], problem_.axes[b]);
-        c[b][a] = c[a][b].transpose();
-      }
+  void start_from(const PlaneForces& guess) {
+    forces_ = guess;
+    nodes_.clear();
+    for (HalfField* field : {&gap_, &forward_slip_, &sideways_slip_}) field->setZero();
+    joined_.setZero();
+    for (Index node = 0; node < size(); ++node) {
+      slips_.data()[node] = traction(node).norm() > kLikelySlip * problem_.friction * pressing(node);
+      if (pressing(node) > 0.0) nodes_.push_back(node);
     }
-    const VectorXd weight = problem_.weights.reshaped()(nodes_);
-    const VectorXd forward_way = problem_.forward_way.reshaped()(nodes_);
-    const VectorXd sideways_way = problem_.sideways_way.reshaped()(nodes_);
+  }
 
-    // Displacements along x, down and z by (p, t_x, t_z), where forces along y are -p.
-    MatrixXd rise(m, 3 * m);
-    MatrixXd forward(m, 3 * m);
-    MatrixXd sideways(m, 3 * m);
-    rise << c[kDown][kDown], -c[kDown][kForward], -c[kDown][kSideways];
-    forward << -c[kForward][kDown], c[kForward][kForward], c[kForward][kSideways];
-    sideways << -c[kSideways][kDown], c[kSideways][kForward], c[kSideways][kSideways];
+  bool settles(int most_steps) {
+    for (int step = 0; step < most_steps; ++step) {
+      if (nodes_.empty()) throw ConvergenceError("no node carries load", step, 1.0);
+      equations_.cover(nodes_);
+      newton_step();
+      bool changed = drop_tensile();
+      changed = ((step < kExchanges || !changed) && add_overclosed()) || changed;
+      changed = switch_stick_and_slip() || changed;
+      if (changed || imbalance() > kBalance * problem_.load) continue;
+      find_gaps_and_slips();
+      if (!add_overclosed()) return true;
+    }
+    return false;
+  }
 
-    const Index depth = 3 * m;
-    const Index way = 3 * m + 1;
-    const double scale = 1.0 / stiffness_;
-    MatrixXd matrix = MatrixXd::Zero(3 * m + 2, 3 * m + 2);
-    VectorXd right = VectorXd::Zero(3 * m + 2);
-    matrix.topLeftCorner(m, 3 * m) = rise;
-    matrix.col(depth).head(m) = -weight;
-    right.head(m) = -problem_.gap.reshaped()(nodes_);
-    for (Index i = 0; i < m; ++i) {
-      const Index node = nodes_[static_cast<std::size_t>(i)];
-      auto first = matrix.row(m + i);
-      auto second = matrix.row(2 * m + i);
-      const bool middle = in_middle(node);
-      if (!slips_.data()[node]) {
-        first.head(3 * m) = forward.row(i);
-        first[way] = weight[i];
-        right[m + i] = -forward_way[i];
-        second.head(3 * m) = sideways.row(i);
-        right[2 * m + i] = -sideways_way[i];
-      } else {
+  [[nodiscard]] bool touches(Index node) const { return std::ranges::binary_search(nodes_, node); }
+
+  /// A node apart bears no force; one that slips bears what friction allows, and along the normal of its slip the
+  /// traction turns with it. In the middle nothing moves sideways.
+  [[nodiscard]] std::vector<Condition> conditions() {
+    std::vector<Condition> conditions;
+    for (std::size_t i = 0; i < equations_.covered().size(); ++i) {
+      const Index node = equations_.covered()[i];
+      const auto place = static_cast<Index>(i);
+      const auto add = [&](Axis axis, const Eigen::Vector3d& on_force, const Eigen::Vector3d& on_move) {
+        conditions.push_back({place, axis, equations_.own_compliance() * on_force, on_move});
+      };
+      const bool apart = !touches(node);
+      if (apart) {
+        for (const Axis axis : {kForward, kDown, kSideways}) {
+          if (axis == kSideways && in_middle(node)) continue;
+          add(axis, Eigen::Vector3d::Unit(axis), Eigen::Vector3d::Zero());
+        }
+      } else if (slips_.data()[node]) {
         const Eigen::Vector2d tau = trial(node);
         const Eigen::Vector2d e = tau.normalized();
         const double share = std::min(problem_.friction * pressing(node) / tau.norm(), 1.0);
-        first[m + i] = e[0] * scale;
-        first[2 * m + i] = e[1] * scale;
-        first[i] = -problem_.friction * scale;
-        // Normal to the slip the traction turns with it.
-        second.head(3 * m) = share * (-e[1] * forward.row(i) + e[0] * sideways.row(i));
-        second[way] = -share * e[1] * weight[i];
-        second[m + i] -= (1.0 - share) * e[1] * scale;
-        second[2 * m + i] += (1.0 - share) * e[0] * scale;
-        right[2 * m + i] = share * (e[1] * forward_way[i] - e[0] * sideways_way[i]);
-      }
-      if (middle) {
-        second.setZero();
-        second[2 * m + i] = scale;
-        right[2 * m + i] = 0.0;
+        const Eigen::Vector3d across(-e[1], 0.0, e[0]);
+        add(kForward, {e[0], problem_.friction, e[1]}, Eigen::Vector3d::Zero());
+        if (!in_middle(node)) add(kSideways, (1.0 - share) * across, share * across);
       }
     }
-    matrix.row(depth).head(m) = weight.transpose() * scale;
-    right[depth] = problem_.load * scale;
-    // Forces and ways on one scale: a heavy center must not serve as pivot for anything but its own way.
-    const double share = scale / std::max(problem_.center.force, std::abs(problem_.center.way) * scale);
-    matrix.row(way).segment(m, m) = share * problem_.center.force * weight.transpose();
-    matrix(way, way) = share * problem_.center.way;
-    right[way] = share * problem_.center.value;
+    return conditions;
+  }
 
-    const VectorXd unknowns = matrix.partialPivLu().solve(right);
-    if (!unknowns.allFinite()) throw ConvergenceError("the equations of stick and slip are singular", 0, 1.0);
-    PlaneForces next{.pressing = HalfField::Zero(forces_.pressing.rows(), forces_.pressing.cols()),
-                     .forward = HalfField::Zero(forces_.pressing.rows(), forces_.pressing.cols()),
-                     .sideways = HalfField::Zero(forces_.pressing.rows(), forces_.pressing.cols())};
-    next.pressing.reshaped()(nodes_) = unknowns.head(m);
-    next.forward.reshaped()(nodes_) = unknowns.segment(m, m);
-    next.sideways.reshaped()(nodes_) = unknowns.segment(2 * m, m);
-    const double change =
-        std::sqrt((next.pressing - forces_.pressing).squaredNorm() + (next.forward - forces_.forward).squaredNorm() +
-                  (next.sideways - forces_.sideways).squaredNorm());
-    forces_ = std::move(next);
-    penetration_ = unknowns[depth];
-    way_ = unknowns[way];
-    return change;
+  void newton_step() {
+    const auto [forces, moves, penetration, way] = equations_.solve(conditions());
+    penetration_ = penetration;
+    way_ = way;
+    for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) field->setZero();
+    for (std::size_t i = 0; i < equations_.covered().size(); ++i) {
+      const Index node = equations_.covered()[i];
+      const auto move = moves.segment<3>(static_cast<Index>(3 * i));
+      gap_.data()[node] = -move[kDown];
+      forward_slip_.data()[node] = move[kForward];
+      sideways_slip_.data()[node] = move[kSideways];
+      if (!touches(node)) continue;
+      const auto force = forces.segment<3>(static_cast<Index>(3 * i));
+      pressing(node) = -force[kDown];
+      forces_.forward.data()[node] = force[kForward];
+      forces_.sideways.data()[node] = in_middle(node) ? 0.0 : force[kSideways];
+    }
   }
 
   void find_gaps_and_slips() {
-    const HalfField moved =
-        -problem_.tables.displacement(on_plane(problem_.axes, forces_), nodes_.front() / forces_.pressing.rows(),
-                                      nodes_.back() / forces_.pressing.rows());
+    const Index height = forces_.pressing.rows();
+    displacement_ = problem_.tables.displacement_in_reach(on_plane(problem_.axes, forces_), nodes_.front() / height,
+                                                          nodes_.back() / height);
+    const HalfField moved = -displacement_.middleCols(problem_.tables.reach(), forces_.pressing.cols());
     gap_ = problem_.gap - along(problem_.axes[kDown], moved) - penetration_ * problem_.weights;
     forward_slip_ = problem_.forward_way + way_ * problem_.weights + along(problem_.axes[kForward], moved);
     sideways_slip_ = problem_.sideways_way + along(problem_.axes[kSideways], moved);
@@ -174,7 +154,7 @@ class StickSlipSolver {
     std::vector<Index> added;
     for (Index node = 0; node < size(); ++node) {
       const bool overclosed = gap_.data()[node] < -10.0 * kTolerance * std::abs(penetration_);
-      if (!overclosed || std::ranges::binary_search(nodes_, node) || joined_.data()[node] == kMostJoins) continue;
+      if (!overclosed || touches(node) || joined_.data()[node] == kMostJoins) continue;
       added.push_back(node);
       slips_.data()[node] = true;
       ++joined_.data()[node];
@@ -198,6 +178,16 @@ class StickSlipSolver {
     return switched;
   }
 
+  /// How far the tractions of slipping nodes are from friction's along their slip: all other conditions are linear.
+  [[nodiscard]] double imbalance() {
+    double sum = 0.0;
+    for (const Index node : nodes_) {
+      if (!slips_.data()[node]) continue;
+      sum += (traction(node) - problem_.friction * pressing(node) * trial(node).normalized()).squaredNorm();
+    }
+    return std::sqrt(sum);
+  }
+
   [[nodiscard]] StickSlip result() {
     Index sticking = 0;
     for (const Index node : nodes_) sticking += slips_.data()[node] ? 0 : 1;
@@ -206,18 +196,20 @@ class StickSlipSolver {
             .way = way_,
             .forward_slip = std::move(forward_slip_),
             .sideways_slip = std::move(sideways_slip_),
+            .displacement = std::move(displacement_),
             .nodes = std::move(nodes_),
             .sticking = sticking};
   }
 
   const StickSlipProblem& problem_;
+  StickSlipEquations equations_;
   PlaneForces forces_;
-  double stiffness_ = 0.0;  // force along the plane per own displacement
   double penetration_ = 0.0;
   double way_ = 0.0;
   HalfField gap_;
   HalfField forward_slip_;
   HalfField sideways_slip_;
+  HalfField displacement_;
   Eigen::ArrayXX<bool> slips_;
   Eigen::ArrayXXi joined_;  // how often
   std::vector<Index> nodes_;
@@ -225,27 +217,8 @@ class StickSlipSolver {
 
 }  // namespace
 
-HalfField along(const std::array<HalfField, 3>& direction, const HalfField& field) {
-  const Index half_nodes = direction[0].rows();
-  HalfField result = direction[0].cwiseProduct(field.topRows(half_nodes));
-  result += direction[1].cwiseProduct(field.middleRows(half_nodes, half_nodes));
-  result += direction[2].cwiseProduct(field.bottomRows(half_nodes));
-  return result;
-}
-
-HalfField spread(const std::array<HalfField, 3>& direction, const HalfField& scalar) {
-  HalfField field(3 * scalar.rows(), scalar.cols());
-  field << direction[0].cwiseProduct(scalar), direction[1].cwiseProduct(scalar), direction[2].cwiseProduct(scalar);
-  return field;
-}
-
-HalfField on_plane(const Axes& axes, const PlaneForces& forces) {
-  return spread(axes[kDown], forces.pressing) - spread(axes[kForward], forces.forward) -
-         spread(axes[kSideways], forces.sideways);
-}
-
-StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess) {
-  return StickSlipSolver(problem, guess).solve();
+StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess, ContactStiffness& stiffness) {
+  return StickSlipSolver(problem, guess, stiffness).solve();
 }
 
 }  // namespace viscoroll::detail

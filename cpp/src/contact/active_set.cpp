@@ -1,0 +1,84 @@
+#include "contact/active_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+constexpr double kPredictionStiffness = 0.3;  // of a node's own: rather too many nodes than too few, which join last
+constexpr double kOverclosureFactor = 10.0;   // overclosure that is taken for one, per tolerance
+constexpr int kExchanges = 8;                 // passes in which nodes leave and join at once
+
+void find_gap(PressedSurface& surface, PressedNodes& contact) {
+  contact.gap = surface.height(contact) - *contact.penetration * surface.weights();
+}
+
+/// Who touches, by the forces of the guess and the gaps that they leave.
+void predict_nodes(PressedSurface& surface, PressedNodes& contact) {
+  const ArrayXd height = surface.height(contact);
+  if (!contact.penetration) {
+    contact.penetration = (height * contact.pressing).sum() / (surface.weights() * contact.pressing).sum();
+  }
+  const ArrayXd gap = height - *contact.penetration * surface.weights();
+  const ArrayXd predicted = contact.pressing - kPredictionStiffness * surface.stiffness() * gap;
+  std::vector<Index> nodes;
+  for (Index node = 0; node < predicted.size(); ++node) {
+    if (predicted[node] > 0.0) nodes.push_back(node);
+  }
+  contact.pressing = (predicted > 0.0).select(contact.pressing, 0.0);
+  if (!nodes.empty()) contact.nodes = std::move(nodes);
+}
+
+/// @return how many nodes left
+std::size_t drop_tensile(PressedNodes& contact) {
+  const auto is_tensile = [&](Index node) { return !(contact.pressing[node] > 0.0); };
+  for (const Index node : contact.nodes) {
+    if (is_tensile(node)) contact.pressing[node] = 0.0;
+  }
+  return std::erase_if(contact.nodes, is_tensile);
+}
+
+/// Those that are there already, and those that have just left, have no gap. @return how many nodes joined
+std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
+  const double slack = kOverclosureFactor * tolerance * std::abs(*contact.penetration);
+  std::vector<Index> added;
+  for (Index node = 0; node < contact.gap.size(); ++node) {
+    if (contact.gap[node] < -slack && contact.pressing[node] == 0.0) added.push_back(node);
+  }
+  contact.nodes.insert(contact.nodes.end(), added.begin(), added.end());
+  std::ranges::sort(contact.nodes);
+  return added.size();
+}
+
+}  // namespace
+
+PressedNodes find_contact(PressedSurface& surface, PressedNodes contact, const ActiveSetOptions& options) {
+  double tolerance = std::max(options.first_tolerance, options.tolerance);
+  if (contact.penetration.value_or(1.0) > 0.0) predict_nodes(surface, contact);
+  while (contact.passes < options.most_passes && !contact.converged) {
+    ++contact.passes;
+    surface.press(contact, tolerance);
+    const bool rough = tolerance > options.tolerance;
+    const bool exchange = contact.passes <= kExchanges;
+    if (exchange) find_gap(surface, contact);
+    std::size_t changes = drop_tensile(contact);
+    if (contact.nodes.empty()) throw ConvergenceError("no node carries load", contact.passes, 1.0);
+    if (!exchange && changes == 0) find_gap(surface, contact);
+    if (exchange || changes == 0) {
+      changes += add_overclosed(contact, tolerance);
+      const auto count = static_cast<double>(contact.nodes.size());
+      contact.converged = !rough && static_cast<double>(changes) <= options.unsettled * count;
+    }
+    tolerance = std::max(options.tightening * tolerance, options.tolerance);
+  }
+  return contact;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,72 @@
+#include "transient/contact_stiffness.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "dense_products.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Nodes that may be in it, per node in contact: who comes and goes at the edge while a spacing passes stays in it.
+constexpr double kMostNodes = 1.5;
+
+/// Nodes that are added at once, for products to be quick.
+constexpr std::size_t kTogether = 16;
+
+}  // namespace
+
+bool ContactStiffness::cover(const MirroredTables& tables, const std::vector<Index>& contact) {
+  std::vector<Index> known;
+  if (inverse_) known = inverse_->nodes;
+  std::ranges::sort(known);
+  std::vector<Index> missing;
+  std::ranges::set_difference(contact, known, std::back_inserter(missing));
+  const auto count = static_cast<double>(known.size() + missing.size());
+  const bool is_wide = count > kMostNodes * static_cast<double>(contact.size());
+  if (missing.empty() && !is_wide) return false;
+  Inverse inverse;
+  if (is_wide) {
+    missing = contact;
+  } else if (inverse_) {
+    inverse = *inverse_;
+  }
+  for (std::size_t first = 0; first < missing.size(); first += kTogether) {
+    const std::size_t last = std::min(first + kTogether, missing.size());
+    inverse = bordered(inverse, tables,
+                       {missing.begin() + static_cast<Index>(first), missing.begin() + static_cast<Index>(last)});
+  }
+  inverse_ = std::make_shared<const Inverse>(std::move(inverse));
+  return true;
+}
+
+ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, const MirroredTables& tables,
+                                                     const std::vector<Index>& added) {
+  const Index before = inverse.matrix.rows();
+  const auto size = static_cast<Index>(3 * added.size());
+  const MatrixXd beside = tables.compliance(inverse.nodes, added);
+  MatrixXd complement = tables.compliance(added, added);
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    const auto sideways = static_cast<Index>(3 * i + 2);  // nothing moves that way in the middle
+    if (added[i] % tables.half_nodes() == 0) complement(sideways, sideways) = tables.own_compliance();
+  }
+  const MatrixXd moved = product(inverse.matrix, beside);
+  complement -= product(moved.transpose(), beside);
+  Inverse wide{.nodes = inverse.nodes, .matrix = MatrixXd(before + size, before + size)};
+  wide.nodes.insert(wide.nodes.end(), added.begin(), added.end());
+  const MatrixXd corner = complement.partialPivLu().inverse();
+  const MatrixXd edge = product(moved, corner);
+  wide.matrix.topLeftCorner(before, before) = inverse.matrix;
+  add_product(edge, moved.transpose(), wide.matrix.topLeftCorner(before, before));
+  wide.matrix.topRightCorner(before, size) = -edge;
+  wide.matrix.bottomLeftCorner(size, before) = -edge.transpose();
+  wide.matrix.bottomRightCorner(size, size) = corner;
+  return wide;
+}
+
+}  // namespace viscoroll::detail

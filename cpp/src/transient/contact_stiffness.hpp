@@ -1,0 +1,41 @@
+/// @file
+/// @brief The inverse of the compliance between the nodes of a contact, kept from step to step.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "transient/mirrored_tables.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Forces on some nodes of a window by their displacements. Compliance knows differences alone, and a contact
+/// keeps its place in the window as the body rolls through: one inverse serves many steps. Copies share it.
+class ContactStiffness {
+ public:
+  /// @brief Have all nodes of a contact in it, and few beside them.
+  /// @param[in] tables of the coating, of three components
+  /// @param[in] contact numbers in a window
+  /// @return whether it has changed
+  bool cover(const MirroredTables& tables, const std::vector<Eigen::Index>& contact);
+
+  /// @return the nodes it has: those of the contact, and such as touched lately
+  [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return inverse_->nodes; }
+
+  /// @return [3 * nodes + component][3 * nodes + component], of r, phi and theta [N/m]
+  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return inverse_->matrix; }
+
+ private:
+  struct Inverse {
+    std::vector<Eigen::Index> nodes;
+    Eigen::MatrixXd matrix;
+  };
+
+  /// The inverse with more nodes, by the complement that those before leave of their compliance.
+  static Inverse bordered(const Inverse& inverse, const MirroredTables& tables, const std::vector<Eigen::Index>& added);
+
+  std::shared_ptr<const Inverse> inverse_;
+};
+
+}  // namespace viscoroll::detail
