@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-PATH = Path(__file__).parents[2] / "bench" / "compare.py"
+PATH = Path(__file__).parents[3] / "bench" / "compare.py"
 
 
 @pytest.fixture(scope="module")

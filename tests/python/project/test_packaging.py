@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 import viscoroll as vr
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 def metadata(build_state: str) -> dict[str, object]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-CPP = Path(__file__).parents[2] / "cpp"
+CPP = Path(__file__).parents[3] / "cpp"
 
 #: In the order of the method; those of one place do not know each other.
 STAGES = (

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 import viscoroll as vr
 
-PAGE = (Path(__file__).parents[2] / "docs" / "from-dma-to-dem.md").read_text(encoding="utf-8")
+PAGE = (Path(__file__).parents[3] / "docs" / "from-dma-to-dem.md").read_text(encoding="utf-8")
 
 
 def blocks(language):

@@ -465,7 +465,7 @@ def test_results_are_saved_and_drawn(tmp_path):
 
 def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
     """docs/isolation_platform.py on a coarse mesh: its balance of forces, and break-away that grows with standing."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[2] / "docs"))
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "docs"))
     import isolation_platform
 
     numbers = isolation_platform.main(nodes=80, duration=3.0, picture=str(tmp_path / "loop.png"))
