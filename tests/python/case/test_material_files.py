@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
-from typer.testing import CliRunner
+from specimens import command
 from viscoroll.case import load_case
-from viscoroll.cli import app
 from viscoroll.design import design_case
 from viscoroll.studies.file import load_study
 
@@ -146,10 +145,6 @@ def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
         load_case(case_file(tmp_path, modulus))
 
 
-def run(*words):
-    return CliRunner().invoke(app, [str(word) for word in words])
-
-
 def test_material_asks_for_what_it_does_not_know(tmp_path):
     data = vr.example_data("pressure_sensitive_adhesive.txt")
     for words, message in (
@@ -159,26 +154,26 @@ def test_material_asks_for_what_it_does_not_know(tmp_path):
         ((data, "--shear", "--columns", "storage"), "--columns must be like"),
         ((data, "--shear", "--save", tmp_path / "x.csv"), "--save must end in .toml"),
     ):
-        error = run("material", *words).exception
-        assert isinstance(error, ValueError)
-        assert message in str(error)
+        done = command("material", *words)
+        assert done.returncode == 2
+        assert message in done.stderr
 
 
 def test_export_writes_beside_the_case(tmp_path):
     path = case_file(tmp_path, RUBBER)
-    done = run("export", path, "--for", "lethe", "--style", "viscous", "--span", 1.5)
-    assert done.exit_code == 0, done.output
+    done = command("export", path, "--for", "lethe", "--style", "viscous", "--span", 1.5)
+    assert done.returncode == 0, done.stderr
     assert "set rolling friction wall" in (tmp_path / "case.lethe").read_text()
     assert len((tmp_path / "case.csv").read_text().splitlines()) == 26
-    error = run("export", path, "--for", "lammps", "--span", 1.0).exception
-    assert "--span must be in (1, 100], got 1" in str(error)
+    done = command("export", path, "--for", "lammps", "--span", 1.0)
+    assert (done.returncode, done.stderr) == (2, "viscoroll: --span must be in (1, 100], got 1\n")
 
 
 def test_export_takes_the_study_of_the_file(tmp_path):
     sweep = '\n[sweep]\n"rolling.load" = [40.0, 50.0, 60.0]\n"rolling.angular_speed" = [2.0, 2.5]\n'
     path = case_file(tmp_path, RUBBER, sweep)
-    done = run("export", path, "--for", "yade", "--output", tmp_path / "floor.py")
-    assert done.exit_code == 0, done.output
+    done = command("export", path, "--for", "yade", "--output", tmp_path / "floor.py")
+    assert done.returncode == 0, done.stderr
     assert len((tmp_path / "floor.csv").read_text().splitlines()) == 7
 
 

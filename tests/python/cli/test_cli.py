@@ -11,21 +11,17 @@ import sys
 import numpy as np
 import pytest
 import viscoroll as vr
-from viscoroll import cli
+from specimens import command
 from viscoroll.case import example_text, load_case
 
 COARSE = "nodes_per_revolution = 100\nmax_order = 100"
 
 
-def run(*arguments, cwd=None, encoding="utf-8"):
-    return subprocess.run(
-        [sys.executable, "-m", "viscoroll", *map(str, arguments)],
-        capture_output=True,
-        encoding=encoding,
-        env=os.environ | {"PYTHONIOENCODING": encoding},
-        cwd=cwd,
-        check=False,
-    )
+def program(*words, encoding="utf-8"):
+    """Run Python as a process of its own."""
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    words = [sys.executable, *map(str, words)]
+    return subprocess.run(words, capture_output=True, encoding=encoding, env=environment, check=False)
 
 
 def assert_refused(done, message):
@@ -51,8 +47,9 @@ def case_file(tmp_path):
 
 
 def test_solve_prints_a_table(case_file):
-    done = run("solve", case_file(accuracy="0.1"))
+    done = program("-m", "viscoroll", "solve", case_file(accuracy="0.1"))
     assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
     assert "resisting torque T_r" in done.stdout
     assert "CONVERGED" in done.stdout
 
@@ -63,16 +60,15 @@ def rows_of(table):
     return {label.strip(): [cell.strip() for cell in cells] for label, *cells in lines}
 
 
-def test_tables_fit_eighty_columns_in_handy_units(case_file, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "80")
+def test_tables_fit_eighty_columns_in_handy_units(case_file):
     path = case_file(accuracy="0.1")
     thermal = "\n[thermal]\nconvection = 10.0\nambient = 293.15\nconductivity = 0.2\n"
     path.write_text(path.read_text() + thermal, encoding="utf-8")
-    done = run("solve", path)
+    done = command("solve", path)
     assert max(map(len, done.stdout.splitlines())) <= 80
     rows = rows_of(done.stdout)
     assert "" not in rows  # no label goes on in the next line
-    scalars = json.loads(run("solve", path, "--json").stdout)
+    scalars = json.loads(command("solve", path, "--json").stdout)
     for label, name, factor in [
         ("resisting torque T_r [mN m]", "resisting_torque", 1e3),
         ("penetration r_o - H [mm]", "penetration", 1e3),
@@ -90,7 +86,7 @@ def test_solve_prints_json_and_writes_files(case_file, tmp_path):
     path = case_file()
     mesh = "nodes_per_revolution = 300\nmax_order = 300"
     path.write_text(path.read_text().replace("accuracy = 0.01", mesh), encoding="utf-8")
-    done = run("solve", path, "--json", "--plot", tmp_path / "contact.png", "--save", tmp_path / "fields.csv")
+    done = command("solve", path, "--json", "--plot", tmp_path / "contact.png", "--save", tmp_path / "fields.csv")
     assert done.returncode == 0, done.stderr
     case = load_case(path)
     expected = vr.solve(case.ball, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=300, max_order=300))
@@ -100,7 +96,7 @@ def test_solve_prints_json_and_writes_files(case_file, tmp_path):
 
 
 def test_demo_compares_with_the_paper(tmp_path):
-    done = run("demo", "--plot", tmp_path / "demo.png")
+    done = command("demo", "--plot", tmp_path / "demo.png")
     assert done.returncode == 0, done.stderr
     assert "11.35" in done.stdout  # computed at pi/250, N_t = 500
     assert "11.38" in done.stdout  # printed there
@@ -109,7 +105,7 @@ def test_demo_compares_with_the_paper(tmp_path):
 
 
 def test_example_is_the_papers_case(case_file):
-    done = run("example")
+    done = command("example")
     assert done.stdout == example_text()
     case = load_case(case_file())
     assert case.ball == vr.paper.ball()
@@ -210,7 +206,7 @@ def test_bad_materials_are_one_line(tmp_path, text, message):
     ],
 )
 def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message):
-    done = run("solve", case_file(**replacements))
+    done = command("solve", case_file(**replacements))
     if not message:
         assert done.returncode == 0
         return
@@ -218,7 +214,7 @@ def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message
 
 
 @pytest.mark.parametrize(
-    ("command", "path", "message"),
+    ("words", "path", "message"),
     [
         ("solve case.toml --plot", "x.xyz", "--plot must end in .png, .svg or .pdf, got 'x.xyz'"),
         ("solve case.toml --plot", "a", "--plot must end in .png, .svg or .pdf, got 'a'"),
@@ -231,10 +227,10 @@ def test_bad_cases_are_one_line_and_exit_code_2(case_file, replacements, message
         ("plot study.nc --output", "a", "--output must end in .png, .svg or .pdf, got 'a'"),
     ],
 )
-def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, command, path, message):
+def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, words, path, message):
     (tmp_path / "folder.csv").mkdir()
     # There is no case, so that a message about the option shows that it is looked at first.
-    assert_refused(run(*command.split(), path, cwd=tmp_path), message)
+    assert_refused(command(*words.split(), path, cwd=tmp_path), message)
 
 
 @pytest.mark.parametrize(
@@ -247,40 +243,29 @@ def test_files_that_cannot_be_written_are_refused_before_the_solve(tmp_path, com
 )
 def test_bad_studies_are_one_line(tmp_path, text, message):
     (tmp_path / "study.toml").write_text(text, encoding="utf-8-sig")
-    assert_refused(run("sweep", "study.toml", cwd=tmp_path), message)
+    assert_refused(command("sweep", "study.toml", cwd=tmp_path), message)
 
 
-def call(monkeypatch, *arguments):
-    """Run the command line in this process."""
-    monkeypatch.setattr(sys, "argv", ["viscoroll", *map(str, arguments)])
-    with pytest.raises(SystemExit) as caught:
-        cli.run()
-    return caught.value.code
-
-
-def test_too_little_memory_is_one_line(case_file, monkeypatch, capsys):
+def test_too_little_memory_is_one_line(case_file, monkeypatch):
     def fails(*arguments, **options):
         raise MemoryError("std::bad_alloc")
 
     monkeypatch.setattr("viscoroll.case.solve", fails)
-    assert call(monkeypatch, "solve", case_file()) == 2
-    message = "viscoroll: the memory does not suffice for this case: give a coarser mesh, or a larger accuracy\n"
-    assert capsys.readouterr().err == message
+    assert_refused(command("solve", case_file()), "this case: give a coarser mesh, or a larger accuracy")
 
 
-def test_json_has_no_numbers_that_are_none(case_file, monkeypatch, capsys):
+def test_json_has_no_numbers_that_are_none(case_file, monkeypatch):
     mesh = vr.Mesh(nodes_per_revolution=100, max_order=100)
     r = vr.solve(vr.paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
     r = dataclasses.replace(r, residual=np.nan, creepage=-np.inf)
     monkeypatch.setattr("viscoroll.case.solve", lambda **options: r)
-    assert call(monkeypatch, "solve", case_file(), "--json") == 0
-    values = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+    values = json.loads(command("solve", case_file(), "--json").stdout, parse_constant=pytest.fail)
     assert (values["residual"], values["creepage"], values["load"]) == (None, None, 100.0)
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
 def test_what_the_terminal_cannot_show_is_replaced(case_file, encoding):
-    done = run("solve", case_file(accuracy="0.1"), encoding=encoding)
+    done = program("-m", "viscoroll", "solve", case_file(accuracy="0.1"), encoding=encoding)
     assert done.returncode == 0, done.stderr
     assert "? = 2.5 rad/s" in done.stdout
     assert "resisting torque T_r" in done.stdout
@@ -291,16 +276,15 @@ def test_coarse_meshes_are_a_warning(case_file):
     path.write_text(path.read_text().replace("accuracy = #", COARSE), encoding="utf-8")
     case = load_case(path)
     estimate = case.solve().error_estimate
-    assert run("solve", path).stderr == (
+    assert command("solve", path).stderr == (
         "warning: the mesh is too coarse: 1 nodes across the contact (good from 10), "
         f"error estimate {estimate:.3g} (good up to 0.1); refine it, or leave it out\n"
     )
-    assert run("solve", case_file(accuracy="0.1")).stderr == ""
 
 
 @pytest.mark.parametrize("module", ["viscoroll.cli", "typer", "pydantic"])
 def test_ctrl_c_while_importing_is_quiet(module):
-    program = f"""
+    text = f"""
 import sys
 class Interrupts:
     def find_spec(self, name, path=None, target=None):
@@ -310,31 +294,31 @@ sys.meta_path.insert(0, Interrupts())
 from viscoroll.__main__ import main
 main()
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    done = program("-c", text)
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
 
 
 def test_missing_files_and_unknown_commands_exit_with_2(tmp_path):
-    done = run("solve", tmp_path / "nowhere.toml")
+    done = command("solve", tmp_path / "nowhere.toml")
     assert (done.returncode, len(done.stderr.strip().splitlines())) == (2, 1)
     assert "nowhere.toml: No such file or directory" in done.stderr
-    assert run("roll").returncode == 2
-    assert_refused(run("solve", "a\nb.toml", cwd=tmp_path), r"viscoroll: a\nb.toml: No such file or directory")
+    assert command("roll").returncode == 2
+    assert_refused(command("solve", "a\nb.toml", cwd=tmp_path), r"viscoroll: a\nb.toml: No such file or directory")
 
 
 def test_help_explains_every_command():
-    done = run("--help")
+    done = command("--help")
     assert done.returncode == 0
     told = " ".join(done.stdout.split())
     assert "balls and rollers with soft viscoelastic layers: on a plane or in a groove" in told
-    for command in ("solve", "sweep", "plot", "demo", "example"):
-        assert command in done.stdout
-        assert run(command, "--help").returncode == 0
-    assert run("--version").stdout in [f"viscoroll {vr.__version__} ({fft})\n" for fft in ("FFTW", "PocketFFT")]
+    for name in ("solve", "sweep", "plot", "demo", "example"):
+        assert name in done.stdout
+        assert command(name, "--help").returncode == 0
+    assert command("--version").stdout in [f"viscoroll {vr.__version__} ({fft})\n" for fft in ("FFTW", "PocketFFT")]
 
 
 def test_accuracy_that_is_not_reached_is_a_warning(case_file):
-    done = run("solve", case_file(load="1e-13", accuracy="0.02", density="0.0"), "--json")
+    done = command("solve", case_file(load="1e-13", accuracy="0.02", density="0.0"), "--json")
     assert done.returncode == 0
     assert json.loads(done.stdout)["status"] == "ACCURACY_NOT_REACHED"
     assert "warning" in done.stderr
@@ -342,7 +326,7 @@ def test_accuracy_that_is_not_reached_is_a_warning(case_file):
 
 
 def test_import_needs_numpy_alone():
-    program = """
+    text = """
 import sys
 for name in ("matplotlib", "xarray", "typer", "rich", "pydantic", "meshio", "scipy", "tqdm", "netCDF4"):
     sys.modules[name] = None
@@ -350,9 +334,9 @@ import viscoroll as vr
 from viscoroll import paper
 vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=100, max_order=100))
 """
-    subprocess.run([sys.executable, "-c", program], check=True)
-    program = "import sys; sys.modules['typer'] = None; from viscoroll.__main__ import main; main()"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    done = program("-c", text)
+    assert done.returncode == 0, done.stderr
+    done = program("-c", "import sys; sys.modules['typer'] = None; from viscoroll.__main__ import main; main()")
     assert done.returncode == 1
     assert "pip install 'viscoroll[cli,plot]'" in done.stderr
 
@@ -361,13 +345,13 @@ def test_roll_follows_the_example_motion(tmp_path):
     file = tmp_path / "motion.toml"
     text = example_text("motion").replace("nodes_per_revolution = 300", "nodes_per_revolution = 100")
     file.write_text(text, encoding="utf-8")
-    done = run("roll", file, "--plot", tmp_path / "h.png", "--save", tmp_path / "h.csv")
+    done = command("roll", file, "--plot", tmp_path / "h.png", "--save", tmp_path / "h.csv")
     assert done.returncode == 0, done.stderr
     assert "largest torque T_r" in done.stdout
     assert (tmp_path / "h.png").stat().st_size > 1000
-    numbers = json.loads(run("roll", file, "--json").stdout)
+    numbers = json.loads(command("roll", file, "--json").stdout)
     assert 0.04 < numbers["largest_resisting_torque"] < 0.06
-    assert run("example", "--motion").stdout == example_text("motion")
+    assert command("example", "--motion").stdout == example_text("motion")
 
 
 @pytest.mark.parametrize(
@@ -387,7 +371,7 @@ def test_roll_refuses_in_one_line(tmp_path, lines, message):
     numerics = tail[tail.index("[numerics]") :]
     (tmp_path / "bad.csv").write_text("time,angle\n0,x\n")
     (tmp_path / "motion.toml").write_text(f"{head}[motion]\n{lines}\n{numerics}", encoding="utf-8")
-    assert_refused(run("roll", tmp_path / "motion.toml"), message)
+    assert_refused(command("roll", tmp_path / "motion.toml"), message)
 
 
 def test_roll_reads_motions_from_files_and_oscillations(tmp_path):

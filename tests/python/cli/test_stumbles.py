@@ -8,9 +8,9 @@ import pickle
 import numpy as np
 import pytest
 import viscoroll as vr
+from specimens import command, one_layer
 from viscoroll import paper
 from viscoroll.case import example_text
-from viscoroll.cli import app
 
 DMA = "frequency [Hz],E' [MPa],E'' [MPa]\n0.1,10,1\n1,12,2\n10,15,3\n"
 MOTION = {"time": [0.0, 0.1], "angle": [0.0, 0.1], "load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=64)}
@@ -23,19 +23,15 @@ def data(tmp_path):
     return vr.read_rheology(path)
 
 
-def layer(shear_modulus):
-    return vr.Layer(thickness=1e-3, shear_modulus=shear_modulus, poisson_ratio=0.5)
-
-
 def test_measurements_are_no_moduli_yet(data):
     with pytest.raises(TypeError, match=r"; give superpose\(...\).at\(temperature=...\) of it$"):
-        layer(data)
+        one_layer(data)
     with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of it$"):
-        layer(data.isotherms[0])
+        one_layer(data.isotherms[0])
     fit = vr.fit_prony(data.isotherms[0])
     with pytest.raises(TypeError, match=r"; give its series$"):
-        layer(fit)
-    assert layer(fit.series).shear_modulus == fit.series
+        one_layer(fit)
+    assert one_layer(fit.series).shear_modulus == fit.series
 
 
 @pytest.mark.parametrize(
@@ -209,7 +205,7 @@ def test_errors_within_a_call_stay_as_they_are():
         return np.ones(len(omega), h=1)
 
     with pytest.raises(TypeError, match=r"unexpected keyword argument 'h'$"):
-        vr.surface_compliance(vr.CoatedSphere(core_radius=0.02, layers=[layer(modulus)]), 2.5, 1, 1)
+        vr.surface_compliance(vr.CoatedSphere(core_radius=0.02, layers=[one_layer(modulus)]), 2.5, 1, 1)
 
 
 def test_discrete_elements_need_a_result():
@@ -217,24 +213,24 @@ def test_discrete_elements_need_a_result():
         vr.dem("r", code="lammps")
 
 
-def run(*words):
-    from typer.testing import CliRunner
-
-    return str(CliRunner().invoke(app, [str(word) for word in words]).exception)
+def told(*words):
+    """Return what the command line says where it refuses."""
+    done = command(*words)
+    assert (done.returncode, done.stdout) == (2, "")
+    return done.stderr.removeprefix("viscoroll: ").removesuffix("\n")
 
 
 def test_files_of_another_kind(tmp_path):
     case, unknown = tmp_path / "case.toml", tmp_path / "unknown.csv"
     case.write_text(example_text(), encoding="utf-8")
     unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
-    assert run("roll", case) == f"{case}: motion: field required (and 4 more)"
+    assert told("roll", case) == f"{case}: motion: field required (and 4 more)"
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
-    told = "extra inputs are not permitted, got 2.5; did you mean angular_speed?"
-    assert run("solve", case) == f"{case}: rolling.angularspeed: {told}"
+    extra = "extra inputs are not permitted, got 2.5"
+    assert told("solve", case) == f"{case}: rolling.angularspeed: {extra}; did you mean angular_speed?"
     case.write_text(example_text().replace("angular_speed", "speed"), encoding="utf-8")
-    told = "rolling.speed: extra inputs are not permitted, got 2.5; rolling.angular_speed: field required"
-    assert run("solve", case) == f"{case}: {told}"
+    assert told("solve", case) == f"{case}: rolling.speed: {extra}; rolling.angular_speed: field required"
     case.write_text(example_text() + example_text("sweep"), encoding="utf-8")
-    assert run("solve", case).endswith("; such a file is for `viscoroll sweep`")
-    assert run("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
-    assert "in the shell --columns frequency=name:unit,storage=name:unit" in run("material", unknown)
+    assert told("solve", case).endswith("; such a file is for `viscoroll sweep`")
+    assert told("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
+    assert "in the shell --columns frequency=name:unit,storage=name:unit" in told("material", unknown)

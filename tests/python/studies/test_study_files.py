@@ -11,18 +11,13 @@ import numpy as np
 import pytest
 import viscoroll as vr
 import xarray
+from specimens import command
 from viscoroll.case import example_text
 from viscoroll.studies.file import load_study
 from viscoroll.studies.study import run_plan
 
 NUMERICS = "accuracy = 0.01"
 COARSE = "nodes_per_revolution = 100\nmax_order = 50"
-
-
-def run(*arguments):
-    return subprocess.run(
-        [sys.executable, "-m", "viscoroll", *map(str, arguments)], capture_output=True, text=True, check=False
-    )
 
 
 @pytest.fixture
@@ -85,19 +80,19 @@ def test_names_are_told_apart(study_file):
 
 def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
     path = study_file('"rolling.load" = [20.0, 50.0, 1e9]\n"ball.layers[0].thickness" = [1e-3, 2e-3]')
-    done = run("sweep", path)
+    done = command("sweep", path)
     assert done.returncode == 0, done.stderr
     assert done.stdout == f"6 points (3 load x 2 thickness), 2 failed: {tmp_path / 'study.nc'}\n"
     assert "warning: a point failed: ValueError: load must be small enough for the coating, got 1e+09 N" in done.stderr
-    assert run("sweep", path, "--output", tmp_path / "study.nc").stdout == done.stdout
-    done = run("plot", tmp_path / "study.nc")
+    assert command("sweep", path, "--output", tmp_path / "study.nc").stdout == done.stdout
+    done = command("plot", tmp_path / "study.nc")
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "study.png").read_bytes().startswith(b"\x89PNG")
-    done = run("plot", tmp_path / "study.nc", "--variable", "heat")
+    done = command("plot", tmp_path / "study.nc", "--variable", "heat")
     assert done.returncode == 2
     assert "variable must be one of rolling_resistance_coefficient, resisting_torque, " in done.stderr
     path.write_text(path.read_text(encoding="utf-8").replace("50.0, 1e9", "50.0, 60.0"), encoding="utf-8")
-    done = run("sweep", path, "--retry-failed")
+    done = command("sweep", path, "--retry-failed")
     assert done.stdout == f"6 points (3 load x 2 thickness), 0 failed: {tmp_path / 'study.nc'}\n"
     with xarray.open_dataset(tmp_path / "study.nc") as study:
         assert study["load"].values.tolist() == [20.0, 50.0, 60.0]
@@ -119,7 +114,7 @@ def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):
 
 
 def test_the_example_is_a_study(tmp_path):
-    done = run("example", "--sweep")
+    done = command("example", "--sweep")
     assert done.stdout == example_text() + example_text("sweep")
     path = tmp_path / "study.toml"
     path.write_text(done.stdout, encoding="utf-8")
