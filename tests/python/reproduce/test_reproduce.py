@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import csv
 import math
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 import viscoroll as vr
+from reference.one_layer import Table, ball_equations, steady
+from specimens import coated_ball, command
 from viscoroll import paper
 from viscoroll.case import example_text, load_case
 from viscoroll.compare import compare_torques, parse_speeds
@@ -71,7 +71,13 @@ def test_torque_against_speed(compute):
     assert (figure.torques < figure.low_speed).all()
     # The paper's footnote is about the torque's peak, not the penetration's.
     assert agreements(figure)[1] is False
-    assert 0.2 < figure.speeds[figure.torques.argmax()] < 0.6
+    # A program in plain NumPy has the peak at the same speed. It sums all orders, which at π/150 changes the torque by
+    # up to 3 % at 25 rad/s, and by 1.2 % below.
+    table = Table(ball_equations, 20e-3, 21e-3, 300, 19)
+    torques = np.array([steady(table, speed, paper.LOAD, 11, 9)[0] for speed in figure.speeds])
+    np.testing.assert_allclose(figure.torques, torques, rtol=0.04)
+    np.testing.assert_allclose(figure.torques[figure.speeds < 20.0], torques[figure.speeds < 20.0], rtol=0.015)
+    assert figure.torques.argmax() == torques.argmax()
 
 
 def test_friction_peaks_in_the_boundary_layer_and_falls_as_the_paper_says(compute):
@@ -176,32 +182,18 @@ def test_intervals_of_unknown_thicknesses_are_unclear(compute):
     assert intervals.judgment.startswith("unclear: the paper does not say which thicknesses it fits")
 
 
-def run(*arguments, program="from viscoroll.__main__ import main; main()", cwd=None):
-    return subprocess.run(
-        [sys.executable, "-c", program, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, check=False
-    )
-
-
 def test_reproduce_command(tmp_path):
-    done = run("reproduce", "table3", "figure10", "--coarse", "--output", tmp_path / "out")
+    done = command("reproduce", "table3", "figure10", "--coarse", "--output", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names == {f"{name}.{s}" for name in ("table3", "figure10") for s in ("png", "svg", "csv")} | {"verdicts.md"}
     assert "disagrees" not in done.stdout
     assert "disagrees" not in (tmp_path / "out" / "verdicts.md").read_text()
     assert (tmp_path / "out" / "verdicts.md").read_text().count("coarse mesh: not judged") == 5
-    done = run("reproduce", "figure99", cwd=tmp_path)
+    done = command("reproduce", "figure99", cwd=tmp_path)
     assert (done.returncode, done.stderr.count("\n")) == (2, 1)
     assert "item must be one of table2, " in done.stderr
     assert "got 'figure99'" in done.stderr
-
-
-def test_missing_packages_are_named(tmp_path):
-    block = "import sys; sys.modules['scipy'] = None; "
-    done = run("reproduce", "table2", program=block + "from viscoroll.__main__ import main; main()", cwd=tmp_path)
-    assert done.returncode == 2
-    assert "scipy" in done.stderr
-    assert "studies" in done.stderr
 
 
 @pytest.fixture
@@ -216,7 +208,7 @@ def coarse_case(tmp_path):
 
 def test_compare_command(coarse_case, tmp_path):
     picture = tmp_path / "torque.svg"
-    done = run("compare", coarse_case, "--speeds", "0.1..10", "--points", "5", "--output", picture)
+    done = command("compare", coarse_case, "--speeds", "0.1..10", "--points", "5", "--output", picture)
     assert done.returncode == 0, done.stderr
     assert picture.read_text().startswith("<?xml")
     with picture.with_suffix(".csv").open(encoding="utf-8") as file:
@@ -224,15 +216,15 @@ def test_compare_command(coarse_case, tmp_path):
     assert head[:4] == ["angular_speed [rad/s]", "torque [N m]", "error_estimate [1]", "status"]
     assert {"low_speed [N m]", "greenwood_tabor [N m]", "persson_holds"} <= set(head)
     assert [float(row[0]) for row in rows] == pytest.approx(np.geomspace(0.1, 10.0, 5))
-    assert run("compare", coarse_case, "--speeds", "5").returncode == 2
-    done = run("compare", coarse_case, "--output", tmp_path / "torque.xls")
+    assert command("compare", coarse_case, "--speeds", "5").returncode == 2
+    done = command("compare", coarse_case, "--output", tmp_path / "torque.xls")
     assert (done.returncode, "--output must end in" in done.stderr) == (2, True)
 
 
 def test_closed_forms_that_hold_are_near_the_solver():
     # A soft, nearly solid ball rolling slowly: the low-speed limit, with the mesh's and the limit's own few percent.
     gel = vr.KelvinVoigt(modulus=1e5, viscosity=1000.0)
-    ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=18e-3, shear_modulus=gel, poisson_ratio=0.5)])
+    ball = coated_ball(gel, core_radius=2e-3, thickness=18e-3)
     case = replace(
         _case(),
         ball=ball,
@@ -252,7 +244,7 @@ def test_closed_forms_that_hold_are_near_the_solver():
 def test_springs_with_memory_on_a_thin_coating():
     # a = 23 h, where the closed form holds at all speeds: the solver's 1 % accuracy.
     foam = vr.StandardLinearSolid(instantaneous_modulus=6e5, relaxed_modulus=3e5, relaxation_time=0.01)
-    ball = vr.CoatedSphere(core_radius=0.25, layers=[vr.Layer(thickness=1e-3, shear_modulus=foam, poisson_ratio=0.3)])
+    ball = coated_ball(foam, core_radius=0.25, poisson_ratio=0.3)
     comparison = compare_torques(replace(_case(), ball=ball, load=60.0, accuracy=0.01), speeds=(0.3, 30.0), points=4)
     torque, holds = comparison.forms["winkler"]
     assert holds.all()

@@ -7,6 +7,8 @@ import pytest
 import viscoroll as vr
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from reference.one_layer import Table, ball_equations, steady
+from specimens import coated_ball
 from viscoroll import paper
 
 
@@ -114,19 +116,25 @@ def test_low_speed_limit(thickness, load):
     assert ratios[0] > ratios[1] > ratios[2]
 
 
-def test_torque_and_lever_arm_have_the_sign_of_rolling(paper_ball):
-    r = roll(paper_ball)
-    assert r.resisting_torque > 0.0
-    # The pressure leans to the leading edge, x > 0.
-    assert (r.x * r.pressure).sum() > 0.0
+@pytest.mark.parametrize(("thickness", "angular_speed"), [(1e-3, 2.5), (1e-3, 0.2), (5e-3, 25.0)])
+def test_pressure_leans_to_the_leading_edge(thickness, angular_speed):
+    # As far as a program in plain NumPy says on the same mesh, whose sums end 2e-7 of the torque off.
+    ball = coated_ball(thickness=thickness)
+    mesh = vr.Mesh(nodes_per_revolution=200)
+    r = vr.solve(ball, load=100.0, angular_speed=angular_speed, mesh=mesh, curvature=vr.Curvature.PAPER)
+    torque, depth = steady(Table(ball_equations, 20e-3, ball.outer_radius, 200, 19), angular_speed, 100.0, 11, 9)
+    assert torque > 0.0
+    assert r.resisting_torque == pytest.approx(torque, rel=1e-6)
+    assert r.penetration == pytest.approx(depth, rel=1e-6)
+    # x > 0 is the leading edge; pressure is force per patch.
     assert r.x[0, 0] > 0.0 > r.x[-1, 0]
+    assert (r.x * r.pressure).sum() * (ball.outer_radius * mesh.spacing) ** 2 == pytest.approx(torque, rel=1e-6)
 
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
 @pytest.mark.parametrize("radial", [True, False])
 def test_no_loss_no_resistance(poisson_ratio, radial):
-    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
-    r = roll(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), radial=radial)
+    r = roll(coated_ball(vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio), radial=radial)
     scale = r.load * r.semi_axis_x
     assert abs(r.resisting_torque) < 1e-11 * scale
     assert abs(r.dissipated_power) < 1e-11 * scale * r.angular_speed
@@ -140,8 +148,7 @@ def test_far_from_the_relaxation_the_coating_is_elastic(speed, modulus):
     def elastic(omega):
         return np.where(omega == 0.0, 3e6, modulus)
 
-    layer = vr.Layer(thickness=1e-3, shear_modulus=elastic, poisson_ratio=0.5)
-    expected = roll(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), nodes=200, order=200)
+    expected = roll(coated_ball(elastic), nodes=200, order=200)
     r = roll(paper.ball(density=0.0), angular_speed=speed, nodes=200, order=200)
     assert r.penetration == pytest.approx(expected.penetration, rel=1e-5)
     assert abs(r.resisting_torque) < 1e-3 * r.load * r.semi_axis_x
@@ -156,13 +163,8 @@ def test_dimensional_scaling(length, stiffness, time, radial):
         rubber = vr.StandardLinearSolid(
             instantaneous_modulus=6e6 * modulus, relaxed_modulus=3e6 * modulus, relaxation_time=0.125 * duration
         )
-        layer = vr.Layer(
-            thickness=1e-3 * size,
-            shear_modulus=rubber,
-            poisson_ratio=0.45,
-            density=1e8 * modulus * duration**2 / size**2,
-        )
-        return vr.CoatedSphere(core_radius=20e-3 * size, layers=[layer])
+        density = 1e8 * modulus * duration**2 / size**2
+        return coated_ball(rubber, thickness=1e-3 * size, poisson_ratio=0.45, core_radius=20e-3 * size, density=density)
 
     force = stiffness * length**2
     unit = roll(ball(1.0, 1.0, 1.0), nodes=150, order=150, radial=radial)
@@ -187,11 +189,14 @@ def test_dimensional_scaling(length, stiffness, time, radial):
     poisson_ratio=st.floats(0.0, 0.5),
     order=st.floats(0.3, 1.0),
 )
-def test_rolling_always_dissipates(load, speed, thickness, poisson_ratio, order):
+def test_rolling_always_dissipates_what_drives_it(load, speed, thickness, poisson_ratio, order):
     material = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=order)
-    layer = vr.Layer(thickness=thickness, shear_modulus=material, poisson_ratio=poisson_ratio, density=1000.0)
-    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    ball = coated_ball(material, thickness=thickness, poisson_ratio=poisson_ratio, density=1000.0)
     r = roll(ball, load=load, angular_speed=speed, nodes=300, order=300, radial=False)
     assert r.status is vr.Status.CONVERGED
-    assert r.resisting_torque > 0.0
-    assert r.dissipated_power > 0.0
+    assert min(r.resisting_torque, r.dissipated_power) > 0.0
+    # The work at the surface is the loss in the layer, but for the rows of nodes at the edge: twice what 25 random
+    # cases showed, 0.3 / sqrt(nodes), 80 to 350 of them; on fewer the result warns.
+    work = r.driving_torque * r.angular_speed
+    if not r.warnings:
+        assert work == pytest.approx(r.dissipated_power, rel=0.6 / np.sqrt(r.contact.sum()))

@@ -1,7 +1,7 @@
-"""Transient rolling: exact checks, and reference values of an independent computation.
+"""Transient rolling: exact checks, and a program that shares nothing with the library, tests/reference/transient.py.
 
-The reference values and their error bars are those of a NumPy program that shares nothing with the library (single
-lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature); docs/theory.md lists them.
+The same mesh and steps give the same history; limits of fine meshes and their error bars are those of such a program
+(single lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature), listed in docs/theory.md.
 """
 
 from __future__ import annotations
@@ -14,17 +14,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 import viscoroll as vr
+from reference import transient as reference
+from specimens import coated_ball
 from viscoroll import paper
 
 MILLI = 1e3
 BALL = paper.ball(density=0.0)
 FINE = {"mesh": vr.Mesh(nodes_per_revolution=500), "curvature": vr.Curvature.PAPER}
 COARSE = vr.Mesh(nodes_per_revolution=100)
-
-
-def ball_of(material: vr.ShearModulus, **layer: object) -> vr.CoatedSphere:
-    given = {"thickness": 1e-3, "shear_modulus": material, "poisson_ratio": 0.5} | layer
-    return vr.CoatedSphere(core_radius=20e-3, layers=[vr.Layer(**given)])
 
 
 def speed(omega: float, turn: float, **options: object) -> vr.History:
@@ -48,7 +45,7 @@ def test_standing_follows_lee_and_radok(compliance):
         ramp = 2 * rising - retardation * (1 - np.exp(-rising / retardation))
         return 100.0 * (2 - np.exp(-t / retardation)) + 100.0 * ramp
 
-    elastic = ball_of(vr.Elastic(modulus=6e6))
+    elastic = coated_ball(vr.Elastic(modulus=6e6))
     for i in (0, len(h.time) // 3, -1):
         alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, lattices=2)
         assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # the solver's tolerance
@@ -57,7 +54,7 @@ def test_standing_follows_lee_and_radok(compliance):
 
 def steady_whole_nodes(nodes: int, omega: float) -> float:
     """Torque in the steady state of whole-node stepping, found at once: C(j) = Σ w_k K(j - k)."""
-    elastic = ball_of(vr.Elastic(modulus=3e6))
+    elastic = coated_ball(vr.Elastic(modulus=3e6))
     half = 14
     table = vr.influence_tables(
         elastic, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=nodes), reach=(nodes // 2, 2 * half)
@@ -107,7 +104,7 @@ def test_whole_nodes_end_in_their_table():
 def test_a_term_split_in_two_is_the_same():
     one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
     two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
-    a, b = (speed(2.5, 0.2, ball=ball_of(m), mesh=COARSE, lattices=1, start=vr.Start.FRESH) for m in (one, two))
+    a, b = (speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, lattices=1, start=vr.Start.FRESH) for m in (one, two))
     np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9 * a.resisting_torque.max())
     np.testing.assert_allclose(a.dissipated_energy, b.dissipated_energy, rtol=1e-7, atol=0)
 
@@ -131,7 +128,7 @@ def test_start_at_another_node_changes_nothing():
 
 def test_elastic_torque_has_mean_zero():
     """T is the derivative of a periodic energy: zero at whole and half positions, and on average."""
-    ball = ball_of(vr.Elastic(modulus=3e6))
+    ball = coated_ball(vr.Elastic(modulus=3e6))
     spacing = COARSE.spacing
     torque = []
     for place in np.arange(32) / 32:
@@ -148,14 +145,42 @@ def test_elastic_torque_has_mean_zero():
 def test_units_scale_out():
     """Time, load with modulus, and length: torque goes with G L³ at P ~ G L²."""
     rubber = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=1.25)
-    big = vr.CoatedSphere(core_radius=40e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=rubber, poisson_ratio=0.5)])
+    big = coated_ball(rubber, core_radius=40e-3, thickness=2e-3)
     a = vr.roll(BALL, time=[0, 0.1, 0.2], angle=[0, 0.2, 0.2], load=100.0, mesh=COARSE)
     b = vr.roll(big, time=[0, 1.0, 2.0], angle=[0, 0.2, 0.2], load=100.0 * 40, mesh=COARSE)
     np.testing.assert_allclose(80 * a.resisting_torque, b.resisting_torque, rtol=1e-7, atol=1e-9)
     np.testing.assert_allclose(80 * a.dissipated_energy, b.dissipated_energy, rtol=1e-7)
 
 
-# --- reference values -----------------------------------------------------------------------------------------------
+# --- the program of the references ----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def ring():
+    return reference.Ring(nodes=120, half=6)
+
+
+@pytest.mark.parametrize("start", list(vr.Start))
+def test_agrees_with_the_program(ring, start):
+    """It starts, stands, turns back, and rolls on under a load that jumps and rises."""
+    step = 2.0 * np.pi / 120 / 4
+    angle = step * np.concatenate([np.arange(33), np.full(6, 32), np.arange(31, 19, -1), [20], np.arange(21, 29)])
+    seconds = np.concatenate(
+        [np.full(32, step / 2.5), np.full(6, 0.05), np.full(12, step / 0.8), [0.0], np.full(8, step)]
+    )
+    time = np.concatenate([[0.0], np.cumsum(seconds)])
+    load = np.where(np.arange(time.size) < 51, 100.0, 89.0 + np.arange(time.size))
+    h = vr.roll(
+        BALL, time=time, angle=angle, load=load, start=start, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1,
+        steps_per_spacing=None, curvature=vr.Curvature.PAPER,
+    )  # fmt: skip
+    torque, depth = reference.roll(time, angle, load, relaxed=start is vr.Start.RELAXED, ring=ring)
+    # The program's sums end 8e-7 of the largest torque off.
+    np.testing.assert_allclose(h.resisting_torque, torque, rtol=0, atol=2e-6 * np.abs(torque).max())
+    np.testing.assert_allclose(h.penetration, depth, rtol=1e-6)
+
+
+# --- limits of fine meshes ------------------------------------------------------------------------------------------
 
 #: (start, Ω [rad/s]): torques at ψ = 0.05, 0.1, 0.2, 0.3 and the largest [mN m], with their bars.
 STARTS = {
@@ -252,7 +277,7 @@ def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
 @pytest.mark.parametrize(("nodes", "bound"), [(300, 0.005), (500, 0.0015)])
 def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
     """Its memory has no end: what is left of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
-    ball = ball_of(ZENER)
+    ball = coated_ball(ZENER)
     steady = steady_torque(ball, omega)
     h = speed(omega, 2.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
     last = h.angle > h.angle[-1] - h.mesh.spacing
@@ -260,7 +285,7 @@ def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
 
 
 def test_kelvin_voigt_ends_in_the_steady_torque():
-    ball = ball_of(vr.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
+    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
     steady = vr.solve(ball, load=100.0, angular_speed=1.0, accuracy=2e-3).resisting_torque
     h = speed(1.0, 2.0, ball=ball, mesh=vr.Mesh(nodes_per_revolution=300))
     assert h.resisting_torque[-1] == pytest.approx(steady, rel=0.01)
@@ -270,11 +295,11 @@ def test_a_table_is_fitted_and_says_how_well():
     omega = np.geomspace(1e-4, 1e6, 201)
     values = ZENER.complex_modulus(omega)
     curve = vr.MasterCurve([0.0, *omega], [3e6, *values.real], [0.0, *values.imag], vr.Extrapolation.HOLD)
-    a, b = (speed(2.5, 0.3, ball=ball_of(m), mesh=COARSE, start=vr.Start.FRESH) for m in (ZENER, curve))
+    a, b = (speed(2.5, 0.3, ball=coated_ball(m), mesh=COARSE, start=vr.Start.FRESH) for m in (ZENER, curve))
     assert 0.0 < b.spectrum_error < 2e-3
     np.testing.assert_allclose(b.resisting_torque, a.resisting_torque, rtol=0, atol=5e-3 * a.resisting_torque.max())
     with pytest.raises(ValueError, match="spectrum_tolerance = 1e-05"):
-        speed(2.5, 0.3, ball=ball_of(curve), mesh=COARSE, spectrum_tolerance=1e-5)
+        speed(2.5, 0.3, ball=coated_ball(curve), mesh=COARSE, spectrum_tolerance=1e-5)
 
 
 # --- energy ---------------------------------------------------------------------------------------------------------
@@ -310,7 +335,7 @@ def test_a_flat_spot_returns_each_turn():
     """λ = 10 s: peaks once a turn, which fade by e^(-2π/(Ωλ)) each."""
     slow = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=5.0)
     omega = 2.5
-    h = speed(omega, 8 * np.pi, ball=ball_of(slow), mesh=COARSE)
+    h = speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
     turn = (h.angle / (2 * np.pi) + 0.5).astype(int)
     peaks = np.array([h.resisting_torque[turn == k].max() for k in range(4)]) * MILLI
     np.testing.assert_allclose(peaks, [53.8, 41.8, 32.6, 25.3], rtol=0.03)  # at π/150; this is π/50
@@ -361,7 +386,7 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
 
 def test_a_state_of_another_ball_is_refused():
     state = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1).state
-    other = ball_of(vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0))
+    other = coated_ball(vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0))
     with pytest.raises(ValueError, match="start must be a state of the same material"):
         vr.RollingHistory(other, load=100.0, mesh=COARSE, lattices=1, start=state)
     with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
@@ -407,7 +432,7 @@ def test_bad_input(change, message):
 
 
 def test_kelvin_voigt_cannot_jump():
-    ball = ball_of(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
+    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
     with pytest.raises(ValueError, match=r"start must be RELAXED for a coating that does not yield at once"):
         vr.roll(ball, **GOOD, start=vr.Start.FRESH)
     jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
@@ -427,7 +452,7 @@ def test_coatings_that_are_not_for_this():
     with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be a multiple of that of the outermost"):
         vr.roll(unlike, **GOOD)
     with pytest.raises(ValueError, match=r"layers\[0\].bulk_modulus must be left out in transient rolling"):
-        vr.roll(ball_of(rubber, poisson_ratio=None, bulk_modulus=1e9), **GOOD)
+        vr.roll(coated_ball(rubber, bulk_modulus=1e9), **GOOD)
     with pytest.raises(ValueError, match=r"angle must be turned so slowly that inertia is negligible, at most"):
         vr.roll(paper.ball(density=1000.0), **GOOD | {"angle": [0.0, 1000.0]})
     like = vr.CoatedSphere(
