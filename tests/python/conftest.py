@@ -19,6 +19,14 @@ from viscoroll import paper
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Let results warn: many tests take coarse meshes, and those of warnings catch.
+
+    Said in pyproject.toml, it would have NumPy imported before this file.
+    """
+    config.addinivalue_line("filterwarnings", "ignore::viscoroll.ResultWarning")
+
+
 @pytest.fixture(scope="session")
 def rubber() -> vr.StandardLinearSolid:
     """Material of the paper's section 14."""

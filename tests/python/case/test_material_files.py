@@ -40,9 +40,10 @@ def saved(curve, tmp_path):
     return tmp_path / "a.toml"
 
 
-def case_file(folder, modulus, more=""):
+def case_file(folder, modulus, more="", nodes="400"):
     path = folder / "case.toml"
-    path.write_text(CASE.replace("{modulus}", modulus) + more, encoding="utf-8")
+    text = CASE.replace("{modulus}", modulus).replace("= 400", f"= {nodes}")
+    path.write_text(text + more, encoding="utf-8")
     return path
 
 
@@ -208,15 +209,15 @@ def test_design_stops_at_the_limit(tmp_path):
     assert found.plot().axes[0].get_ylabel() == "power lost [W]"
 
 
-@pytest.mark.slow
 def test_design_under_a_temperature(tmp_path):
     """What is found is no hotter than the limit; without a table of how it is cooled there is none."""
+    coarse = {"nodes": "160\nmax_order = 240"}  # the loss inside is summed at every point of the search
     cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
-    middle = load_case(case_file(tmp_path, RUBBER, cooled))
+    middle = load_case(case_file(tmp_path, RUBBER, cooled, **coarse))
     heated = middle.thermal.temperature(middle.solve())
     hottest = heated.ambient + 0.999 * heated.maximum
     table = DESIGN.replace("{limits}", f"{{ temperature = {hottest!r} }}")
-    found = design_case(case_file(tmp_path, RUBBER, cooled + table))
+    found = design_case(case_file(tmp_path, RUBBER, cooled + table, **coarse))
     assert found.outcome.temperature <= hottest
     with pytest.raises(ValueError, match=r"design.limits.temperature needs a table \[thermal\]"):
         design_case(case_file(tmp_path, RUBBER, table))

@@ -14,7 +14,7 @@ from viscoroll.interior.picture import plot_loss, plot_temperature
 from viscoroll.pictures import Picture
 from viscoroll.studies.picture import plot_study
 
-MESH = vr.Mesh(nodes_per_revolution=100)
+MESH = vr.Mesh(nodes_per_revolution=64, max_order=96)
 CASE = {"load": 50.0, "angular_speed": 2.5, "mesh": MESH}
 
 
@@ -23,6 +23,25 @@ def result():
     return vr.solve(paper.ball(), **CASE)
 
 
+# What is drawn more than once is computed once.
+
+
+@cache
+def heated(result):
+    return vr.temperature(result, conductivity=0.2, convection=10.0, ambient=293.0)
+
+
+@cache
+def history(result):
+    return vr.roll(result.ball, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64))
+
+
+@cache
+def study(result):
+    return vr.sweep(result.ball, **CASE | {"load": [50.0, 60.0]}, progress=False)
+
+
+@cache
 def comparison(result):
     from viscoroll.case import Case
 
@@ -34,9 +53,8 @@ def comparison(result):
 
 @cache
 def superposed():
-    return vr.superpose(
-        vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False), reference=20.0
-    )
+    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.superpose(data.between(15.0, 65.0), reference=20.0)
 
 
 @pytest.mark.parametrize(
@@ -44,20 +62,9 @@ def superposed():
     [
         (lambda r, **o: r.plot(**o), "x [mm], rolling to the right"),
         (lambda r, **o: plot_loss(r, **o), "across the track [mm]"),
-        (
-            lambda r, **o: plot_temperature(vr.temperature(r, conductivity=0.2, convection=10.0, ambient=293.0), **o),
-            "along the axis [mm]",
-        ),
-        (
-            lambda r, **o: vr.roll(
-                r.ball, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64)
-            ).plot(**o),
-            "time [s]",
-        ),
-        (
-            lambda r, **o: plot_study(vr.sweep(r.ball, **CASE | {"load": [50.0, 60.0]}, progress=False), **o),
-            "load $P$ [N]",
-        ),
+        (lambda r, **o: plot_temperature(heated(r), **o), "along the axis [mm]"),
+        (lambda r, **o: history(r).plot(**o), "time [s]"),
+        (lambda r, **o: plot_study(study(r), **o), "load $P$ [N]"),
         (lambda r, **o: comparison(r).draw(**o), "rolling speed $Ω$ [rad/s]"),
         (lambda r, **o: superposed().fit.plot(**o), "angular frequency [rad/s]"),
         (lambda r, **o: superposed().plot(**o), "angular frequency at 20 °C [rad/s]"),
