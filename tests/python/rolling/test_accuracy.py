@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
+from specimens import coated_ball
 from viscoroll import paper
 
 PAPER = vr.Curvature.PAPER
@@ -62,15 +63,13 @@ def test_says_when_the_accuracy_was_not_reached():
 @pytest.mark.parametrize("thickness", [0.5e-3, 5e-3])
 def test_any_size_of_contact(load, thickness):
     stiff = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=0.125)
-    layer = vr.Layer(thickness=thickness, shear_modulus=stiff, poisson_ratio=0.45)
-    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    ball = coated_ball(stiff, thickness=thickness, poisson_ratio=0.45)
     r = vr.solve(ball, load=load, angular_speed=5.0, accuracy=0.1)
     assert r.status is vr.Status.CONVERGED
     assert r.contact.sum() > 20
 
 
 def test_lossless_coating_converges_in_penetration():
-    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)
-    r = vr.solve(vr.CoatedSphere(core_radius=20e-3, layers=[layer]), load=100.0, angular_speed=2.5)
+    r = vr.solve(coated_ball(vr.Elastic(modulus=3e6)), load=100.0, angular_speed=2.5)
     assert r.status is vr.Status.CONVERGED
     assert len(r.refinements) >= 2

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from reference import boundary, contact
+from specimens import coated_ball
 
 COMPLIANCES = [vr.Compliance.VERTICAL, vr.Compliance.RADIAL]
 PATCHES = [vr.PatchLoad.FLAT, vr.PatchLoad.SPHERICAL]
@@ -114,8 +115,7 @@ def test_static_contact_of_a_bonded_layer(slenderness, depth, load):
     contact_radius = slenderness * thickness
     errors = []
     for radius in (40e-3 * slenderness, 80e-3 * slenderness):
-        layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=0.5)
-        ball = vr.CoatedSphere(core_radius=radius - thickness, layers=[layer])
+        ball = coated_ball(vr.Elastic(modulus=shear), thickness=thickness, core_radius=radius - thickness)
         nodes = 2 * round(np.pi * radius / contact_radius * max(10, 4 * slenderness))
         mesh = vr.Mesh(nodes_per_revolution=nodes)
         force = load * shear * contact_radius**3 / radius
@@ -133,8 +133,7 @@ def test_nearly_solid_ball_is_hertz():
     # Hertz, incompressible: P = 16 G a^3 / (3 R), d = a^2 / R, p_max = 3 P / (2 pi a^2), up to terms of order a/R.
     radius, shear, contact_radius = 20e-3, 1e6, 0.2e-3
     force = 16 * shear * contact_radius**3 / (3 * radius)
-    layer = vr.Layer(thickness=radius * 0.999, shear_modulus=vr.Elastic(modulus=shear), poisson_ratio=0.5)
-    ball = vr.CoatedSphere(core_radius=1e-3 * radius, layers=[layer])
+    ball = coated_ball(vr.Elastic(modulus=shear), thickness=0.999 * radius, core_radius=1e-3 * radius)
     mesh = vr.Mesh(nodes_per_revolution=2 * round(np.pi * radius / contact_radius * 12))
     r = vr.solve(ball, load=force, angular_speed=1.0, mesh=mesh, compliance=vr.Compliance.RADIAL)
     assert r.penetration == pytest.approx(contact_radius**2 / radius, rel=0.02)
@@ -228,8 +227,7 @@ def test_contacts_are_found_whatever_they_are_started_from(paper_ball):
 def test_hertz_on_the_finest_meshes(nodes):
     """An elastic ball of one piece: Hertz, to the square of the contact's share of the radius and the mesh's error."""
     modulus, radius, across = 1e6, 20e-3, 128
-    layer = vr.Layer(thickness=radius, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
-    ball = vr.CoatedSphere(core_radius=0.0, layers=[layer], inner_boundary=vr.InnerBoundary.SOLID)
+    ball = coated_ball(vr.Elastic(modulus=modulus), thickness=radius, core_radius=0.0, inner_boundary="SOLID")
     a = 0.5 * across * 2.0 * np.pi / nodes * radius
     load = 16.0 / 3.0 * modulus * a**3 / radius
     mesh = vr.Mesh(nodes_per_revolution=nodes)
@@ -258,11 +256,6 @@ def test_products_agree_with_a_dense_solution(paper_ball):
     assert r.center_height == pytest.approx(height, rel=1e-12)
 
 
-def kelvin_voigt_ball(viscosity):
-    layer = vr.Layer(thickness=1e-3, shear_modulus=vr.KelvinVoigt(modulus=3e6, viscosity=viscosity), poisson_ratio=0.5)
-    return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
-
-
 @pytest.mark.parametrize("compliance", COMPLIANCES)
 @pytest.mark.parametrize(("viscosity", "angular_speed"), [(3e4, 1.0), (3e4, 4.0), (1.5e5, 1.0), (1.5e5, 5.0)])
 def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosity, angular_speed):
@@ -270,7 +263,7 @@ def test_pressure_does_not_alternate_where_memory_is_strong(compliance, viscosit
     torques = []
     for nodes in (800, 1600):
         r = vr.solve(
-            kelvin_voigt_ball(viscosity),
+            coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=viscosity)),
             load=50.0,
             angular_speed=angular_speed,
             mesh=vr.Mesh(nodes_per_revolution=nodes),

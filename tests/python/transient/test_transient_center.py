@@ -8,16 +8,14 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from scipy.optimize import root_scalar
+from specimens import coated_ball
 from viscoroll import paper
 
 BALL = paper.ball(density=0.0)
 RADIUS = 21e-3
 LOAD = 100.0
 COARSE = vr.Mesh(nodes_per_revolution=100)
-ELASTIC = vr.CoatedSphere(
-    core_radius=20e-3,
-    layers=[vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.5)],
-)
+ELASTIC = coated_ball(vr.Elastic(modulus=3e6))
 
 
 def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL, **options: object) -> vr.History:
