@@ -38,13 +38,12 @@ def compliance_matrix(order_compliance, max_order, radius, spacing, phi, theta, 
     columns, column = np.unique(theta, return_inverse=True)
     to_rows, to_columns = np.exp(1j * np.outer(rows, orders)), np.exp(1j * np.outer(columns, orders))
     matrix = np.empty((3, 3, phi.size, phi.size))
-    for node in range(phi.size):
-        patch = np.outer(flat_patch(orders, phi[node], spacing), theta_patch(orders, theta[node], spacing))
-        stress = patch / (2 * np.pi * radius) ** 2
-        displacement = np.einsum(
-            "im,mnpq,kn->pqik", to_rows, compliance * stress[..., None, None], to_columns, optimize=True
-        )
-        matrix[..., node] = displacement[:, :, row, column].real
+    for source in np.unique(row):  # first along phi for all patches of a row, then along theta for each of them
+        stress = flat_patch(orders, rows[source], spacing) / (2 * np.pi * radius) ** 2
+        along_phi = np.tensordot(to_rows * stress, compliance, axes=1)
+        for node in np.flatnonzero(row == source):
+            along_both = np.tensordot(to_columns * theta_patch(orders, theta[node], spacing), along_phi, axes=(1, 1))
+            matrix[..., node] = along_both[column, row].real.transpose(1, 2, 0)
     return matrix
 
 

@@ -7,7 +7,7 @@ from viscoroll.reproduce.plain import solve_normal_contact
 
 from .boundary import flat_patch
 
-__all__ = ["dissipated_power", "resisting_torque", "solve_normal_contact"]
+__all__ = ["dissipated_power", "power_of_orders", "resisting_torque", "solve_normal_contact"]
 
 
 def resisting_torque(force, radius, phi, theta):
@@ -15,9 +15,9 @@ def resisting_torque(force, radius, phi, theta):
     return -(radius * np.sin(theta) * np.cos(phi) * force).sum()
 
 
-def dissipated_power(
+def power_of_orders(
     order_compliance,
-    max_order,
+    orders,
     angular_speed,
     radius,
     spacing,
@@ -26,14 +26,19 @@ def dissipated_power(
     nodal_forces,
     theta_patch=flat_patch,
 ):
-    """Return the power lost in the coating from the spectrum, -Omega (2 pi r_o)^2 sum_mn m Im(conj(s)^T C s).
+    """Return the power lost in the coating at orders +-m > 0, -2 Omega (2 pi r_o)^2 sum_n m Im(conj(s)^T C s).
 
-    `nodal_forces` has shape (3, nodes) in the components (r, phi, theta).
+    `nodal_forces` has shape (3, nodes) in the components (r, phi, theta); orders n go as far as those given.
     """
-    orders = np.arange(-max_order, max_order + 1)
-    compliance = order_compliance(*np.meshgrid(orders, orders, indexing="ij"))
+    across = np.arange(-max(orders), max(orders) + 1)
+    compliance = order_compliance(*np.meshgrid(orders, across, indexing="ij"))
     along_phi = np.array([flat_patch(orders, center, spacing) for center in phi])
-    along_theta = np.array([theta_patch(orders, center, spacing) for center in theta])
+    along_theta = np.array([theta_patch(across, center, spacing) for center in theta])
     stress = np.einsum("ca,am,an->mnc", nodal_forces, along_phi, along_theta, optimize=True) / (2 * np.pi * radius) ** 2
     work = np.einsum("mnp,mnpq,mnq->m", stress.conj(), compliance, stress, optimize=True).imag
-    return -angular_speed * (2 * np.pi * radius) ** 2 * (orders * work).sum()
+    return -2.0 * angular_speed * (2 * np.pi * radius) ** 2 * orders * work
+
+
+def dissipated_power(order_compliance, max_order, *arguments, **patches):
+    """Return the power lost in the coating from the spectrum, of all orders up to one."""
+    return power_of_orders(order_compliance, np.arange(1, max_order + 1), *arguments, **patches).sum()

@@ -14,7 +14,7 @@ def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Constant directional torque: T = rmu |F_n| R, at once and at any speed.
 
     Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). cri, on paper R - δ/2, is R on a wall: a ball run in
-    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/test_dem.py`).
+    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`).
     """
     return _written(point, stiffness, "cdt", "at once")
 

@@ -1,0 +1,262 @@
+"""Measured materials in files and case files, and the commands around them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import command
+from viscoroll.case import load_case
+from viscoroll.case.design import design_case
+from viscoroll.case.study import load_study
+
+CASE = """
+[ball]
+core_radius = 20e-3
+[[ball.layers]]
+thickness = 2e-3
+poisson_ratio = 0.5
+shear_modulus = {modulus}
+[rolling]
+load = 50.0
+angular_speed = 2.5
+[numerics]
+nodes_per_revolution = 400
+"""
+RUBBER = (
+    '{ type = "standard_linear_solid", instantaneous_modulus = 6e6, relaxed_modulus = 3e6, relaxation_time = 0.125 }'
+)
+
+
+@pytest.fixture(scope="module")
+def curve():
+    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.superpose(data.between(15.0, 65.0), reference=20.0)
+
+
+@pytest.fixture
+def saved(curve, tmp_path):
+    vr.save_material(tmp_path / "a.toml", curve, fit=curve.fit)
+    return tmp_path / "a.toml"
+
+
+def case_file(folder, modulus, more="", nodes="400"):
+    path = folder / "case.toml"
+    text = CASE.replace("{modulus}", modulus).replace("= 400", f"= {nodes}")
+    path.write_text(text + more, encoding="utf-8")
+    return path
+
+
+def test_material_at_its_own_and_another_temperature(curve, saved):
+    omega = np.geomspace(0.01, 100.0, 9)
+    for options, expected in (
+        ({}, curve.curve),
+        ({"temperature": 45.0}, curve.at(temperature=45.0)),
+        ({"form": "prony"}, curve.fit.series),
+        ({"form": "prony", "temperature": 45.0}, curve.series_at(temperature=45.0)),
+    ):
+        found = vr.load_material(saved, **options).complex_modulus(omega)
+        np.testing.assert_allclose(found, expected.complex_modulus(omega), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("content", "options", "message"),
+    [
+        (None, {"temperature": 90.0}, r"material .*a.toml: temperature must be in \[20.0056, 60.0086\] °C"),
+        (None, {"form": "spline"}, "form must be 'table' or 'prony', got 'spline'"),
+        ("x = 1", {}, r"needs a table \[table\]: it is no material of viscoroll"),
+        ("[table]\nfrequency = [1.0]", {}, r"table \[table\] needs storage"),
+        ("[table]\nfrequency = [1.0]", {"form": "prony"}, r"needs a table \[prony\]: save it with a fit"),
+        (
+            "[table]\nfrequency = [1.0]",
+            {"temperature": 3.0},
+            r"needs a table \[shift\]: its temperature cannot be changed",
+        ),
+        ("[table", {}, "material .*a.toml: "),
+    ],
+)
+def test_what_is_no_material(saved, content, options, message):
+    if content is not None:
+        saved.write_text(content, encoding="utf-8")
+    with pytest.raises(ValueError, match=message):
+        vr.load_material(saved, **options)
+
+
+def test_one_sweep_has_no_temperatures(curve, tmp_path):
+    sweep = curve.data.isotherms[0]
+    vr.save_material(tmp_path / "one.toml", sweep)
+    table = vr.load_material(tmp_path / "one.toml")
+    middle = sweep.frequency[8]
+    assert table.complex_modulus(middle).real == pytest.approx(sweep.storage[8], rel=0.02)
+    with pytest.raises(ValueError, match=r"path must end in .toml, got 'one.txt'"):
+        vr.save_material(tmp_path / "one.txt", sweep)
+
+
+@pytest.mark.parametrize(
+    ("modulus", "expected"),
+    [
+        ("3e6", vr.Elastic(modulus=3e6)),
+        (
+            '{ type = "loss_factor", modulus = 1e6, loss_factor = 0.1, reference_frequency = 50.0 }',
+            vr.LossFactor(modulus=1e6, loss_factor=0.1, reference_frequency=50.0),
+        ),
+    ],
+)
+def test_case_files_take_numbers_and_loss_factors(tmp_path, modulus, expected):
+    assert load_case(case_file(tmp_path, modulus)).ball.layers[0].shear_modulus == expected
+
+
+def test_case_files_name_measured_materials(curve, saved, tmp_path):
+    for modulus, expected in (
+        ('"a.toml"', curve.curve),
+        ('{ type = "measured", file = "a.toml", temperature = 40.0 }', curve.at(temperature=40.0)),
+        ('{ type = "measured", file = "a.toml", form = "prony" }', curve.fit.series),
+    ):
+        found = load_case(case_file(tmp_path, modulus)).ball.layers[0].shear_modulus
+        np.testing.assert_allclose(
+            found.complex_modulus([1.0, 10.0]), expected.complex_modulus([1.0, 10.0]), rtol=1e-12
+        )
+
+
+def test_studies_vary_the_temperature(curve, saved, tmp_path):
+    sweep = '\n[sweep]\n"ball.layers[0].shear_modulus.temperature" = [20.0, 40.0, 60.0]\n'
+    path = case_file(tmp_path, '{ type = "measured", file = "a.toml" }', sweep)
+    plan = load_study(path)
+    assert plan.dimensions[0].name == "temperature"
+    found = [case.ball.layers[0].shear_modulus.complex_modulus(1.0) for case in plan.cases]
+    expected = [curve.at(temperature=t).complex_modulus(1.0) for t in (20.0, 40.0, 60.0)]
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("modulus", "message"),
+    [
+        ('"b.toml"', r"ball.layers\[0\].shear_modulus: material .*b.toml: No such file"),
+        ('{ type = "measured" }', "shear_modulus of type measured must have file"),
+        ('{ type = "measured", file = "a.toml", at = 3 }', "shear_modulus of type measured has no parameter at"),
+        (
+            '{ type = "measured", file = "a.toml", temperature = "hot" }',
+            "shear_modulus.temperature: input should be a valid number, got 'hot'",
+        ),
+        ("-3e6", "modulus must be > 0 Pa, got -3"),
+        ("[3e6]", r"shear_modulus must be a table, a number or the name of a file, got \[3000000.0\]"),
+    ],
+)
+def test_case_files_with_bad_materials(saved, tmp_path, modulus, message):
+    with pytest.raises(ValueError, match=message):
+        load_case(case_file(tmp_path, modulus))
+
+
+def test_material_asks_for_what_it_does_not_know(tmp_path):
+    data = vr.example_data("pressure_sensitive_adhesive.txt")
+    for words, message in (
+        ((data, "--reference", 20), "does not say whether it is a modulus of tension or of shear"),
+        ((data, "--shear"), "--reference must be given for several sweeps, from -40 to 150 °C"),
+        ((data, "--shear", "--between", "cold"), "--between must be like -35..160, got 'cold'"),
+        ((data, "--shear", "--columns", "storage"), "--columns must be like"),
+        ((data, "--shear", "--save", tmp_path / "x.csv"), "--save must end in .toml"),
+    ):
+        done = command("material", *words)
+        assert done.returncode == 2
+        assert message in done.stderr
+
+
+def test_export_writes_beside_the_case(tmp_path):
+    path = case_file(tmp_path, RUBBER)
+    done = command("export", path, "--for", "lethe", "--style", "viscous", "--span", 1.5)
+    assert done.returncode == 0, done.stderr
+    assert "set rolling friction wall" in (tmp_path / "case.lethe").read_text()
+    assert len((tmp_path / "case.csv").read_text().splitlines()) == 26
+    done = command("export", path, "--for", "lammps", "--span", 1.0)
+    assert (done.returncode, done.stderr) == (2, "viscoroll: --span must be in (1, 100], got 1\n")
+
+
+def test_export_takes_the_study_of_the_file(tmp_path):
+    sweep = '\n[sweep]\n"rolling.load" = [40.0, 50.0, 60.0]\n"rolling.angular_speed" = [2.0, 2.5]\n'
+    path = case_file(tmp_path, RUBBER, sweep)
+    done = command("export", path, "--for", "yade", "--output", tmp_path / "floor.py")
+    assert done.returncode == 0, done.stderr
+    assert len((tmp_path / "floor.csv").read_text().splitlines()) == 7
+
+
+DESIGN = """
+[design]
+vary = "ball.layers[0].thickness"
+from = 0.5e-3
+to = 6e-3
+limits = {limits}
+"""
+
+
+def power(thickness, folder):
+    path = case_file(folder, RUBBER)
+    path.write_text(path.read_text().replace("thickness = 2e-3", f"thickness = {thickness!r}"))
+    result = load_case(path).solve()
+    return result.dissipated_power, result
+
+
+def test_design_stops_at_the_limit(tmp_path):
+    """The pressure falls as the coating gets thicker, and power grows: the thinnest that is allowed is the best."""
+    _, middle = power(1.5e-3, tmp_path)
+    path = case_file(tmp_path, RUBBER, DESIGN.replace("{limits}", f"{{ max_pressure = {middle.max_pressure!r} }}"))
+    found = design_case(path)
+    assert found.result.max_pressure <= middle.max_pressure * (1.0 + 1e-9)
+    # All that keep the limit among twelve lose at least as much, but for the mesh's staircase.
+    for thickness in np.geomspace(0.5e-3, 6e-3, 12):
+        watts, result = power(float(thickness), tmp_path)
+        if result.max_pressure <= middle.max_pressure:
+            assert found.result.dissipated_power <= watts * 1.01
+    assert found.active == ("max_pressure",)
+    assert found.plot().axes[0].get_ylabel() == "power lost [W]"
+
+
+def test_design_under_a_temperature(tmp_path):
+    """What is found is no hotter than the limit; without a table of how it is cooled there is none."""
+    coarse = {"nodes": "160\nmax_order = 240"}  # the loss inside is summed at every point of the search
+    cooled = "\n[thermal]\nconvection = 20.0\nambient = 293.15\nconductivity = 0.2\n"
+    middle = load_case(case_file(tmp_path, RUBBER, cooled, **coarse))
+    heated = middle.thermal.temperature(middle.solve())
+    hottest = heated.ambient + 0.999 * heated.maximum
+    table = DESIGN.replace("{limits}", f"{{ temperature = {hottest!r} }}")
+    found = design_case(case_file(tmp_path, RUBBER, cooled + table, **coarse))
+    assert found.outcome.temperature <= hottest
+    with pytest.raises(ValueError, match=r"design.limits.temperature needs a table \[thermal\]"):
+        design_case(case_file(tmp_path, RUBBER, table))
+
+
+def test_design_of_any_number(tmp_path):
+    """Of the load itself power is least at the lower end."""
+    table = (
+        DESIGN.replace('"ball.layers[0].thickness"', '"rolling.load"').replace("0.5e-3", "20.0").replace("6e-3", "60.0")
+    )
+    found = design_case(case_file(tmp_path, RUBBER, table.replace("{limits}", "{}")))
+    assert found.best == pytest.approx(20.0, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        ("", 'case.toml: design must be a table, as vary = "ball.layers'),
+        (
+            DESIGN.replace("{limits}", "{ pressure = 1.0 }"),
+            "design.limits must be of rolling_resistance_coefficient, .*, got 'pressure'",
+        ),
+        (
+            DESIGN.replace("{limits}", "{ max_pressure = -1.0 }"),
+            "design.limits.max_pressure: input should be greater than 0, got -1.0",
+        ),
+        (
+            DESIGN.replace("{limits}", "{ max_pressure = 1.0 }"),
+            r"design.limits must leave a value of ball.layers\[0\].thickness in .*: the nearest",
+        ),
+        (
+            DESIGN.replace("{limits}", "{}").replace("to =", "until ="),
+            "design.until: extra inputs are not permitted, .*; design.to: field",
+        ),
+        (DESIGN.replace("{limits}", "{}").replace("6e-3", "1e-4"), "design.from and design.to must be 0 < from < to"),
+        (DESIGN.replace("{limits}", "{}").replace("thickness", "depth"), "shear|depth"),
+    ],
+)
+def test_bad_designs(tmp_path, table, message):
+    with pytest.raises(ValueError, match=message):
+        design_case(case_file(tmp_path, RUBBER, table))

@@ -1,0 +1,166 @@
+"""Torque and temperature found together."""
+
+from __future__ import annotations
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from reference.self_heating import steady_rises, torque_curve
+from specimens import RUBBER, coated_ball, one_layer
+from viscoroll import paper
+from viscoroll.materials.shift import shift_factor, shifted
+
+AMBIENT = 293.15
+COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": AMBIENT}
+UNIFORM = COOLING | {"conductivity": 1e3}  # of temperature, as in the independent computation
+MESH = vr.Mesh(nodes_per_revolution=240)
+
+
+def falling(temperature):
+    """a_T = e^(-0.1 (T - ambient))."""
+    return math.exp(-0.1 * (temperature - AMBIENT))
+
+
+def heated(angular_speed, **options):
+    ball = paper.ball(thickness=5e-3, density=0.0)
+    arguments = {"shift": falling, "limit": AMBIENT + 120.0, "mesh": MESH, "load": 100.0} | COOLING | options
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        return vr.self_heating(ball, angular_speed=angular_speed, **arguments)
+
+
+@pytest.fixture(scope="module")
+def curve():
+    """Torque of the speed on the same mesh, by the program of the references."""
+    return torque_curve(1e-4, 100.0, nodes=240)
+
+
+def rises(curve, angular_speed):
+    """Return the rises of a coating of uniform temperature, and which are stable."""
+    return steady_rises(curve, angular_speed, convection=10.0, shift_rate=0.1, limit=120.0)
+
+
+@pytest.mark.parametrize("angular_speed", [2.5, 25.0])
+def test_one_state(curve, angular_speed):
+    """As the program says to 1 %: 1.19 and 1.53 K."""
+    (state,) = heated(angular_speed, limit=AMBIENT + 30.0, points=8, **UNIFORM).states
+    assert state.stable
+    assert rises(curve, angular_speed) == [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), True)]
+    # ΔT = P / (4π r_o² h_c)
+    balance = state.result.bulk_power / (4.0 * math.pi * 25e-3**2 * 10.0)
+    assert state.mean_temperature - AMBIENT == pytest.approx(balance, rel=1e-3)
+
+
+def test_three_states(curve):
+    """As the program says to 1 %: 1.54, 33.5 and 61.1 K at 100 rad/s; the middle one is unstable."""
+    hot = heated(100.0, **UNIFORM)
+    found = [(pytest.approx(state.mean_temperature - AMBIENT, rel=0.01), state.stable) for state in hot.states]
+    assert rises(curve, 100.0) == found
+    assert [state.stable for state in hot.states] == [True, False, True]
+    for state in hot.states:
+        # Each is one: its moduli, solved again, make its temperature.
+        ball = coated_ball(shifted(RUBBER, falling(state.mean_temperature)), thickness=5e-3)
+        again = vr.solve(ball, load=100.0, angular_speed=100.0, mesh=MESH)
+        found = vr.temperature(again, **UNIFORM)
+        assert found.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
+
+
+def test_no_state_is_refused_with_the_largest_speed():
+    """Below the hot branch, moduli that the heat brings to their peak of loss."""
+    coarse = vr.Mesh(nodes_per_revolution=120)
+    fast = {"load": 400.0, "convection": 3.0, "limit": AMBIENT + 60.0, "points": 8, "mesh": coarse}
+    with pytest.raises(ValueError, match=r"angular_speed must be at most about .* rad/s for a steady temperature") as e:
+        heated(400.0, **fast)
+    largest = float(str(e.value).split("about ")[1].split(" rad/s")[0])
+    assert 0.0 < largest < 400.0
+    assert heated(0.9 * largest, **fast).states
+
+
+def test_speeds_of_temperatures_lead_back():
+    hot = heated(25.0, limit=AMBIENT + 30.0, points=8, **UNIFORM)
+    (state,) = hot.states
+    assert hot.speeds([state.mean_temperature])[0] == pytest.approx(25.0, rel=0.02)
+
+
+def test_without_a_shift_the_temperature_is_that_of_the_moduli():
+    ball = paper.ball(density=0.0)
+    hot = vr.self_heating(
+        ball, load=100.0, angular_speed=25.0, shift=lambda temperature: 1.0, mesh=MESH, points=4, **COOLING
+    )
+    plain = vr.temperature(vr.solve(ball, load=100.0, angular_speed=25.0, mesh=MESH), **COOLING)
+    assert hot.states[0].mean_temperature - AMBIENT == pytest.approx(plain.mean, rel=2e-3)
+
+
+def test_sublayers_have_temperatures_of_their_own():
+    """The outer half is the warmer one, and moduli of these temperatures, solved again, lead to them."""
+    given = {"load": 100.0, "angular_speed": 25.0, "mesh": vr.Mesh(nodes_per_revolution=160)}
+    cooling = COOLING | {"core": vr.Core.ISOTHERMAL}
+    ball = coated_ball(thickness=5e-3)
+    hot = vr.self_heating(ball, shift=falling, points=4, limit=AMBIENT + 20.0, sublayers=2, **given, **cooling)
+    inner, outer = hot.states[0].layer_temperatures
+    assert AMBIENT < inner < outer
+    halves = [one_layer(shifted(RUBBER, falling(there)), thickness=2.5e-3) for there in (inner, outer)]
+    found = vr.temperature(vr.solve(vr.CoatedSphere(core_radius=20e-3, layers=halves), **given), **cooling)
+    np.testing.assert_allclose(found.layer_means, [inner - AMBIENT, outer - AMBIENT], rtol=5e-3)
+
+
+def test_shift_factors():
+    wlf = vr.WilliamsLandelFerry(c1=17.44, c2=51.6, reference_temperature=200.0)
+    assert wlf(200.0) == 1.0
+    assert wlf(251.6) == pytest.approx(10.0**-8.72)
+    with pytest.raises(ValueError, match=r"temperature must be > 148\.4 K"):
+        wlf(148.0)
+    arrhenius = vr.Arrhenius(activation_energy=8.314462618e3, reference_temperature=300.0)
+    assert math.log(arrhenius(500.0)) == pytest.approx(1e3 * (1 / 500 - 1 / 300))
+    with pytest.raises(ValueError, match="c2 must be finite and > 0 K"):
+        vr.WilliamsLandelFerry(c1=1.0, c2=0.0, reference_temperature=300.0)
+
+    class Fitted:
+        def __call__(self, celsius):
+            return 0.0
+
+        def shift(self):
+            return wlf
+
+    with pytest.raises(TypeError, match="of a fitted law take its shift"):
+        shift_factor(Fitted(), 300.0)
+    with pytest.raises(TypeError, match="shift must be a function"):
+        shift_factor(1.0, 300.0)
+    with pytest.raises(ValueError, match="must be finite and > 0"):
+        shift_factor(lambda temperature: -1.0, 300.0)
+
+
+@pytest.mark.parametrize(
+    "modulus",
+    [
+        vr.Elastic(modulus=1e6),
+        vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125),
+        vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.1, 2.0]),
+        vr.KelvinVoigt(modulus=1e6, viscosity=1e4),
+        vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1, order=0.5),
+        vr.MasterCurve([0.0, 0.1, 1.0, 1e3], [1e6, 1e6, 2e6, 3e6], [0.0, 1e5, 2e5, 1e5]),
+    ],
+)
+def test_shifted_moduli(modulus):
+    omega = np.array([0.0, 1.0, 30.0])
+    np.testing.assert_allclose(
+        shifted(modulus, 0.25).complex_modulus(omega), modulus.complex_modulus(0.25 * omega), rtol=1e-12
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"shift": 1.0}, TypeError, "shift must be a function"),
+        ({"shift": [falling, falling]}, ValueError, "shift must be one for each of 1 layers, got 2"),
+        ({"points": 2}, ValueError, r"points must be in \[4, 1000\]"),
+        ({"sublayers": 0}, ValueError, r"sublayers must be in \[1, 20\]"),
+        ({"limit": 200.0}, ValueError, "limit must be > ambient"),
+    ],
+)
+def test_bad_input_is_named(arguments, error, message):
+    with pytest.raises(error, match=message):
+        heated(2.5, **arguments)

@@ -1,0 +1,58 @@
+"""What is distributed says what it is: licenses by what is inside, and one version everywhere."""
+
+from __future__ import annotations
+
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+import viscoroll as vr
+
+ROOT = Path(__file__).parents[3]
+
+
+def metadata(build_state: str) -> dict[str, object]:
+    provider = runpy.run_path(str(ROOT / "python" / "packaging" / "wheel_license.py"))["Provider"]()
+    provider.build_state(build_state)
+    fields = provider.dynamic_metadata({}, {})
+    assert all(list(ROOT.glob(pattern)) for pattern in fields["license-files"])
+    return fields
+
+
+def test_a_wheel_with_fftw_says_gpl_and_carries_its_text(monkeypatch):
+    monkeypatch.delenv("VISCOROLL_FFT", raising=False)
+    fields = metadata("wheel")
+    assert fields["license"] == "BSD-3-Clause AND GPL-2.0-or-later AND MIT AND MPL-2.0"
+    assert "licenses/FFTW.txt" in fields["license-files"]
+    assert "GNU GENERAL PUBLIC LICENSE" in (ROOT / "licenses" / "FFTW.txt").read_text()
+
+
+def test_a_wheel_with_pocketfft_has_no_gpl(monkeypatch):
+    monkeypatch.setenv("VISCOROLL_FFT", "PocketFFT")
+    fields = metadata("metadata_wheel")
+    assert fields["license"] == "BSD-3-Clause AND MIT AND MPL-2.0"
+    assert "licenses/PocketFFT.txt" in fields["license-files"]
+    assert "licenses/FFTW.txt" not in fields["license-files"]
+
+
+def test_sources_are_under_the_mit_license(monkeypatch):
+    monkeypatch.delenv("VISCOROLL_FFT", raising=False)
+    assert metadata("sdist")["license"] == "MIT"
+
+
+def test_an_unknown_transform_is_refused(monkeypatch):
+    monkeypatch.setenv("VISCOROLL_FFT", "MKL")
+    with pytest.raises(ValueError, match="VISCOROLL_FFT must be one of FFTW, PocketFFT, got MKL"):
+        metadata("wheel")
+
+
+def test_all_files_name_the_version_of_the_library():
+    for file, pattern in [
+        ("CMakeLists.txt", r"VERSION (\d+\.\d+\.\d+)$"),
+        ("CITATION.cff", r"^version: (\S+)"),
+        ("conda/recipe.yaml", r"^  version: (\d\S+)"),
+    ]:
+        found = re.search(pattern, (ROOT / file).read_text(), re.MULTILINE)
+        assert found is not None, file
+        assert found[1] == vr.__version__, file

@@ -1,0 +1,116 @@
+"""The folders of the Python package are the user's path: none imports from a later one, and no imports run in circles.
+
+Imports for annotations alone and those in functions count as any other.
+"""
+
+from __future__ import annotations
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[3] / "python" / "viscoroll"
+
+#: In the order of the path; those of one place do not know each other.
+ROOMS = (
+    {"_core"},
+    {"_support"},
+    {"materials"},
+    {"bodies"},
+    {"solution", "analytic", "paper", "transient", "rheology"},
+    {"rolling"},
+    {"interior", "studies"},
+    {"export", "case", "reproduce"},
+    {"cli"},
+    {"__init__", "__main__"},
+)
+
+RANK = {room: rank for rank, rooms in enumerate(ROOMS) for room in rooms}
+PATHS = sorted(path.relative_to(PACKAGE) for path in PACKAGE.rglob("*.py"))
+
+
+def module_of(path):
+    """Return a path within the package as Python's imports have it: parts, of which there are none for its face."""
+    return path.parent.parts if path.stem == "__init__" else path.with_suffix("").parts
+
+
+MODULES = {module_of(path) for path in PATHS} | {("_core",)}
+
+
+def room_of(module):
+    return module[0] if module else "__init__"
+
+
+def may_import(module, other):
+    return room_of(module) == room_of(other) or RANK[room_of(other)] < RANK[room_of(module)]
+
+
+def imports(path, source):
+    """Return the modules of the package that a source imports, wherever in it."""
+    folder = path.parent.parts
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names = [tuple(alias.name.split(".")) for alias in node.names]
+            found |= {name[1:] for name in names if name[0] == "viscoroll"}
+        elif isinstance(node, ast.ImportFrom):
+            named = tuple((node.module or "").split(".")) if node.module else ()
+            if node.level:
+                base = folder[: len(folder) + 1 - node.level] + named
+            elif named[:1] == ("viscoroll",):
+                base = named[1:]
+            else:
+                continue
+            for alias in node.names:
+                found.add((*base, alias.name) if (*base, alias.name) in MODULES else base)
+    return found
+
+
+def imports_of(path):
+    return imports(path, (PACKAGE / path).read_text(encoding="utf-8"))
+
+
+def test_every_folder_has_a_place():
+    assert {room_of(module) for module in MODULES} == set(RANK)
+
+
+@pytest.mark.parametrize("path", PATHS, ids=str)
+def test_no_room_imports_from_a_later_one(path):
+    found = imports_of(path)
+    assert found <= MODULES
+    later = {".".join(other) for other in found if not may_import(module_of(path), other)}
+    assert not later, f"{path} imports {later}"
+
+
+def test_no_imports_run_in_circles():
+    try:
+        TopologicalSorter({module_of(path): imports_of(path) for path in PATHS}).prepare()
+    except CycleError as error:
+        pytest.fail(" -> ".join(".".join(module) for module in error.args[1]))
+
+
+@pytest.mark.parametrize(
+    ("path", "source", "found"),
+    [
+        ("bodies/layers.py", "from ..rolling import solve", ("rolling",)),
+        ("bodies/layers.py", "from ..solution.text import x", ("solution", "text")),
+        ("bodies/layers.py", "from ..solution import text", ("solution", "text")),
+        ("bodies/layers.py", "from .. import paper", ("paper",)),
+        ("bodies/layers.py", "from .. import solve", ()),
+        ("bodies/layers.py", "from viscoroll.rolling import solve", ("rolling",)),
+        ("bodies/layers.py", "import viscoroll.rolling", ("rolling",)),
+        ("solution/text.py", "if TYPE_CHECKING:\n    from ..rolling import Result", ("rolling",)),
+        ("solution/text.py", "def f():\n    from ..interior.picture import g", ("interior", "picture")),
+        ("interior/__init__.py", "from ..case.case import Case", ("case", "case")),
+    ],
+)
+def test_a_reversed_import_is_found(path, source, found):
+    assert imports(Path(path), source) == {found}
+    assert not may_import(module_of(Path(path)), found)
+
+
+def test_rooms_of_one_place_do_not_know_each_other():
+    assert not may_import(("case", "case"), ("reproduce", "item"))
+    assert may_import(("case", "compare"), ("analytic", "applicable"))

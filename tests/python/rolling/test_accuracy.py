@@ -1,0 +1,75 @@
+"""Solves that choose their own mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import coated_ball
+from viscoroll import paper
+
+PAPER = vr.Curvature.PAPER
+
+
+@pytest.mark.parametrize("accuracy", [0.1, 0.03, 0.01])
+@pytest.mark.parametrize("compliance", [vr.Compliance.RADIAL, vr.Compliance.VERTICAL])
+def test_error_is_within_what_was_asked_for(paper_ball, accuracy, compliance):
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=accuracy, compliance=compliance, curvature=PAPER)
+    assert r.status is vr.Status.CONVERGED
+    assert r.error_estimate <= accuracy
+    # Converged values on fine meshes: 11.38 mN m (theory.md section 8) and 11.19 mN m with the vertical compliance.
+    converged = {vr.Compliance.RADIAL: 11.38e-3, vr.Compliance.VERTICAL: 11.19e-3}[compliance]
+    assert r.resisting_torque == pytest.approx(converged, rel=accuracy)
+
+
+def test_default_accuracy_is_one_percent(paper_ball):
+    r = vr.solve(paper_ball, load=100.0, angular_speed=2.5)
+    assert r.error_estimate <= 0.01
+    assert r.error_estimate == r.refinements[-1].error_estimate
+    nodes = [step.mesh.nodes_per_revolution for step in r.refinements]
+    assert nodes == sorted(set(nodes))
+    assert r.mesh == r.refinements[-1].mesh
+    assert all(step.error_estimate > 0.01 for step in r.refinements[:-1])
+
+
+def test_a_thousandth(paper_ball):
+    """Continuum limits from meshes up to pi/6600: 11.3867 mN m, and 11.1854 mN m with the vertical compliance."""
+    for compliance, limit in ((vr.Compliance.RADIAL, 11.3867e-3), (vr.Compliance.VERTICAL, 11.1854e-3)):
+        r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=1e-3, compliance=compliance, curvature=PAPER)
+        assert r.resisting_torque == pytest.approx(limit, rel=1e-4)
+        assert r.error_estimate < 1e-3
+
+
+@pytest.mark.slow
+def test_torque_is_a_smooth_function_of_load(paper_ball):
+    """Nodes that join the contact one by one leave no staircase: the power law's exponent falls steadily."""
+    loads = np.geomspace(50.0, 60.0, 17)  # steps of 1.15 %, as of 200 loads over a decade
+    torques = [
+        vr.solve(paper_ball, load=load, angular_speed=2.5, accuracy=1e-3, compliance=vr.Compliance.RADIAL)
+        for load in loads
+    ]
+    exponents = np.diff(np.log([r.resisting_torque for r in torques])) / np.diff(np.log(loads))
+    assert (exponents <= np.minimum.accumulate(exponents) * 1.005).all()
+
+
+def test_says_when_the_accuracy_was_not_reached():
+    # The contact is narrower than the spacing of any mesh allowed.
+    r = vr.solve(paper.ball(density=0.0), load=1e-13, angular_speed=2.5, accuracy=0.02)
+    assert r.status is vr.Status.ACCURACY_NOT_REACHED
+    assert r.error_estimate > 0.02
+
+
+@pytest.mark.parametrize("load", [1.0, 30.0, 1000.0])
+@pytest.mark.parametrize("thickness", [0.5e-3, 5e-3])
+def test_any_size_of_contact(load, thickness):
+    stiff = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=0.125)
+    ball = coated_ball(stiff, thickness=thickness, poisson_ratio=0.45)
+    r = vr.solve(ball, load=load, angular_speed=5.0, accuracy=0.1)
+    assert r.status is vr.Status.CONVERGED
+    assert r.contact.sum() > 20
+
+
+def test_lossless_coating_converges_in_penetration():
+    r = vr.solve(coated_ball(vr.Elastic(modulus=3e6)), load=100.0, angular_speed=2.5)
+    assert r.status is vr.Status.CONVERGED
+    assert len(r.refinements) >= 2

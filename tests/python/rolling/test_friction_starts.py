@@ -1,0 +1,129 @@
+"""States of stick and slip that are hard to find, each of which was missed or took minutes once."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import coated_ball
+
+FOUND = tomllib.loads((Path(__file__).parent / "friction_states.toml").read_text(encoding="utf-8"))
+
+
+def found(kind):
+    return pytest.mark.parametrize("row", [pytest.param(row, id=row["name"]) for row in FOUND[kind]])
+
+
+def power_law(*, modulus, amplitude, time, exponent):
+    """Return a spring beside a springpot: a user's function."""
+    return lambda omega: modulus + amplitude * (1j * time * omega) ** exponent
+
+
+def layer(*, shear_modulus, **given):
+    ((kind, parameters),) = shear_modulus.items()
+    modulus = power_law if kind == "power_law" else getattr(vr, kind)
+    return vr.Layer(shear_modulus=modulus(**parameters), **given)
+
+
+def solve(row):
+    ball = vr.CoatedSphere(**row["ball"] | {"layers": [layer(**given) for given in row["ball"]["layers"]]})
+    kinds = {"drive": vr.Drive, "mesh": vr.Mesh}
+    given = {name: kinds[name](**value) if name in kinds else value for name, value in row["solve"].items()}
+    return vr.solve(ball, **given)
+
+
+def measured(r):
+    """Return what a state is judged by: how far it is from solved, and the largest slip of nodes that stick."""
+    speed = np.hypot(*r.slip_velocity)
+    creeping = speed[r.stick].max()
+    curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
+    return {
+        "contact": r.contact.sum(),
+        "stick_share": r.stick.sum() / r.contact.sum(),
+        "residual": r.residual,
+        "iterations": r.iterations,
+        "creep": creeping / curving,  # per slip that the ball's curvature asks for
+        "creep_of_fastest": creeping / speed.max(),
+    }
+
+
+@found("state")
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # loads that press a coating to a tenth
+def test_hard_states_are_found(row):
+    r = solve(row)
+    assert r.status is vr.Status[row.get("status", "CONVERGED")]
+    assert r.slip_power >= 0.0
+    assert (np.hypot(*r.shear_traction) <= r.friction * r.pressure + 1e-8 * r.max_pressure).all()
+    assert r.driving_force == row["solve"]["drive"].get("force", r.driving_force)
+    values = measured(r)
+    for name, bound in row.get("above", {}).items():
+        assert values[name] > bound, name
+    for name, bound in row.get("below", {}).items():
+        assert values[name] < bound, name
+
+
+@found("refusal")
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")
+def test_what_has_no_state_is_refused_as_such(row):
+    with pytest.raises(ValueError, match=row["message"]):
+        solve(row)
+
+
+def test_a_drive_between_the_states_of_two_creepages():
+    # Neither full stick nor no friction leads there, but states at given creepages do, and to one of those only the way
+    # from less friction.
+    modulus = vr.Prony(
+        instantaneous_modulus=719306705.8964465,
+        weights=[
+            0.11776874943618196,
+            0.24953626248974753,
+            0.10311469824515498,
+            0.15961091109345082,
+            0.0058231079540967,
+        ],
+        relaxation_times=[
+            0.08246223585170435,
+            0.022630251619810332,
+            0.08977084313554048,
+            0.00913250291033089,
+            0.8836423948824675,
+        ],
+    )
+    ball = coated_ball(
+        modulus, thickness=8.29155541701685e-06, poisson_ratio=0.49999972521432157, core_radius=0.005190828126701303
+    )
+    options = {
+        "load": 0.6328787337473702,
+        "angular_speed": 0.0010937770860999462,
+        "friction": 4.0,
+        "patch_load": "SPHERICAL",
+        "mesh": vr.Mesh(nodes_per_revolution=1193),
+    }
+    torque = 0.0022444622585602344
+    r = vr.solve(ball, drive=vr.Drive(torque=torque), **options)
+    assert r.driving_torque == pytest.approx(torque, rel=1e-9)
+    assert -0.034 < r.creepage < -0.025
+    given = vr.solve(ball, drive=vr.Drive(creepage=-0.032143), **options)
+    assert given.status is vr.Status.CONVERGED
+    assert (np.hypot(*given.shear_traction) <= 4.0 * given.pressure + 1e-8 * given.max_pressure).all()
+
+
+@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # of the strain
+def test_a_contact_that_fits_with_friction_if_it_fits_without():
+    # Every fourth node of the widest window ends within the contact: the load was refused, with friction alone.
+    modulus = vr.StandardLinearSolid(instantaneous_modulus=1e6, relaxed_modulus=5e5, relaxation_time=0.1)
+    ball = coated_ball(modulus, thickness=21e-3, poisson_ratio=0.3, core_radius=0.0, inner_boundary="SOLID")
+    mesh = vr.Mesh(nodes_per_revolution=200)
+    smooth, rough = (vr.solve(ball, load=500.0, angular_speed=2.5, friction=mu, mesh=mesh) for mu in (0.0, 0.3))
+    assert rough.contact.sum() == pytest.approx(smooth.contact.sum(), rel=0.1)
+
+
+def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(paper_ball):
+    mesh = vr.Mesh(nodes_per_revolution=400, max_order=200_000)
+    with pytest.raises(
+        ValueError, match=r"mesh\.max_order must be small enough for .* values of harmonics, got 200000"
+    ):
+        vr.solve(paper_ball, load=10.0, angular_speed=1.0, curvature="EXACT", mesh=mesh)

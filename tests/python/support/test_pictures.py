@@ -1,0 +1,94 @@
+"""Pictures of one set of axes are drawn where the caller wants them; the others have a chief part that is."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import matplotlib.figure
+import pytest
+import viscoroll as vr
+from viscoroll import paper
+from viscoroll._support.pictures import Picture
+from viscoroll.case.compare import compare_torques
+from viscoroll.interior.picture import plot_loss, plot_temperature
+from viscoroll.studies.picture import plot_study
+
+MESH = vr.Mesh(nodes_per_revolution=64, max_order=96)
+CASE = {"load": 50.0, "angular_speed": 2.5, "mesh": MESH}
+
+
+@pytest.fixture(scope="module")
+def result():
+    return vr.solve(paper.ball(), **CASE)
+
+
+# What is drawn more than once is computed once.
+
+
+@cache
+def heated(result):
+    return vr.temperature(result, conductivity=0.2, convection=10.0, ambient=293.0)
+
+
+@cache
+def history(result):
+    return vr.roll(result.ball, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=vr.Mesh(nodes_per_revolution=64))
+
+
+@cache
+def study(result):
+    return vr.sweep(result.ball, **CASE | {"load": [50.0, 60.0]}, progress=False)
+
+
+@cache
+def comparison(result):
+    from viscoroll.case import Case
+
+    names = ("ball", "load", "angular_speed", "friction", "drive", "mesh", "compliance", "curvature", "patch_load")
+    given = {name: getattr(result, name) for name in names}
+    case = Case(**given, accuracy=None, slip_kinematics=vr.SlipKinematics.EXACT)
+    return compare_torques(case, points=2)
+
+
+@cache
+def superposed():
+    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    return vr.superpose(data.between(15.0, 65.0), reference=20.0)
+
+
+@pytest.mark.parametrize(
+    ("plot", "label"),
+    [
+        (lambda r, **o: r.plot(**o), "x [mm], rolling to the right"),
+        (lambda r, **o: plot_loss(r, **o), "across the track [mm]"),
+        (lambda r, **o: plot_temperature(heated(r), **o), "along the axis [mm]"),
+        (lambda r, **o: history(r).plot(**o), "time [s]"),
+        (lambda r, **o: plot_study(study(r), **o), "load $P$ [N]"),
+        (lambda r, **o: comparison(r).draw(**o), "rolling speed $Ω$ [rad/s]"),
+        (lambda r, **o: superposed().fit.plot(**o), "angular frequency [rad/s]"),
+        (lambda r, **o: superposed().plot(**o), "angular frequency at 20 °C [rad/s]"),
+    ],
+    ids=["result", "loss", "temperature", "history", "study", "comparison", "fit", "superposition"],
+)
+def test_pictures_go_where_the_caller_wants_them(result, plot, label):
+    figure = matplotlib.figure.Figure(layout="constrained")
+    left, right = figure.subplots(1, 2)
+    assert plot(result, ax=right) is right
+    assert right.get_xlabel() == label
+    assert right.has_data()
+    assert not left.has_data()
+    figure.draw_without_rendering()
+    own = plot(result)
+    assert isinstance(own, Picture)
+    assert own._repr_png_().startswith(b"\x89PNG")
+    with pytest.raises(TypeError, match=r"ax must be a matplotlib.axes.Axes or None, got .*>$"):
+        plot(result, ax=figure)
+
+
+@pytest.mark.parametrize("path", ["c.png", Path("c.png")])
+def test_a_file_in_place_of_axes(result, path):
+    with pytest.raises(
+        TypeError, match=r"ax must be .*; without ax there is a figure, whose savefig\('c.png'\) writes"
+    ):
+        result.plot(path)

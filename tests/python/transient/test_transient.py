@@ -1,0 +1,507 @@
+"""Transient rolling: exact checks, and a program that shares nothing with the library, tests/reference/transient.py.
+
+The same mesh and steps give the same history; limits of fine meshes and their error bars are those of such a program
+(single lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature), listed in docs/theory.md.
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import astuple
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from reference import transient as reference
+from specimens import coated_ball
+from viscoroll import paper
+
+MILLI = 1e3
+BALL = paper.ball(density=0.0)
+FINE = {"mesh": vr.Mesh(nodes_per_revolution=500), "curvature": vr.Curvature.PAPER}
+COARSE = vr.Mesh(nodes_per_revolution=100)
+
+
+def speed(omega: float, turn: float, **options: object) -> vr.History:
+    return vr.roll(options.pop("ball", BALL), time=[0.0, turn / omega], angle=[0.0, turn], load=100.0, **options)
+
+
+# --- exact, on any mesh ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("compliance", list(vr.Compliance))
+def test_standing_follows_lee_and_radok(compliance):
+    """Where contact grows, the penetration is that of an elastic ball under the load ∫J dP, in units of G₀."""
+    h = vr.roll(
+        BALL, time=[0, 0.3, 0.6], angle=[0, 0, 0], load=[100, 100, 130], start=vr.Start.FRESH, mesh=COARSE,
+        compliance=compliance, lattices=2,
+    )  # fmt: skip
+    retardation = 0.25  # τ G₀/G_∞
+
+    def creep(t: float) -> float:  # G₀ ∫ J dP, with G₀ J = 2 - e^(-t/λ)
+        rising = max(t - 0.3, 0.0)
+        ramp = 2 * rising - retardation * (1 - np.exp(-rising / retardation))
+        return 100.0 * (2 - np.exp(-t / retardation)) + 100.0 * ramp
+
+    elastic = coated_ball(vr.Elastic(modulus=6e6))
+    for i in (0, len(h.time) // 3, -1):
+        alone = vr.RollingHistory(elastic, load=creep(h.time[i]), mesh=COARSE, compliance=compliance, lattices=2)
+        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)  # the solver's tolerance
+    assert np.abs(h.resisting_torque).max() < 1e-10  # nodes at whole and half positions: symmetric
+
+
+def steady_whole_nodes(nodes: int, omega: float) -> float:
+    """Torque in the steady state of whole-node stepping, found at once: C(j) = Σ w_k K(j - k)."""
+    elastic = coated_ball(vr.Elastic(modulus=3e6))
+    half = 14
+    table = vr.influence_tables(
+        elastic, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=nodes), reach=(nodes // 2, 2 * half)
+    )[0, 0]
+    ring = np.concatenate([table[nodes // 2 :], table[1 : nodes // 2]])  # offsets 0 … nodes-1
+    z = 2 * np.pi / nodes / omega / 0.25
+    r = (1 - np.exp(-z)) / z
+    weights = np.exp(-(np.arange(1, nodes + 1) - 1) * z) * (np.exp(-z) * (1 - r) + r - np.exp(-z))
+    weights *= 0.5 / (1 - np.exp(-nodes * z))
+    kernel = (0.5 + 0.5 * (1 - r)) * ring
+    for k, w in enumerate(weights, start=1):
+        kernel = kernel + w * np.roll(ring, k, axis=0)
+
+    spacing = 2 * np.pi / nodes
+    i, k = (a.ravel() for a in np.meshgrid(np.arange(-half, half + 1), np.arange(-half, half + 1), indexing="ij"))
+    matrix = kernel[(i[:, None] - i) % nodes, k[:, None] - k + 2 * half]
+    radius = 21e-3
+    x = radius * np.cos(k * spacing) * np.sin(-i * spacing)
+    drop = radius * (1 - np.cos(k * spacing) * np.cos(i * spacing))
+    touching = drop < 1e-4
+    for _ in range(100):
+        nodes_in = np.flatnonzero(touching)
+        system = np.block([[matrix[np.ix_(nodes_in, nodes_in)], -np.ones((len(nodes_in), 1))],
+                           [np.ones((1, len(nodes_in))), np.zeros((1, 1))]])  # fmt: skip
+        *force, depth = np.linalg.solve(system, [*-drop[nodes_in], 100.0])
+        p = np.zeros(len(x))
+        p[nodes_in] = force
+        gap = matrix @ p + drop - depth
+        new = np.where(touching, p > 0, gap < 0)
+        if (new == touching).all():
+            return float(x @ p)
+        touching = new
+    raise AssertionError("no settled contact")
+
+
+def test_whole_nodes_end_in_their_table():
+    nodes, omega = 100, 2.5
+    steps = np.arange(3 * nodes + 1)
+    h = vr.roll(
+        BALL, time=steps * 2 * np.pi / nodes / omega, angle=steps * 2 * np.pi / nodes, load=100.0, mesh=COARSE,
+        lattices=1, steps_per_spacing=None,
+    )  # fmt: skip
+    # After three turns 1e-13 of the start is left; the contact is solved to 1e-11.
+    assert h.resisting_torque[-1] == pytest.approx(steady_whole_nodes(nodes, omega), rel=1e-8)
+
+
+def test_a_term_split_in_two_is_the_same():
+    one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
+    two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
+    a, b = (speed(2.5, 0.2, ball=coated_ball(m), mesh=COARSE, lattices=1, start=vr.Start.FRESH) for m in (one, two))
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9 * a.resisting_torque.max())
+    np.testing.assert_allclose(a.dissipated_energy, b.dissipated_energy, rtol=1e-7, atol=0)
+
+
+def test_mirrored_motion_has_mirrored_torque():
+    t, psi = [0, 0.1, 0.2, 0.25], np.array([0, 0.2, 0.2, 0.1])
+    a, b = (vr.roll(BALL, time=t, angle=s * psi, load=100.0, mesh=COARSE, lattices=1) for s in (1.0, -1.0))
+    np.testing.assert_allclose(a.resisting_torque, -b.resisting_torque, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(a.penetration, b.penetration, rtol=1e-9)
+
+
+def test_start_at_another_node_changes_nothing():
+    spacing = COARSE.spacing
+    a, b = (
+        vr.roll(BALL, time=[0, 0.1], angle=[s * spacing, s * spacing + 0.2], load=100.0, mesh=COARSE, lattices=1)
+        for s in (0, 1000007)
+    )
+    # The place of a node a million spacings away keeps ten digits.
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9)
+
+
+def test_elastic_torque_has_mean_zero():
+    """T is the derivative of a periodic energy: zero at whole and half positions, and on average."""
+    ball = coated_ball(vr.Elastic(modulus=3e6))
+    spacing = COARSE.spacing
+    torque = []
+    for place in np.arange(32) / 32:
+        stepper = vr.RollingHistory(ball, load=100.0, mesh=COARSE, lattices=1, angle=place * spacing)
+        torque.append(stepper.now.resisting_torque)
+    size = np.sqrt(np.mean(np.square(torque)))
+    assert size * MILLI > 0.1  # the staircase is there
+    assert abs(torque[0]) < 1e-8 * size
+    assert abs(torque[16]) < 1e-8 * size
+    # Its harmonics fall slowly, as nodes join and leave: 32 places alias some of them.
+    assert abs(np.mean(torque)) < 1e-2 * size
+
+
+def test_units_scale_out():
+    """Time, load with modulus, and length: torque goes with G L³ at P ~ G L²."""
+    rubber = vr.StandardLinearSolid(instantaneous_modulus=60e6, relaxed_modulus=30e6, relaxation_time=1.25)
+    big = coated_ball(rubber, core_radius=40e-3, thickness=2e-3)
+    a = vr.roll(BALL, time=[0, 0.1, 0.2], angle=[0, 0.2, 0.2], load=100.0, mesh=COARSE)
+    b = vr.roll(big, time=[0, 1.0, 2.0], angle=[0, 0.2, 0.2], load=100.0 * 40, mesh=COARSE)
+    np.testing.assert_allclose(80 * a.resisting_torque, b.resisting_torque, rtol=1e-7, atol=1e-9)
+    np.testing.assert_allclose(80 * a.dissipated_energy, b.dissipated_energy, rtol=1e-7)
+
+
+# --- the program of the references ----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def ring():
+    return reference.Ring(nodes=120, half=6)
+
+
+@pytest.mark.parametrize("start", list(vr.Start))
+def test_agrees_with_the_program(ring, start):
+    """It starts, stands, turns back, and rolls on under a load that jumps and rises."""
+    step = 2.0 * np.pi / 120 / 4
+    angle = step * np.concatenate([np.arange(33), np.full(6, 32), np.arange(31, 19, -1), [20], np.arange(21, 29)])
+    seconds = np.concatenate(
+        [np.full(32, step / 2.5), np.full(6, 0.05), np.full(12, step / 0.8), [0.0], np.full(8, step)]
+    )
+    time = np.concatenate([[0.0], np.cumsum(seconds)])
+    load = np.where(np.arange(time.size) < 51, 100.0, 89.0 + np.arange(time.size))
+    h = vr.roll(
+        BALL, time=time, angle=angle, load=load, start=start, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1,
+        steps_per_spacing=None, curvature=vr.Curvature.PAPER,
+    )  # fmt: skip
+    torque, depth = reference.roll(time, angle, load, relaxed=start is vr.Start.RELAXED, ring=ring)
+    # The program's sums end 8e-7 of the largest torque off.
+    np.testing.assert_allclose(h.resisting_torque, torque, rtol=0, atol=2e-6 * np.abs(torque).max())
+    np.testing.assert_allclose(h.penetration, depth, rtol=1e-6)
+
+
+# --- limits of fine meshes ------------------------------------------------------------------------------------------
+
+#: (start, Ω [rad/s]): torques at ψ = 0.05, 0.1, 0.2, 0.3 and the largest [mN m], with their bars.
+STARTS = {
+    (vr.Start.FRESH, 2.5): ([3.00, 7.97, 12.15, 11.67, 12.16], [0.02, 0.02, 0.02, 0.02, 0.03]),
+    (vr.Start.RELAXED, 2.5): ([50.5, 47.04, 15.05, 9.28, 52.57], [0.1, 0.05, 0.03, 0.03, 0.1]),
+    (vr.Start.FRESH, 0.5): ([11.57, 24.27, 31.41, 31.84, 31.84], [0.03, 0.03, 0.03, 0.03, 0.03]),
+    (vr.Start.RELAXED, 0.5): ([42.0, 41.33, 33.25, 31.87, 43.38], [0.1, 0.04, 0.03, 0.03, 0.1]),
+}
+
+
+@pytest.mark.parametrize(("start", "omega"), STARTS)
+def test_starts(start, omega):
+    values, bars = STARTS[start, omega]
+    h = speed(omega, 0.5, start=start, **FINE)
+    torque = h.resisting_torque * MILLI
+    found = [*np.interp([0.05, 0.1, 0.2, 0.3], h.angle, torque), torque.max()]
+    assert (np.abs(np.subtract(found, values)) <= bars).all(), found
+    if (start, omega) == (vr.Start.RELAXED, 2.5):
+        assert torque[h.angle > 0.2].min() == pytest.approx(8.26, abs=0.05)
+
+
+def test_change_of_speed():
+    t, psi = [0, 1.0, 1.6], [0, 2.5, 2.8]
+    h = vr.roll(BALL, time=t, angle=psi, load=100.0, start=vr.Start.FRESH, **FINE)
+    for way, value in {0.05: 16.92, 0.1: 25.76, 0.2: 31.41, 0.3: 31.81}.items():
+        assert np.interp(2.5 + way, h.angle, h.resisting_torque) * MILLI == pytest.approx(value, abs=0.03)
+
+
+@pytest.mark.parametrize(("stand", "torque", "bar"), [(0.1, 28.33, 0.05), (1.0, 52.1, 0.1), (10.0, 52.57, 0.1)])
+def test_break_away_after_standing(stand, torque, bar):
+    t = np.cumsum([0, 0.8, stand, 0.1])
+    h = vr.roll(BALL, time=t, angle=[0, 2.0, 2.0, 2.25], load=100.0, start=vr.Start.FRESH, **FINE)
+    assert h.resisting_torque[h.time > t[2]].max() * MILLI == pytest.approx(torque, abs=bar)
+    if stand == 0.1:
+        at = np.searchsorted(h.time, t[2])
+        assert h.resisting_torque[at] * MILLI == pytest.approx(6.40, abs=0.02)
+        assert h.penetration[at] * MILLI == pytest.approx(0.1620, abs=2e-5)
+
+
+def test_oscillation_loses_what_it_should():
+    time = np.linspace(0.0, 4.0, 4 * 160 + 1)
+    h = vr.roll(BALL, time=time, angle=np.radians(5.0) * np.sin(2 * np.pi * time), load=100.0, **FINE)
+    lost = np.interp([3.0, 4.0], h.time, h.dissipated_energy)
+    assert np.diff(lost)[0] * MILLI == pytest.approx(9.46, abs=0.03)
+
+
+def test_vertical_compliance():
+    h = speed(2.5, 0.35, compliance=vr.Compliance.VERTICAL, start=vr.Start.FRESH, **FINE)
+    assert h.resisting_torque.max() * MILLI == pytest.approx(12.34, abs=0.03)
+    assert h.driving_torque.max() * MILLI == pytest.approx(14.36, abs=0.03)
+
+
+PENETRATIONS = {
+    vr.Compliance.RADIAL: [0.14113, 0.15085, 0.15812, 0.17148, 0.18071, 0.18575],
+    vr.Compliance.VERTICAL: [0.15627, 0.16840, 0.17761, 0.19480, 0.20690, 0.21358],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compliance", PENETRATIONS)
+def test_pressed_and_left_standing(compliance):
+    """Penetrations of Lee and Radok hold for steps of any length, so that a fine mesh costs a contact for each."""
+    times = [0.0, 0.05, 0.1, 0.25, 0.5, 50.0]
+    h = vr.roll(
+        BALL, time=times, angle=np.zeros(6), load=100.0, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=1600),
+        compliance=compliance, curvature=vr.Curvature.PAPER, lattices=1, steps_per_spacing=None,
+    )  # fmt: skip
+    # Limits of the mesh, to 2e-5 mm: what is missing falls with the square of the spacing, 4e-5 at π/400, 1e-5 here.
+    np.testing.assert_allclose(h.penetration * MILLI, PENETRATIONS[compliance], rtol=0, atol=2e-5)
+
+
+# --- the steady solver ----------------------------------------------------------------------------------------------
+
+ZENER = vr.FractionalZener(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125, order=0.5)
+
+
+@cache
+def steady_torque(ball: vr.CoatedSphere, omega: float) -> float:
+    return vr.solve(ball, load=100.0, angular_speed=omega, mesh=vr.Mesh(nodes_per_revolution=3200)).resisting_torque
+
+
+@pytest.mark.parametrize(
+    ("nodes", "bound", "omega"),
+    [(300, 0.005, omega) for omega in (0.5, 1.0, 2.0, 2.5, 4.0)]
+    + [(500, 0.0015, omega) for omega in (0.5, 1.0, 2.0, 2.5)],
+)
+def test_constant_speed_ends_in_the_steady_torque(omega, nodes, bound):
+    steady = steady_torque(BALL, omega)
+    turn = 0.8 if omega < 3.0 else 8.0  # what is left of the last turn, e^(-2π/(Ωλ)), is 0.2 % at 4 rad/s
+    h = speed(omega, turn, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    last = h.angle > h.angle[-1] - h.mesh.spacing
+    assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
+
+
+@pytest.mark.parametrize(
+    ("nodes", "bound", "omega"),
+    [(300, 0.005, 0.5), (300, 0.005, 2.5), (300, 0.005, 4.0), (500, 0.0015, 0.5), (500, 0.0015, 2.5)],
+)
+def test_fractional_zener_ends_in_the_steady_torque(omega, nodes, bound):
+    """Its memory has no end: what is left of the start falls from 0.15 % after 1 s at 4 rad/s to 0.05 % here."""
+    ball = coated_ball(ZENER)
+    steady = steady_torque(ball, omega)
+    h = speed(omega, 2.0 * omega, ball=ball, start=vr.Start.FRESH, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    last = h.angle > h.angle[-1] - h.mesh.spacing
+    assert h.resisting_torque[last].mean() == pytest.approx(steady, rel=bound)
+
+
+def test_kelvin_voigt_ends_in_the_steady_torque():
+    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1.5e5))
+    steady = vr.solve(ball, load=100.0, angular_speed=1.0, accuracy=2e-3).resisting_torque
+    h = speed(1.0, 2.0, ball=ball, mesh=vr.Mesh(nodes_per_revolution=300))
+    assert h.resisting_torque[-1] == pytest.approx(steady, rel=0.01)
+
+
+def test_a_table_is_fitted_and_says_how_well():
+    omega = np.geomspace(1e-4, 1e6, 201)
+    values = ZENER.complex_modulus(omega)
+    curve = vr.MasterCurve([0.0, *omega], [3e6, *values.real], [0.0, *values.imag], vr.Extrapolation.HOLD)
+    a, b = (speed(2.5, 0.3, ball=coated_ball(m), mesh=COARSE, start=vr.Start.FRESH) for m in (ZENER, curve))
+    assert 0.0 < b.spectrum_error < 2e-3
+    np.testing.assert_allclose(b.resisting_torque, a.resisting_torque, rtol=0, atol=5e-3 * a.resisting_torque.max())
+    with pytest.raises(ValueError, match="spectrum_tolerance = 1e-05"):
+        speed(2.5, 0.3, ball=coated_ball(curve), mesh=COARSE, spectrum_tolerance=1e-5)
+
+
+# --- energy ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("varying", [False, True])
+def test_energy_balance(varying):
+    knots = np.array([0.0, 0.4, 1.0, 1.4, 1.8])
+    angles = np.array([0.0, 1.0, 1.0, 2.0, 1.0])
+    time = np.unique(np.concatenate([knots, np.linspace(0, 1.8, 181)]))
+    load = 100.0 * (1 + 0.3 * varying * np.sin(10 * np.pi * time))
+    h = vr.roll(
+        BALL, time=time, angle=np.interp(time, knots, angles), load=load, start=vr.Start.FRESH,
+        mesh=vr.Mesh(nodes_per_revolution=300),
+    )  # fmt: skip
+    assert h.energy_balance_error[-1] < 1e-3
+    assert (np.diff(h.dissipated_energy) > -1e-15).all()
+
+
+def test_a_jump_takes_what_it_stores():
+    h = vr.roll(
+        BALL, time=[0, 0.1, 0.1, 0.2], angle=[0, 0.2, 0.2, 0.4], load=[100, 100, 150, 150], mesh=COARSE,
+    )  # fmt: skip
+    at = np.flatnonzero(np.diff(h.time) == 0.0)
+    assert len(at) == 1
+    jump = slice(at[0], at[0] + 2)
+    assert np.diff(h.dissipated_energy[jump]) == 0.0
+    assert np.diff(h.work[jump]) == pytest.approx(np.diff(h.stored_energy[jump]))
+    assert np.diff(h.penetration[jump]) > 0.0
+
+
+def test_a_flat_spot_returns_each_turn():
+    """λ = 10 s: peaks once a turn, which fade by e^(-2π/(Ωλ)) each."""
+    slow = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=5.0)
+    omega = 2.5
+    h = speed(omega, 8 * np.pi, ball=coated_ball(slow), mesh=COARSE)
+    turn = (h.angle / (2 * np.pi) + 0.5).astype(int)
+    peaks = np.array([h.resisting_torque[turn == k].max() for k in range(4)]) * MILLI
+    np.testing.assert_allclose(peaks, [53.8, 41.8, 32.6, 25.3], rtol=0.03)  # at π/150; this is π/50
+    np.testing.assert_allclose(peaks[1:] / peaks[:-1], np.exp(-2 * np.pi / (omega * 10.0)), rtol=0.02)
+
+
+# --- state in, state out --------------------------------------------------------------------------------------------
+
+
+def test_a_copy_tries_a_step():
+    stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE)
+    twin = copy.copy(stepper)
+    tried = twin.advance(time=0.1, angle=0.2, load=110.0)
+    assert stepper.now.time == 0.0
+    assert astuple(stepper.advance(time=0.1, angle=0.2, load=110.0)) == astuple(tried)
+
+
+def test_resume_from_a_file(tmp_path):
+    def motion(**options):
+        return vr.roll(BALL, time=[0, 0.1, 0.1, 0.3], angle=[0, 0.2, 0.2, 0.6], load=[100, 100, 120, 140], mesh=COARSE,
+                       lattices=2, **options)  # fmt: skip
+
+    whole = motion()
+    path = tmp_path / "state.npy"
+    stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2)
+    stepper.advance(time=0.1, angle=0.2, load=100.0)
+    stepper.state.save(path)
+    rest = motion(start=vr.RollingState.load(path))
+    assert rest.time[0] == 0.1
+    assert rest.resisting_torque[-1] == pytest.approx(whole.resisting_torque[-1], rel=1e-9)
+    assert rest.dissipated_energy[-1] == pytest.approx(whole.dissipated_energy[-1], rel=1e-9)
+
+
+def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
+    def stop(stage: str, fraction: float) -> None:
+        if stage == "rolling" and fraction > 0.3:
+            raise KeyboardInterrupt
+
+    given = {"time": [0, 20.0], "angle": [0, 50.0], "load": 100.0, "mesh": COARSE, "lattices": 1}
+    path = tmp_path / "state.npy"
+    with pytest.raises(KeyboardInterrupt):
+        vr.roll(BALL, **given, checkpoint=path, progress=stop)
+    rest = vr.roll(BALL, **given, start=vr.RollingState.load(path))
+    whole = vr.roll(BALL, **given)
+    assert 0.0 < rest.time[0] < 20.0
+    assert rest.resisting_torque[-1] == pytest.approx(whole.resisting_torque[-1], rel=1e-6)
+
+
+def test_a_state_of_another_ball_is_refused():
+    state = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1).state
+    other = coated_ball(vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=1.0))
+    with pytest.raises(ValueError, match="start must be a state of the same material"):
+        vr.RollingHistory(other, load=100.0, mesh=COARSE, lattices=1, start=state)
+    with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
+        vr.RollingHistory(BALL, load=100.0, mesh=vr.Mesh(nodes_per_revolution=120), lattices=1, start=state)
+    with pytest.raises(ValueError, match="as many lattices"):
+        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2, start=state)
+    with pytest.raises(ValueError, match="start must be a state of a rolling history"):
+        vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1, start=vr.RollingState(state.numbers[:100]))
+
+
+def test_a_rising_load_widens_the_tables():
+    h = vr.roll(BALL, time=[0, 1.0], angle=[0, 0.5], load=[5.0, 400.0], mesh=vr.Mesh(nodes_per_revolution=200))
+    alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
+    assert 0.7 < h.penetration[-1] / alone.now.penetration < 1.0
+    assert h.energy_balance_error[-1] < 2e-2
+
+
+# --- input ----------------------------------------------------------------------------------------------------------
+
+GOOD = {"time": [0.0, 1.0], "angle": [0.0, 1.0], "load": 100.0, "mesh": COARSE}
+BAD = [
+    ({"time": [1.0, 0.0]}, r"time\[1\] must be >= time\[0\] = 1 s, got 0 s"),
+    ({"time": [0.0, np.nan]}, r"time\[1\] must be finite, got nan"),
+    ({"angle": [0.0, np.inf]}, r"angle\[1\] must be finite, got inf"),
+    ({"angle": [0.0, 1.0, 2.0]}, r"angle must be as long as time \(2\), got 3"),
+    ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
+    ({"load": [100.0, -1.0]}, r"load\[1\] must be >= 0 N, got -1"),
+    ({"load": 1e7}, "load must be small enough for the coating"),
+    ({"time": [0.0], "angle": [0.0]}, "time must hold at least two knots, got 1"),
+    ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
+    ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
+    ({"curvature": vr.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
+    ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
+    ({"friction": 5.0}, "friction must be at most 4, .*, got 5"),
+    ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
+    ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
+    ({"contact_times": [2.0]}, r"contact_times must be in \[0, 1\] s, got 2"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_bad_input(change, message):
+    with pytest.raises(ValueError, match=message):
+        vr.roll(BALL, **GOOD | change)
+
+
+def test_kelvin_voigt_cannot_jump():
+    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
+    with pytest.raises(ValueError, match=r"start must be RELAXED for a coating that does not yield at once"):
+        vr.roll(ball, **GOOD, start=vr.Start.FRESH)
+    jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
+    with pytest.raises(ValueError, match=r"time must be after the instant reached, 0.5 s, for a coating"):
+        vr.roll(ball, **GOOD | jump)
+
+
+def test_coatings_that_are_not_for_this():
+    rubber = BALL.layers[0].shear_modulus
+    unlike = vr.CoatedSphere(
+        core_radius=20e-3,
+        layers=[
+            vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)
+            for modulus in (rubber, vr.Elastic(modulus=2e6))
+        ],
+    )
+    with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be a multiple of that of the outermost"):
+        vr.roll(unlike, **GOOD)
+    with pytest.raises(ValueError, match=r"layers\[0\].bulk_modulus must be left out in transient rolling"):
+        vr.roll(coated_ball(rubber, bulk_modulus=1e9), **GOOD)
+    with pytest.raises(ValueError, match=r"angle must be turned so slowly that inertia is negligible, at most"):
+        vr.roll(paper.ball(density=1000.0), **GOOD | {"angle": [0.0, 1000.0]})
+    like = vr.CoatedSphere(
+        core_radius=20e-3,
+        layers=[
+            vr.Layer(thickness=5e-4, shear_modulus=vr.StandardLinearSolid(
+                instantaneous_modulus=s * 6e6, relaxed_modulus=s * 3e6, relaxation_time=0.125), poisson_ratio=0.5)
+            for s in (1.0, 1.0)
+        ],
+    )  # fmt: skip
+    a, b = (vr.roll(ball, **GOOD) for ball in (like, BALL))
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=1e-7, atol=1e-9)
+
+
+def test_results_are_saved_and_drawn(tmp_path):
+    h = vr.roll(BALL, **GOOD, contact_times=[0.5, 1.0])
+    assert [c.time for c in h.contacts] == [0.5, 1.0]
+    assert h.contacts[0].pressure.max() > 1e5
+    data = h.to_xarray()
+    assert data.resisting_torque.attrs["units"] == "N m"
+    assert data.sizes["time"] == len(h.time)
+    for suffix in (".csv", ".nc"):
+        h.save(tmp_path / f"h{suffix}")
+    head = (tmp_path / "h.csv").read_text().splitlines()[0]
+    assert head.startswith("time [s],angle [rad],load [N],resisting_torque [N m]")
+    with pytest.raises(ValueError, match=r"path must end in \.csv or \.nc"):
+        h.save(tmp_path / "h.txt")
+    h.plot().savefig(tmp_path / "h.png")
+    assert "FRESH" not in repr(h)
+    assert "RELAXED start" in repr(h)
+
+
+# --- the worked example ---------------------------------------------------------------------------------------------
+
+
+def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
+    """docs/isolation_platform.py on a coarse mesh: its balance of forces, and break-away that grows with standing."""
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "docs"))
+    import isolation_platform
+
+    numbers = isolation_platform.main(nodes=80, duration=3.0, picture=str(tmp_path / "loop.png"))
+    assert (tmp_path / "loop.png").stat().st_size > 1000
+    assert "equivalent damping" in capsys.readouterr().out
+    assert 5.0 < numbers["equivalent damping at that amplitude [%]"] < 60.0
+    forces = [numbers[f"break-away force after standing {stand} s [N]"] for stand in ("0", "0.1", "1", "10")]
+    assert forces == sorted(forces)

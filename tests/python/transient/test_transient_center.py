@@ -1,0 +1,292 @@
+"""The center in transient rolling with friction: its mass, its way where that is given, and lifting off."""
+
+from __future__ import annotations
+
+import copy
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from scipy.optimize import root_scalar
+from specimens import coated_ball
+from viscoroll import paper
+
+BALL = paper.ball(density=0.0)
+RADIUS = 21e-3
+LOAD = 100.0
+COARSE = vr.Mesh(nodes_per_revolution=100)
+ELASTIC = coated_ball(vr.Elastic(modulus=3e6))
+
+
+def follow(time: np.ndarray, angle: np.ndarray, *, ball: vr.CoatedSphere = BALL, **options: object) -> vr.History:
+    """Follow a motion, one step from knot to knot."""
+    given = {"load": LOAD, "friction": 0.3, "mesh": COARSE, "lattices": 1, "steps_per_spacing": None} | options
+    return vr.roll(ball, time=time, angle=angle, **given)
+
+
+# --- mass -----------------------------------------------------------------------------------------------------------
+
+
+def pushed_stiffness(start: vr.Start, **given: object) -> float:
+    """Return the force per way of a center that is pushed but a little, in no time to creep [N/m]."""
+    h = follow(np.array([0.0, 1e-6]), np.zeros(2), start=start, center_way=[0.0, 1e-8], **given)
+    return h.driving_force[-1] / 1e-8
+
+
+def lacking(h: vr.History, friction: float) -> np.ndarray:
+    """Share of μP that is not forward [-]: where nodes slip sideways at w too, 1 - cos arctan(w/V), about (w/V)²/2."""
+    return 1.0 - np.abs(h.driving_force) / (friction * LOAD)
+
+
+@pytest.mark.parametrize(("ball", "retardation_time"), [(ELASTIC, np.inf), (BALL, 0.25)])
+def test_a_locked_ball_slides_to_a_halt(ball, retardation_time):
+    """Sliding it is slowed down by μP/M, for V₀M/(μP); then it sticks, and swings by what shear has stored."""
+    time = np.linspace(0.0, 0.15, 301)
+    speed, mass, friction = 0.3, 10.0, 0.3
+    force, stiffness = friction * LOAD, pushed_stiffness(vr.Start.RELAXED, ball=ball, friction=friction)
+    h = follow(time, np.zeros_like(time), ball=ball, mass=mass, center_speed=speed, friction=friction)
+    slows_down = force / mass
+    sliding = (time > 0.02) & (time < 0.095)
+    np.testing.assert_array_equal(h.stick_share[sliding], 0.0)
+    # A sheared coating creeps, sideways as well, at most with its shear per retardation time; an elastic one does not.
+    sideways = force / stiffness / retardation_time
+    assert lacking(h, friction)[sliding].min() > -1e-12
+    assert (lacking(h, friction) < 1e-12 + 0.5 * (sideways / h.center_speed) ** 2)[sliding].all()
+    # What the first steps lack of its acceleration halves in each step.
+    forces = h.driving_force[sliding]
+    np.testing.assert_allclose(
+        -mass * np.diff(h.center_speed[sliding]) / np.diff(time[sliding]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-7
+    )
+    # It starts to slide, and swings, by about μP/k.
+    assert h.center_way.max() == pytest.approx(speed**2 / (2.0 * slows_down), abs=force / stiffness)
+    assert h.slip_energy[-1] == pytest.approx(0.5 * mass * speed**2, rel=0.01)
+    # It comes back with what shear had stored, (μP)²/2k.
+    halted = time > 0.1
+    assert h.center_speed[halted].min() == pytest.approx(-force / np.sqrt(stiffness * mass), rel=0.05)
+    energy = 0.5 * mass * h.center_speed**2 + h.stored_energy - h.stored_energy[0] + h.dissipated_energy
+    np.testing.assert_allclose(energy, 0.5 * mass * speed**2, rtol=0.01)
+
+
+def test_a_spinning_ball_catches_up():
+    """Started at once, it slips and draws its mass along by μP until the center has reached the speed of rolling."""
+    omega, mass, friction = 0.5, 1000.0, 0.3
+    time = np.linspace(0.0, 0.8, 161)
+    h = follow(time, omega * time, mass=mass, friction=friction, start=vr.Start.FRESH)
+    grows = friction * LOAD / mass
+    slipping = (time > 0.1) & (time < 0.3)
+    np.testing.assert_array_equal(h.stick_share[slipping], 0.0)
+    # Pressed down and let go while it passes, a node moves sideways too, by less than the penetration in half a
+    # contact: that part of the traction grows as slip gets slower, by its second power.
+    slip = (omega * RADIUS - h.center_speed)[slipping]
+    sideways = (h.penetration * omega * RADIUS / h.semi_axis_x)[slipping]
+    sideways_share = lacking(h, friction)[slipping]
+    assert sideways_share.min() > 0.0
+    assert (sideways_share < 0.5 * (sideways / slip) ** 2).all()
+    np.testing.assert_allclose(sideways_share * slip**2, np.mean(sideways_share * slip**2), rtol=0.35)
+    forces = h.driving_force[slipping]
+    np.testing.assert_allclose(
+        -mass * np.diff(h.center_speed[slipping]) / np.diff(time[slipping]), 0.5 * (forces[1:] + forces[:-1]), rtol=1e-4
+    )
+    # Until the coating is sheared as far as it can be, the force is less than μP: ∫(1 - F/μP) dt is 0.6 μP/k per speed
+    # of slip for Hertz's pressure on Mindlin's half-space, and 0.9 for (1 - r²/a²)² on a foundation of springs; thin
+    # and incompressible, the coating lies between.
+    delay = 0.3 - np.interp(0.3, time, h.center_speed) / grows
+    shear = friction * LOAD / pushed_stiffness(vr.Start.FRESH, friction=friction)
+    assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
+    assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
+    # The momentum is what all forces have put in, by the trapezoidal rule.
+    impulse = -np.trapezoid(h.driving_force, time)
+    assert mass * h.center_speed[-1] == pytest.approx(impulse, rel=1e-3)
+
+
+def test_a_light_center_rolls_freely():
+    time = np.linspace(0.0, 0.3, 31)
+    light = follow(time, time, mass=1e-9, start=vr.Start.FRESH)
+    none = follow(time, time, start=vr.Start.FRESH)
+    np.testing.assert_allclose(light.center_way, none.center_way, rtol=0, atol=1e-9 * none.center_way[-1])
+    np.testing.assert_allclose(light.driving_torque, none.driving_torque, rtol=0, atol=1e-7 * none.driving_torque.max())
+    # Its speed follows from the ways of the last steps, to second order where the mean over a step is of first order.
+    assert light.center_speed[-1] == pytest.approx(none.center_speed[-1], rel=1e-2)
+
+
+@pytest.mark.parametrize(("mass", "rel"), [(1e6, 1e-4), (1e9, 1e-7), (1e15, 1e-13)])
+def test_a_heavy_center_goes_as_if_it_was_led(mass, rel):
+    """What it deviates falls with its mass, as far as numbers go."""
+    time = np.linspace(0.0, 0.3, 31)
+    heavy = follow(time, time, mass=mass, center_speed=1.01 * RADIUS)
+    led = follow(time, time, center_way=1.01 * RADIUS * time)
+    np.testing.assert_allclose(led.center_way, 1.01 * RADIUS * time, rtol=1e-14)
+    np.testing.assert_allclose(heavy.center_way, led.center_way, rtol=rel)
+    np.testing.assert_allclose(heavy.driving_force, led.driving_force, rtol=0, atol=1e3 * rel * LOAD)
+
+
+def swing(steps_per_period: int) -> tuple[vr.History, float, float]:
+    """Let a mass swing that sticks to an elastic coating; return also its frequency [rad/s] and its energy [J]."""
+    mass, speed, friction = 2.0, 1e-4, 3.0
+    given = {"ball": ELASTIC, "friction": friction}
+    pushed = follow(np.array([0.0, 1.0]), np.zeros(2), center_way=[0.0, 1e-8], **given)
+    frequency = np.sqrt(pushed.driving_force[-1] / 1e-8 / mass)
+    time = np.linspace(0.0, 4.0 * np.pi / frequency, 2 * steps_per_period + 1)
+    h = follow(time, np.zeros_like(time), mass=mass, center_speed=speed, **given)
+    return h, frequency, 0.5 * mass * speed**2
+
+
+def energy_lost_on_a_spring(steps_per_period: int) -> float:
+    """Return what the same steps take from a mass on a spring in two periods, M = k = 1 [-]."""
+    step = 2.0 * np.pi / steps_per_period
+    way, speed, acceleration = 0.0, 1.0, 0.0
+    for _ in range(2 * steps_per_period):
+        further = (2.0 * speed / step - way) / (1.0 + 2.0 / step**2)
+        before, acceleration = acceleration, (further / step - speed) / step + 0.5 * acceleration
+        way, speed = way + further, speed + step * (1.5 * acceleration - 0.5 * before)
+    return 1.0 - way**2 - speed**2
+
+
+def test_a_mass_on_an_elastic_coating_keeps_its_energy():
+    """It swings with √(k/M): what is kinetic becomes stored and comes back, but for what the steps take."""
+    errors, lost = [], []
+    for steps in (60, 120):
+        h, frequency, energy = swing(steps)
+        expected = 1e-4 * np.sin(frequency * h.time) / frequency
+        errors.append(np.abs(h.center_way - expected).max() * frequency / 1e-4)
+        work_on_coating = h.work[-1] - h.work[0]
+        assert work_on_coating == pytest.approx(h.stored_energy[-1] - h.stored_energy[0], abs=1e-3 * energy)
+        lost.append(1.0 - (0.5 * 2.0 * h.center_speed[-1] ** 2 + h.stored_energy[-1] - h.stored_energy[0]) / energy)
+    assert errors[1] < 0.02
+    assert 3.0 < errors[0] / errors[1] < 5.0  # of second order
+    assert 0.0 < lost[1] < 0.005
+    np.testing.assert_allclose(lost, [energy_lost_on_a_spring(steps) for steps in (60, 120)], rtol=1e-4)
+
+
+def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
+    """No torque, no force: M dV/dt = -T_r/H, with the steady torque of a towed ball at its angular speed."""
+    mass, speed = 1e4, 1.0 * RADIUS
+    mesh = vr.Mesh(nodes_per_revolution=150)
+    stepper = vr.RollingHistory(
+        BALL, load=LOAD, start=vr.Start.FRESH, mesh=mesh, friction=0.3, mass=mass, center_speed=speed,
+        lattices=4, steps_per_spacing=None, threads=1,
+    )  # fmt: skip
+    step = 0.5 * mesh.spacing * RADIUS / speed
+    instants = []
+    turn = 0.5 * mesh.spacing
+    for i in range(1, 37):
+
+        def torque(angle: float, time: float = i * step) -> float:
+            return copy.copy(stepper).advance(time=time, angle=angle, load=LOAD).driving_torque
+
+        before = stepper.now.angle
+        found = root_scalar(torque, method="secant", x0=before + turn, x1=before + 0.99 * turn, xtol=1e-10)
+        instants.append(stepper.advance(time=i * step, angle=found.root, load=LOAD))
+        turn = found.root - before
+    rolling = instants[18:]
+    duration = rolling[-1].time - rolling[0].time
+    slows_down = (rolling[-1].center_speed - rolling[0].center_speed) / duration
+    resisting = np.trapezoid([one.resisting_torque for one in rolling], [one.time for one in rolling]) / duration
+    height = RADIUS - rolling[-1].penetration
+    assert mass * slows_down * height == pytest.approx(-resisting, rel=1e-3)
+    # A mesh finer than the lattices, whose average has no bias of one position of the nodes: -13 % at 150 of them.
+    towed = vr.solve(
+        BALL, load=LOAD, angular_speed=(rolling[-1].angle - rolling[0].angle) / duration, friction=0.3,
+        drive=vr.Drive(torque=0.0), mesh=vr.Mesh(nodes_per_revolution=600), threads=1,
+    )  # fmt: skip
+    assert resisting == pytest.approx(towed.resisting_torque, rel=0.01)
+
+
+# --- a given way ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("creepage", [0.0, 0.03])
+def test_a_given_way_ends_in_the_steady_state_of_that_creepage(creepage):
+    mesh = vr.Mesh(nodes_per_revolution=300)
+    steady = vr.solve(
+        BALL, load=LOAD, angular_speed=0.2, friction=0.3, mesh=mesh, drive=vr.Drive(creepage=creepage), threads=1
+    )
+    angle = np.arange(31) * mesh.spacing
+    h = follow(angle / 0.2, angle, mesh=mesh, center_way=(1.0 + creepage) * RADIUS * angle, start=vr.Start.FRESH)
+    assert h.driving_torque[-1] == pytest.approx(steady.driving_torque, rel=0.01)
+    assert h.driving_force[-1] == pytest.approx(steady.driving_force, rel=0.01)
+    np.testing.assert_allclose(h.creepage[1:], creepage, atol=1e-12)
+    assert h.energy_balance_error[-1] < 0.02
+
+
+# --- lifting off ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("compliance", list(vr.Compliance))
+def test_a_lifted_ball_forgets(compliance):
+    """Off the plane nothing works on it, so that it loses what it has stored; pressed again it is as fresh as ever."""
+    given = {"friction": 0.0, "compliance": compliance, "lattices": 2}
+    time = [0.0, 0.1, 0.1, 0.2, 20.0, 20.0]
+    h = follow(time, np.linspace(0.0, 0.1, 6), load=[LOAD, LOAD, 0.0, 0.0, 0.0, LOAD], **given)
+    lifted = slice(2, 5)
+    for name in ("resisting_torque", "driving_torque", "contact_area", "max_pressure", "semi_axis_x"):
+        np.testing.assert_array_equal(getattr(h, name)[lifted], 0.0)
+    stored = h.stored_energy[lifted]
+    np.testing.assert_allclose(np.diff(h.dissipated_energy[lifted]), -np.diff(stored), rtol=1e-12)
+    assert stored[0] > 1e-4  # J
+    assert stored[-1] < 1e-30
+    fresh = vr.RollingHistory(
+        BALL, load=LOAD, start=vr.Start.FRESH, mesh=COARSE, compliance=compliance, lattices=2, angle=0.1
+    )
+    assert h.penetration[-1] == pytest.approx(fresh.now.penetration, rel=1e-9)
+    assert h.penetration[4] == pytest.approx(0.0, abs=1.1e-5)  # the lowest node is at most half a spacing aside
+
+
+def test_lifting_off_and_coming_down_while_rolling():
+    """Energy, by a load that falls to zero and rises again, and with it the tables' way around the ball."""
+    h = vr.roll(
+        BALL, time=[0.0, 0.2, 0.3, 0.5, 0.8], angle=[0.0, 0.4, 0.6, 1.0, 1.6], load=[100.0, 0.0, 0.0, 100.0, 100.0],
+        mesh=vr.Mesh(nodes_per_revolution=200),
+    )  # fmt: skip
+    assert h.energy_balance_error[-1] < 5e-3
+    assert (h.resisting_torque[h.load == 0.0] == 0.0).all()
+    assert (np.diff(h.dissipated_energy) > -1e-15).all()
+    steady = vr.solve(BALL, load=100.0, angular_speed=2.0, mesh=vr.Mesh(nodes_per_revolution=1600), threads=1)
+    assert h.resisting_torque[-1] == pytest.approx(steady.resisting_torque, rel=0.02)
+
+
+def test_a_lifted_center_falls_free():
+    """Off the plane a force accelerates the mass by Q/M, exactly; coming down, the ball skids."""
+    time = np.array([0.0, 0.05, 0.1, 0.15, 0.2, 0.2, 0.21])
+    load = [LOAD, 0.0, 0.0, 0.0, 0.0, LOAD, LOAD]
+    h = follow(time, np.zeros_like(time), load=load, mass=0.5, drive=vr.Drive(force=1.0), friction=1.0)
+    speed = h.center_speed
+    np.testing.assert_array_equal(h.driving_force[1:5], 0.0)
+    # The acceleration comes to its value by halves, in steps of second order.
+    assert np.diff(speed)[2] / 0.05 == pytest.approx(1.0 / 0.5, rel=0.1)
+    np.testing.assert_allclose(np.diff(h.center_way)[1:4], [0.05 * v + 0.05**2 for v in speed[1:4]], rtol=1e-12)
+    assert h.center_way[5] == h.center_way[4]  # in no time
+    assert h.center_speed[6] < h.center_speed[5]
+
+
+# --- states and input -----------------------------------------------------------------------------------------------
+
+
+def test_a_state_remembers_the_center():
+    given = {"load": LOAD, "mesh": COARSE, "friction": 0.3, "mass": 1.0, "center_speed": 0.02, "lattices": 1}
+    stepper = vr.RollingHistory(BALL, **given)
+    stepper.advance(time=0.05, angle=0.05, load=LOAD)
+    again = vr.RollingHistory(BALL, start=stepper.state, **given)
+    ends = [one.advance(time=0.1, angle=0.1, load=LOAD) for one in (stepper, again)]
+    assert ends[0].center_speed == pytest.approx(ends[1].center_speed, rel=1e-6)
+    assert ends[0].center_way == pytest.approx(ends[1].center_way, rel=1e-9)
+
+
+BAD = [
+    ({"mass": -1.0}, "mass must be >= 0 kg, got -1"),
+    ({"mass": 1.0, "friction": 0.0}, "mass must be 0 kg without friction"),
+    ({"center_speed": 0.1}, "center_speed must be 0 m/s for a center without mass, got 0.1 m/s"),
+    ({"center_speed": np.nan, "mass": 1.0}, "center_speed must be finite, got nan"),
+    ({"center_way": [0.0, np.inf]}, r"center_way\[1\] must be finite, got inf"),
+    ({"center_way": [0.0]}, r"center_way must be as long as time \(2\), got 1"),
+    ({"center_way": [0.1, 0.2]}, r"center_way\[0\] must be 0 m"),
+    ({"center_way": [0.0, 0.1], "friction": 0.0}, "center_way must be left out without friction"),
+    ({"center_way": [0.0, 0.1], "drive": vr.Drive(force=1.0)}, "driving_force must be 0 N where the way"),
+    ({"load": [0.0, 100.0]}, "load must be > 0 N, got 0"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_bad_input(change, message):
+    with pytest.raises(ValueError, match=message):
+        follow(np.array([0.0, 0.1]), np.array([0.0, 0.1]), **change)

@@ -1,0 +1,49 @@
+"""Torque and temperature of a coating that is equally warm everywhere: python -m tests.reference.self_heating.
+
+A layer of 5 mm of the rubber of section 14 on a core of 20 mm, under 100 N. Of a standard linear solid a shift of the
+frequencies is a shift of the speed alone, so that one curve of the torque holds for every temperature. All the heat
+leaves through the surface: Omega T(a_T Omega) = 4 pi r_o^2 h_c (T - T_ambient).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq
+
+from .one_layer import Table, ball_equations, steady
+
+RADIUS, LOAD = 25e-3, 100.0
+
+
+def torque_curve(slowest, fastest, nodes=300):
+    """Return the torque [N m] as a function of ln(angular speed [rad/s]), from 60 speeds."""
+    table = Table(ball_equations, 20e-3, RADIUS, nodes, 2 * (nodes // 20) + 1)
+    speeds = np.geomspace(slowest, fastest, 60)
+    return CubicSpline(np.log(speeds), [steady(table, w, LOAD, nodes // 15, nodes // 20)[0] for w in speeds])
+
+
+def steady_rises(curve, angular_speed, *, convection, shift_rate, limit):
+    """Return rises of temperature [K] up to a limit, and whether each is stable, a_T being e^(-shift_rate rise)."""
+
+    def surplus(rise):
+        torque = curve(np.log(angular_speed) - shift_rate * rise)
+        return angular_speed * torque / (4.0 * np.pi * RADIUS**2 * convection) - rise
+
+    grid = np.linspace(0.0, limit, 400)
+    signs = np.sign([surplus(rise) for rise in grid])
+    found = np.flatnonzero(signs[1:] != signs[:-1])
+    return [(brentq(surplus, grid[i], grid[i + 1]), bool(signs[i] > 0)) for i in found]
+
+
+def main() -> None:
+    """Print the states of docs/theory.md, section 12."""
+    curve = torque_curve(1e-4, 100.0)
+    for angular_speed in (2.5, 25.0, 100.0):
+        states = steady_rises(curve, angular_speed, convection=10.0, shift_rate=0.1, limit=120.0)
+        words = (f"{rise:.2f} K, {'stable' if stable else 'unstable'}" for rise, stable in states)
+        print(f"{angular_speed} rad/s:", "; ".join(words))
+
+
+if __name__ == "__main__":
+    main()
