@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "influence/table_sum.hpp"
+#include "modal/layered_body.hpp"
 #include "parallel.hpp"
 #include "viscoroll/mesh.hpp"
-#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -21,20 +21,13 @@ struct LineSurface {
   double centrifugal = 0.0;             ///< d_R^(c) [m]
 };
 
-/// @param[in] cylinder the roller whose mesh it is, or another one
+/// @param[in] body the roller whose mesh it is, another one, or a plane with the first one's radius
 /// @param[in] surface_speed V [m/s] at which its material crosses the contact
 /// @param[in] arc of neighboring nodes [m]
 /// @param[in] mesh that of the first roller
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
-[[nodiscard]] LineSurface roller_surface(const CoatedCylinder& cylinder, double surface_speed, double arc,
-                                         const Mesh& mesh, int threads, Watch& watch);
-
-/// @param[in] plane layers and base, or rigid
-/// @param[in] surface_speed V [m/s]
-/// @param[in] radius of what rolls on it [m]
-/// @param[in] mesh that of what rolls on it
-[[nodiscard]] LineSurface plane_surface(const CoatedPlane& plane, double surface_speed, double radius,
-                                        const Mesh& mesh);
+[[nodiscard]] LineSurface line_surface(const LayeredBody& body, double surface_speed, double arc, const Mesh& mesh,
+                                       int threads, Watch& watch);
 
 }  // namespace viscoroll::detail

@@ -1,19 +1,16 @@
 #include "rolling/mesh_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <span>
 #include <string>
 
 #include "influence/coating_sum.hpp"
 #include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
-#include "modal/harmonic_plane.hpp"
+#include "modal/harmonic_body.hpp"
 #include "validate.hpp"
-#include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -21,10 +18,10 @@ namespace {
 /// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
 CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 per modulus, which changes the torque by less
-  const HarmonicCoating coating = coating_at_rest(sphere, angular_speed, Curvature::sphere);
-  const double speed = angular_speed * coating.outer_radius();
+  const HarmonicBody body = body_at_rest(layered_body(sphere), angular_speed);
+  const double speed = angular_speed * body.radius();
   for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const double share = sphere.layers[l].density * speed * speed / std::abs(coating.modulus(l, 0));
+    const double share = sphere.layers[l].density * speed * speed / std::abs(body.modulus(l, 0));
     if (share > kNegligible) {
       reject("layers[" + std::to_string(l) + "].density",
              "so small that inertia is negligible with curvature EXACT, at most " +
@@ -79,47 +76,29 @@ void MeshModel::roll_over(const CoatedPlane& plane, int threads, Watch& watch) {
     reject("curvature", "SPHERE or PAPER where what the ball rolls on deforms", "EXACT");
   }
   const double radius = outer_radius(body());
+  const LayeredBody layers = layered_body(plane, radius);
   track_ = std::make_unique<const TableStore>(
-      std::make_unique<const OrderSum>(plane_sum(plane, angular_speed_, radius, mesh_, threads, watch)), mesh_);
+      std::make_unique<const CoatingSum>(layers, angular_speed_, mesh_, threads, watch), mesh_);
   const double highest = 0.5 * mesh_.nodes_per_revolution;
-  const HarmonicPlane harmonics(plane, angular_speed_ * radius, radius, {highest, 16.0 * highest},
-                                measured_order(mesh_));
-  const OrderAt order{.i = 0, .n = 0.0};
-  Eigen::Matrix3cd compliance;
-  harmonics.compliances(std::span(&order, 1), std::span(&compliance, 1));
-  alternating_.normal += compliance(0, 0);
-  alternating_.along += compliance(1, 1);
-  for (std::size_t layer = 0; layer < harmonics.layers().size(); ++layer) {
-    stiffest_modulus_ = std::max(stiffest_modulus_, std::abs(harmonics.modulus(layer, 1)));
-  }
+  count_in(HarmonicBody(layers, angular_speed_, {highest, 16.0 * highest}, measured_order(mesh_)));
 }
 
 void MeshModel::roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance) {
   const bool exact = curvature_ == Curvature::exact;
-  const Curvature curvature = exact ? Curvature::sphere : curvature_;
   const CoatedSphere rolling = exact ? without_inertia(sphere, angular_speed_) : sphere;
-  const HarmonicCoating coating(rolling, angular_speed_, all_orders(phi_bands(rolling, angular_speed_, mesh_)),
-                                measured_order(mesh_), curvature);
-  const auto highest = std::ranges::max_element(coating.orders()) - coating.orders().begin();
-  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
-    stiffest_modulus_ =
-        std::max(stiffest_modulus_, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
-  }
+  const LayeredBody layers = layered_body(rolling, exact ? Curvature::sphere : curvature_);
+  const HarmonicBody harmonics(layers, angular_speed_, all_orders(phi_bands(layers, angular_speed_, mesh_)),
+                               measured_order(mesh_));
   if (exact) {
-    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(rolling, angular_speed_, mesh_));
+    sphere_tables_ = std::make_unique<const SphereTables>(SphereSum(layers, angular_speed_, mesh_));
   } else {
-    own_ =
-        std::make_unique<const TableStore>(std::make_unique<const CoatingSum>(rolling, angular_speed_, mesh_, threads,
-                                                                              watch, curvature, inertia_tolerance),
-                                           mesh_);
+    own_ = std::make_unique<const TableStore>(
+        std::make_unique<const CoatingSum>(layers, angular_speed_, mesh_, threads, watch, inertia_tolerance), mesh_);
   }
   pair_.body = rolling;
-  centrifugal_ = centrifugal_displacement(coating_at_rest(sphere, angular_speed_, curvature));
-  const std::array m{mesh_.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 alternating = surface_compliance(rolling, angular_speed_, m, n, curvature).front();
-  alternating_.normal += alternating[0];
-  alternating_.along += alternating[4];
+  centrifugal_ = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), angular_speed_);
+  count_in(HarmonicBody(layers, angular_speed_, {1.0 * (mesh_.nodes_per_revolution / 2)}));
+  stiffest_modulus_ = harmonics.stiffest_modulus();
 }
 
 void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch) {
@@ -128,12 +107,18 @@ void MeshModel::roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch
   const double radius = viscoroll::outer_radius(cylinder);
   const double speed = angular_speed_ * radius;
   const double arc = radius * phi_spacing(mesh_);
-  own_ = count_in(roller_surface(cylinder, speed, arc, mesh_, threads, watch));
-  if (const auto* plane = std::get_if<CoatedPlane>(&pair_.on)) {
-    track_ = count_in(plane_surface(*plane, speed, radius, mesh_));
-  } else {
-    track_ = count_in(roller_surface(std::get<CoatedCylinder>(pair_.on), speed, arc, mesh_, threads, watch));
-  }
+  own_ = count_in(line_surface(layered_body(cylinder), speed, arc, mesh_, threads, watch));
+  const auto* plane = std::get_if<CoatedPlane>(&pair_.on);
+  const LayeredBody on =
+      plane != nullptr ? layered_body(*plane, radius) : layered_body(std::get<CoatedCylinder>(pair_.on));
+  track_ = count_in(line_surface(on, speed, arc, mesh_, threads, watch));
+}
+
+void MeshModel::count_in(const HarmonicBody& body) {
+  const Eigen::Matrix3cd compliance = body.compliance({.i = 0, .n = 0.0});
+  alternating_.normal += compliance(0, 0);
+  alternating_.along += compliance(1, 1);
+  stiffest_modulus_ = std::max(stiffest_modulus_, body.stiffest_modulus());
 }
 
 std::unique_ptr<const TableStore> MeshModel::count_in(LineSurface surface) {

@@ -5,6 +5,7 @@
 #include <complex>
 #include <memory>
 
+#include "modal/harmonic_body.hpp"
 #include "parallel.hpp"
 #include "rolling/line_surface.hpp"
 #include "rolling/rolling_body.hpp"
@@ -60,6 +61,8 @@ class MeshModel {
   void roll_sphere(const CoatedSphere& sphere, int threads, Watch& watch, double inertia_tolerance);
   void roll_over(const CoatedPlane& plane, int threads, Watch& watch);
   void roll_cylinder(const CoatedCylinder& cylinder, int threads, Watch& watch);
+  /// @param[in] body at the mesh's highest order, first of all, and at higher ones
+  void count_in(const HarmonicBody& body);
   /// @return tables of one of two surfaces in line contact, whose compliance and swelling are counted in
   [[nodiscard]] std::unique_ptr<const TableStore> count_in(LineSurface surface);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "modal/harmonic_plane.hpp"
+#include "modal/layered_body.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
