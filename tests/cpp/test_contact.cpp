@@ -25,7 +25,7 @@ CoatedSphere elastic_sphere() {
 struct Model {
   Model(const CoatedSphere& sphere, Formulation formulation, const Window& window, int nodes_per_revolution = 160)
       : mesh{.nodes_per_revolution = nodes_per_revolution, .max_order = nodes_per_revolution},
-        orders(sphere, 2.5, mesh, 2, watch),
+        orders(layered_body(sphere), 2.5, mesh, 2, watch),
         nodes({outer_radius(sphere), phi_spacing(mesh), theta_spacing(mesh)}, window) {
     const auto tables = [this](const std::vector<TableRequest>& requests, int phi_reach, int theta_reach) {
       return std::make_shared<const std::vector<Table>>(orders.tables(requests, phi_reach, theta_reach, 2, watch));

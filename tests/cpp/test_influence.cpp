@@ -51,7 +51,7 @@ TEST(Patch, SphericalWeightsGiveTheInverseSine) {
 class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, bool>> {
  protected:
   CoatingTest() {
-    const CoatingSum orders(cases::unlike_layers(), 2.5, mesh_, 2, watch_);
+    const CoatingSum orders(layered_body(cases::unlike_layers()), 2.5, mesh_, 2, watch_);
     const auto tables = [&](const std::vector<TableRequest>& requests) {
       return std::make_shared<const std::vector<Table>>(orders.tables(requests, 8, 10, 2, watch_));
     };
@@ -222,8 +222,9 @@ TEST_P(OctavesTest, AgreeWithTheSumOfAllOrders) {
   }
   requests.push_back({.entry = Entry::rr, .source_shape = 2});
   const int reach = c.phi_nodes / 3;
-  const auto tables = CoatingSum(c.sphere, c.angular_speed, mesh, 2, watch).tables(requests, reach, reach, 2, watch);
-  const CoatingSum full(c.sphere, c.angular_speed, mesh, one_by_one(octaves(c.phi_nodes), c.phi_nodes),
+  const auto tables =
+      CoatingSum(layered_body(c.sphere), c.angular_speed, mesh, 2, watch).tables(requests, reach, reach, 2, watch);
+  const CoatingSum full(layered_body(c.sphere), c.angular_speed, mesh, one_by_one(octaves(c.phi_nodes), c.phi_nodes),
                         one_by_one(octaves(c.theta_nodes), c.theta_nodes), 2, watch);
   const auto expected = full.tables(requests, reach, reach, 2, watch);
   for (std::size_t k = 0; k < requests.size(); ++k) {

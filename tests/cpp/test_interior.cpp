@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 #include "modal/compliance_recursion.hpp"
-#include "modal/medium.hpp"
+#include "modal/harmonic_body.hpp"
 #include "viscoroll/errors.hpp"
 #include "viscoroll/interior.hpp"
 #include "viscoroll/solve.hpp"
@@ -33,16 +33,16 @@ struct Rolling {
 };
 
 TEST(Interior, StatesAtTheSurfaceAreTheCompliance) {
-  const detail::HarmonicCoating coating(cases::unlike_layers(1000.0), 20.0, {0.0, 3.0, 40.0});
+  const detail::HarmonicBody coating(detail::layered_body(cases::unlike_layers(1000.0)), 20.0, {0.0, 3.0, 40.0});
   for (std::size_t i = 0; i < coating.orders().size(); ++i) {
-    const auto media = coating.media(i);
+    const auto layers = coating.layers_at(i);
     for (const double n : {-7.0, 0.0, 12.5}) {
-      const detail::OrderInLayers<std::complex<double>> order{.media = media, .m = coating.orders()[i], .n = n};
+      const detail::OrderInLayers<std::complex<double>> order{.layers = layers, .m = coating.orders()[i], .n = n};
       std::vector<detail::DepthState> states;
       detail::depth_states(std::span(&order, 1), std::span(&states, 1));
-      const auto compliance = detail::surface_compliance<std::complex<double>>(media, order.m, n);
-      ASSERT_EQ(states.size(), media.size() + 1);
-      const Eigen::Matrix3cd displacement = states.back().topRows<3>() * coating.outer_radius();
+      const auto compliance = detail::surface_compliance(layers, order.m, n);
+      ASSERT_EQ(states.size(), layers.media.size() + 1);
+      const Eigen::Matrix3cd displacement = states.back().topRows<3>() * coating.radius();
       EXPECT_LT((displacement - compliance).cwiseAbs().maxCoeff(), 1e-12 * compliance.cwiseAbs().maxCoeff());
       EXPECT_LT((states.back().bottomRows<3>() - Eigen::Matrix3cd::Identity()).cwiseAbs().maxCoeff(), 1e-15);
     }

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "cases.hpp"
-#include "modal/compliance_recursion.hpp"
+#include "modal/harmonic_body.hpp"
 #include "modal/kinks.hpp"
 #include "modal/layer_system.hpp"
 #include "modal/order_by_order.hpp"
@@ -23,7 +23,7 @@ using cplx = std::complex<double>;
 
 /// Compliance of one order as the spectrum and as the recursion give it, and their largest difference relative to the
 /// largest entry of its row and column (C_ij^2 <= C_ii C_jj).
-double spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating, std::size_t i, double n) {
+double spectrum_error(const Spectrum& spectrum, const HarmonicBody& coating, std::size_t i, double n) {
   OrderSeries series;
   spectrum.series(i, series);
   const double m = coating.orders()[i];
@@ -38,8 +38,7 @@ double spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating, 
       sum(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)) = entry.sign * values[0];
     }
   }
-  const auto media = coating.media(i);
-  const Eigen::Matrix3cd exact = to_physical(surface_compliance<cplx>(media, m, n));
+  const Eigen::Matrix3cd exact = to_physical(coating.compliance({.i = i, .n = n}));
   double error = 0.0;
   for (int p = 0; p < 3; ++p) {
     for (int q = 0; q < 3; ++q) {
@@ -50,7 +49,7 @@ double spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating, 
   return error;
 }
 
-double worst_spectrum_error(const Spectrum& spectrum, const HarmonicCoating& coating) {
+double worst_spectrum_error(const Spectrum& spectrum, const HarmonicBody& coating) {
   double worst = 0.0;
   for (std::size_t i = 0; i < coating.orders().size(); ++i) {
     for (const double n : {0.0, 1.0, 2.0, 5.0, 19.25, 80.0, 399.0}) {
@@ -77,14 +76,14 @@ void PrintTo(const SpectrumCase& c, std::ostream* out) { *out << c.name; }
 
 class SpectrumTest : public testing::TestWithParam<SpectrumCase> {
  protected:
-  [[nodiscard]] HarmonicCoating coating() const {
+  [[nodiscard]] HarmonicBody coating() const {
     const SpectrumCase& c = GetParam();
     const CoatedSphere sphere{.core_radius = c.core_radius,
                               .layers = {{.thickness = c.thickness,
                                           .shear_modulus = cases::rubber(),
                                           .poisson_ratio = c.poisson_ratio,
                                           .density = c.density}}};
-    return {sphere, c.angular_speed, some_orders()};
+    return {layered_body(sphere), c.angular_speed, some_orders()};
   }
 
   Observer observer_;
@@ -92,7 +91,7 @@ class SpectrumTest : public testing::TestWithParam<SpectrumCase> {
 };
 
 TEST_P(SpectrumTest, SharedResponseAgreesWithTheRecursion) {
-  const HarmonicCoating coating = this->coating();
+  const HarmonicBody coating = this->coating();
   const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 2, watch_);
   ASSERT_TRUE(spectrum);
   // Series are cut at 1e-13 and the inertia series at 1e-12; sums of a few such errors.
@@ -100,9 +99,9 @@ TEST_P(SpectrumTest, SharedResponseAgreesWithTheRecursion) {
 }
 
 TEST_P(SpectrumTest, OrderByOrderAgreesWithTheRecursion) {
-  const HarmonicCoating coating = this->coating();
+  const HarmonicBody coating = this->coating();
   EXPECT_LT(
-      worst_spectrum_error(OrderByOrderSpectrum(std::make_shared<const HarmonicCoating>(coating), kHighestN), coating),
+      worst_spectrum_error(OrderByOrderSpectrum(std::make_shared<const HarmonicBody>(coating), kHighestN), coating),
       1e-11);
 }
 
@@ -119,10 +118,10 @@ INSTANTIATE_TEST_SUITE_P(Coatings, SpectrumTest,
 
 TEST(Spectrum, OrderByOrderTakesUnlikeLayersAndHighSpeeds) {
   for (const double speed : {2.5, 300.0}) {
-    const HarmonicCoating coating(cases::unlike_layers(1000.0), speed, some_orders());
-    EXPECT_LT(worst_spectrum_error(OrderByOrderSpectrum(std::make_shared<const HarmonicCoating>(coating), kHighestN),
-                                   coating),
-              1e-11)
+    const HarmonicBody coating(layered_body(cases::unlike_layers(1000.0)), speed, some_orders());
+    EXPECT_LT(
+        worst_spectrum_error(OrderByOrderSpectrum(std::make_shared<const HarmonicBody>(coating), kHighestN), coating),
+        1e-11)
         << speed;
   }
 }
@@ -131,7 +130,7 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
   const Observer observer;
   Watch watch(observer);
   const auto is_shared = [&](const CoatedSphere& sphere, double speed) {
-    const HarmonicCoating coating(sphere, speed, some_orders());
+    const HarmonicBody coating(layered_body(sphere), speed, some_orders());
     return SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 1, watch) != nullptr;
   };
   CoatedSphere two = cases::paper_sphere();
@@ -147,7 +146,7 @@ TEST(Spectrum, SelfSimilarityIsRecognized) {
 TEST(Spectrum, InertiaMayMissWhatIsLeftToIt) {
   const Observer observer;
   Watch watch(observer);
-  const HarmonicCoating coating(cases::paper_sphere(), 100.0, some_orders());
+  const HarmonicBody coating(layered_body(cases::paper_sphere()), 100.0, some_orders());
   EXPECT_EQ(SelfSimilarSpectrum::try_make(coating, kHighestN, kInertiaTolerance, 1, watch), nullptr);
   constexpr double kTolerance = 1e-5;
   const auto spectrum = SelfSimilarSpectrum::try_make(coating, kHighestN, kTolerance, 1, watch);

@@ -27,21 +27,21 @@ using Wide6 = Eigen::Matrix<Wide, 6, 6>;
 
 /// Surface compliance in 64-bit mantissas, straight from the matrices of the equations: short steps of the full 6 x 6
 /// system in phi and theta, from the bottom or as deep as waves near the critical speed reach.
-Eigen::Matrix3cd reference_compliance(const HarmonicCoating& coating, std::size_t i, double n) {
+Eigen::Matrix3cd reference_compliance(const HarmonicBody& coating, std::size_t i, double n) {
   const double m = coating.orders()[i];
   const long double k = std::hypot(m, n);
-  const long double deepest = coating.outer_radius() * std::exp(-60.0L / k);
-  const auto media = coating.media(i);
-  const Wide unit(std::abs(media.back().mu));
+  const long double deepest = coating.radius() * std::exp(-60.0L / k);
+  const auto layers = coating.layers_at(i);
+  const Wide unit(std::abs(layers.media.back().mu));
   Wide3 y = Wide3::Zero();
   bool started = false;
-  for (Medium<cplx> medium : media) {
-    if (medium.outer_radius <= deepest) continue;
-    const long double inner = std::max<long double>(medium.inner_radius, deepest);
-    const long double extent = std::log(medium.outer_radius / inner);
+  for (const Medium<cplx>& medium : layers.media) {
+    if (medium.outer <= deepest) continue;
+    const long double inner = std::max<long double>(medium.inner, deepest);
+    const long double extent = std::log(medium.outer / inner);
     const int steps = static_cast<int>(std::ceil(extent / std::min(0.1L, 0.7L / (k + 1.0L))));
     const long double x = std::expm1(extent / steps);
-    Wide6 matrix = elastic_matrix(medium, m, n).cast<Wide>();
+    Wide6 matrix = elastic_matrix(layers.metric, medium, m, n).cast<Wide>();
     matrix.topRightCorner<3, 3>() *= unit;
     matrix.bottomLeftCorner<3, 3>() /= unit;
     for (int step = 0; step < steps; ++step) {
@@ -49,7 +49,7 @@ Eigen::Matrix3cd reference_compliance(const HarmonicCoating& coating, std::size_
       Wide6 inertia = Wide6::Zero();
       inertia.bottomLeftCorner<3, 3>() = inertia_matrix(m).cast<Wide>() * (medium.inertia * radius * radius / unit);
       Eigen::Matrix<Wide, 6, 3> sum = Eigen::Matrix<Wide, 6, 3>::Zero();
-      const bool free = !started && medium.within == InnerBoundary::hollow && inner == medium.inner_radius;
+      const bool free = !started && layers.within == InnerBoundary::hollow && inner == medium.inner;
       sum.topRows<3>() = free ? Wide3::Identity().eval() : y;
       sum.bottomRows<3>() = free ? Wide3::Zero().eval() : Wide3::Identity().eval();
       started = true;
@@ -68,12 +68,12 @@ Eigen::Matrix3cd reference_compliance(const HarmonicCoating& coating, std::size_
       y = sum.topRows<3>() * sum.bottomRows<3>().inverse();
     }
   }
-  return to_physical(Matrix3<cplx>((y * (Wide(coating.outer_radius()) / unit)).cast<cplx>()));
+  return to_physical(Matrix3<cplx>((y * (Wide(coating.radius()) / unit)).cast<cplx>()));
 }
 
 /// Largest error of a spectrum at order (m, n), relative to the geometric mean of the diagonal entries of row and
 /// column.
-double error_at(const Spectrum& spectrum, const HarmonicCoating& coating, std::size_t i, double n) {
+double error_at(const Spectrum& spectrum, const HarmonicBody& coating, std::size_t i, double n) {
   OrderSeries series;
   spectrum.series(i, series);
   const Eigen::ArrayXd orders = Eigen::ArrayXd::Constant(1, n);
@@ -198,7 +198,7 @@ TEST_P(RandomCoatings, FastSpectraAgreeWithTheEquations) {
     }
     const int nodes = random.integer(100, 4000);
     try {
-      const HarmonicCoating coating(sphere, speed, all_orders(octaves(nodes)));
+      const HarmonicBody coating(layered_body(sphere), speed, all_orders(octaves(nodes)));
       const double highest_n = coating.orders().back();
       const auto spectrum = make_spectrum(coating, highest_n, 2, watch);
       panels += dynamic_cast<const OrderPanels*>(spectrum.get()) != nullptr;
@@ -235,10 +235,11 @@ TEST_P(RandomCoatings, MeasuredModuliAreSolvedBetweenTheirKinks) {
     const CoatedSphere sphere = random.measured_sphere(with_inertia, speed);
     const Mesh mesh{.nodes_per_revolution = random.integer(100, 4000)};
     try {
-      const HarmonicCoating coating(sphere, speed, all_orders(phi_bands(sphere, speed, mesh)), measured_order(mesh));
-      const double highest_n = theta_bands(sphere, speed, mesh).back().orders.maxCoeff();
+      const LayeredBody body = layered_body(sphere);
+      const HarmonicBody coating(body, speed, all_orders(phi_bands(body, speed, mesh)), measured_order(mesh));
+      const double highest_n = theta_bands(body, speed, mesh).back().orders.maxCoeff();
       const auto spectrum = make_spectrum(coating, highest_n, 2, watch);
-      const OrderByOrderSpectrum recursion(std::make_shared<const HarmonicCoating>(coating), highest_n);
+      const OrderByOrderSpectrum recursion(std::make_shared<const HarmonicBody>(coating), highest_n);
       for (int sample = 0; sample < 25; ++sample) {
         const auto i = static_cast<std::size_t>(random.integer(1, static_cast<int>(coating.orders().size()) - 1));
         const double n = random.integer(0, 4) == 0 ? 0.0 : random.logarithmic(0.5, highest_n);

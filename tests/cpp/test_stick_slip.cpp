@@ -18,7 +18,7 @@ enum class DriveKind { force, torque, creepage, oblique };
 class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind>> {
  protected:
   StickSlipTest() {
-    const CoatingSum orders(cases::paper_sphere(), 2.5, mesh_, 2, watch_);
+    const CoatingSum orders(layered_body(cases::paper_sphere()), 2.5, mesh_, 2, watch_);
     surface_ = std::make_shared<TableOperator>(
         formulation_, nodes_,
         std::make_shared<const std::vector<Table>>(orders.tables(displacement_tables(formulation_), 16, 16, 2, watch_)),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "influence/patch.hpp"
@@ -13,29 +14,43 @@ namespace {
 using cplx = std::complex<double>;
 using Eigen::Index;
 
-/// An entry in the components r, phi, theta: forces across and along the line do not know of each other.
-cplx value(const LineCompliance<cplx>& compliance, Entry entry) {
+/// Forces across and along the line do not know of each other: other entries are 0.
+cplx value(const Eigen::Matrix3cd& compliance, Entry entry) {
   switch (entry) {
     case Entry::rr:
-      return compliance.normal;
+      return compliance(0, 0);
     case Entry::rphi:
-      return cplx(0.0, -1.0) * compliance.mixed;
+      return cplx(0.0, -1.0) * compliance(0, 1);
     case Entry::phiphi:
-      return compliance.along;
+      return compliance(1, 1);
     case Entry::thetatheta:
-      return compliance.axial;
+      return compliance(2, 2);
     default:
       return 0.0;
   }
 }
 
+std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int threads, Watch& watch) {
+  constexpr std::size_t kBlock = 16;  // orders that are solved in a row
+  std::vector<OrderAt> orders;
+  for (std::size_t i = 0; i < body.orders().size(); ++i) orders.push_back({.i = i, .n = 0.0});
+  std::vector<Eigen::Matrix3cd> spectrum(orders.size());
+  parallel_for((orders.size() + kBlock - 1) / kBlock, threads, watch, "solving layers",
+               [&](std::size_t block, const Worker&) {
+                 const std::size_t first = block * kBlock;
+                 const std::size_t count = std::min(kBlock, orders.size() - first);
+                 body.compliances(std::span(orders).subspan(first, count), std::span(spectrum).subspan(first, count));
+               });
+  return spectrum;
+}
+
 }  // namespace
 
-LineSum::LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing,
-                 double turning_radius)
+LineSum::LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, double spacing, double turning_radius,
+                 int threads, Watch& watch)
     : bands_(std::move(bands)),
-      spectrum_(std::move(spectrum)),
-      radius_(radius),
+      spectrum_(line_spectrum(body, threads, watch)),
+      radius_(body.radius()),
       spacing_(spacing),
       turning_radius_(turning_radius) {}
 

@@ -7,7 +7,8 @@
 #include "influence/order_bands.hpp"
 #include "influence/table_sum.hpp"
 #include "influence/waves.hpp"
-#include "modal/line_compliance.hpp"
+#include "modal/harmonic_body.hpp"
+#include "parallel.hpp"
 
 namespace viscoroll::detail {
 
@@ -16,11 +17,13 @@ namespace viscoroll::detail {
 class LineSum : public TableSum {
  public:
   /// @param[in] bands of orders, see `order_bands.hpp`
-  /// @param[in] spectrum compliance at the orders of all bands, one band after the other
-  /// @param[in] radius that makes wave numbers orders [m]
+  /// @param[in] body at the orders of all bands, one band after the other
   /// @param[in] spacing of the nodes [rad]
   /// @param[in] turning_radius of the body per whose radian the work of power tables is done [m]
-  LineSum(std::vector<OrderBand> bands, LineSpectrum spectrum, double radius, double spacing, double turning_radius);
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, double spacing, double turning_radius, int threads,
+          Watch& watch);
 
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override;
@@ -29,7 +32,7 @@ class LineSum : public TableSum {
   [[nodiscard]] Table table(const TableRequest& request, int phi_reach, const std::vector<Waves>& waves) const;
 
   std::vector<OrderBand> bands_;
-  LineSpectrum spectrum_;
+  std::vector<Eigen::Matrix3cd> spectrum_;  // compliance of every order [m/Pa]
   double radius_;
   double spacing_;
   double turning_radius_;

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <variant>
 
-#include "modal/harmonic_plane.hpp"
+#include "modal/harmonic_moduli.hpp"
 #include "modal/kinks.hpp"
-#include "modal/medium.hpp"
+#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -148,7 +149,8 @@ bool are_alike(const Layer& a, const Layer& b, double angular_speed) {
 }
 
 /// Of the thinnest layer, at which an incompressible one yields most; neighbors of one material are one layer.
-double finest_order(const std::vector<Layer>& layers, double radius, double angular_speed) {
+double finest_order(const LayeredBody& body, double angular_speed) {
+  const std::vector<Layer>& layers = body.layers;
   double thinnest = std::numeric_limits<double>::infinity();
   double thickness = 0.0;
   for (std::size_t l = 0; l < layers.size(); ++l) {
@@ -156,20 +158,23 @@ double finest_order(const std::vector<Layer>& layers, double radius, double angu
     if (l > 0 && !joined) thinnest = std::min(thinnest, thickness);
     thickness = layers[l].thickness + (joined ? thickness : 0.0);
   }
-  return radius / std::min(thinnest, thickness);
+  return body.metric.radius / std::min(thinnest, thickness);
 }
 
-double finest_order(const CoatedSphere& sphere, double angular_speed) {
-  return finest_order(sphere.layers, outer_radius(sphere), angular_speed);
+/// A plane goes on without end: no order of it is whole.
+void require_all_orders(const Mesh& mesh) {
+  if (!mesh.max_order) return;
+  reject("mesh.max_order", "left out where a plane deforms, whose orders are not whole",
+         std::to_string(*mesh.max_order));
 }
 
 }  // namespace
 
 // Tables are interpolated with kinks, and users' functions may be.
-double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh) {
+double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh) {
   const double asked = std::min(kMostRoughOrders, measured_order(mesh));
   double highest = 0.0;
-  for (const Layer& layer : sphere.layers) {
+  for (const Layer& layer : body.layers) {
     if (const auto* curve = std::get_if<MasterCurve>(&layer.shear_modulus)) {
       if (!curve->frequency.empty()) highest = std::max(highest, curve->frequency.back() / angular_speed);
     } else if (std::holds_alternative<CustomModulus>(layer.shear_modulus)) {
@@ -186,28 +191,28 @@ double exact_share(double wave_number, double middle) {
 
 double exact_end(double middle) { return middle * (1.0 + 3.6 / kSharpness); }
 
-std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
-                                 double rough_orders) {
-  if (mesh.max_order) return whole_orders(*mesh.max_order, mesh.nodes_per_revolution);
-  return octaves(mesh.nodes_per_revolution, finest_order(sphere, angular_speed),
-                 std::max(rough_orders, material_rough_orders(sphere, angular_speed, mesh)));
+std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh, double rough_orders) {
+  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
+  const int nodes = mesh.nodes_per_revolution;
+  if (!body.metric.is_curved()) {
+    require_all_orders(mesh);
+    const double refinement = measured_layers(body.layers).empty() ? 1.0 : kRefinementOfMeasured;
+    return unbounded_octaves(nodes, finest_order(body, angular_speed), refinement);
+  }
+  if (mesh.max_order) return whole_orders(*mesh.max_order, nodes);
+  return octaves(nodes, finest_order(body, angular_speed),
+                 std::max(rough_orders, material_rough_orders(body, angular_speed, mesh)));
 }
 
-std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                    double rough_orders) {
   const int nodes = theta_nodes_per_revolution(mesh);
+  if (!body.metric.is_curved()) {
+    require_all_orders(mesh);
+    return unbounded_octaves(nodes, finest_order(body, angular_speed));
+  }
   return mesh.max_order ? whole_orders(*mesh.max_order, nodes)
-                        : octaves(nodes, finest_order(sphere, angular_speed), rough_orders);
-}
-
-PlaneBands plane_bands(const CoatedPlane& plane, double angular_speed, double radius, const Mesh& mesh) {
-  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
-  const std::vector<Layer> layers = layers_from_base(plane);
-  const double finest = finest_order(layers, radius, angular_speed);
-  const bool measured =
-      std::ranges::any_of(layers, [](const Layer& layer) { return is_measured(layer.shear_modulus); });
-  return {.phi = unbounded_octaves(mesh.nodes_per_revolution, finest, measured ? kRefinementOfMeasured : 1.0),
-          .theta = unbounded_octaves(theta_nodes_per_revolution(mesh), finest)};
+                        : octaves(nodes, finest_order(body, angular_speed), rough_orders);
 }
 
 double measured_order(const Mesh& mesh) {

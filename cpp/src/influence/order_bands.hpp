@@ -12,9 +12,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "modal/layered_body.hpp"
 #include "viscoroll/mesh.hpp"
-#include "viscoroll/plane.hpp"
-#include "viscoroll/sphere.hpp"
 
 namespace viscoroll::detail {
 
@@ -52,7 +51,7 @@ struct OrderBand {
                                                     double rough_orders);
 
 /// @return orders along phi up to which a measured modulus is taken point by point
-[[nodiscard]] double material_rough_orders(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh);
+[[nodiscard]] double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh);
 
 /// @brief Smooth step between the degrees of a sphere that are summed one by one and those of the local metric.
 /// @param[in] wave_number k, or l + 1/2
@@ -63,26 +62,19 @@ struct OrderBand {
 /// @return the degree from which on nothing that matters is left of the former: 2e-7
 [[nodiscard]] double exact_end(double middle);
 
+/// @param[in] body layers
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] mesh spacings, and the truncation, which a plane cannot have
 /// @param[in] rough_orders at least these are summed one by one
 /// @return bands along phi
-[[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+/// @throws std::invalid_argument for a truncation on a plane
+[[nodiscard]] std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                                double rough_orders = 0.0);
 /// @return bands along theta
-[[nodiscard]] std::vector<OrderBand> theta_bands(const CoatedSphere& sphere, double angular_speed, const Mesh& mesh,
+[[nodiscard]] std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                                  double rough_orders = 0.0);
 
-/// @brief Bands of a plane, along both directions.
-struct PlaneBands {
-  std::vector<OrderBand> phi;
-  std::vector<OrderBand> theta;
-};
-
-/// @param[in] plane layers and base, not rigid
-/// @param[in] angular_speed,radius of what rolls over it
-/// @param[in] mesh that of what rolls
-[[nodiscard]] PlaneBands plane_bands(const CoatedPlane& plane, double angular_speed, double radius, const Mesh& mesh);
-
-/// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicCoating`
+/// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicBody`
 [[nodiscard]] double measured_order(const Mesh& mesh);
 
 /// @return the orders of all bands, one band after the other

@@ -71,7 +71,7 @@ void share(const SphericalOrder& from, HarmonicsOf which, HarmonicsOf as, Spheri
 
 }  // namespace
 
-SphereSum::SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree)
+SphereSum::SphereSum(LayeredBody sphere, double angular_speed, const Mesh& mesh, double exact_degree)
     : sphere_(std::move(sphere)),
       angular_speed_(angular_speed),
       mesh_(mesh),
@@ -107,9 +107,8 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
                             int threads, Watch& watch) const {
   const std::size_t count = influences.front().orders.size();
   const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(static_cast<Index>(count), 0.0, highest_degree_);
-  const HarmonicCoating coating(sphere_, angular_speed_, {orders.begin(), orders.end()}, measured_order(mesh_),
-                                Curvature::sphere);
-  const auto spectrum = make_spectrum(coating, highest_degree_ + 1.0, threads, watch);
+  const HarmonicBody body(sphere_, angular_speed_, {orders.begin(), orders.end()}, measured_order(mesh_));
+  const auto spectrum = make_spectrum(body, highest_degree_ + 1.0, threads, watch);
   const int half_theta = influences.front().half_theta();
   const Eigen::ArrayXd thetas =
       0.5 * std::numbers::pi + theta_spacing(mesh_) * Eigen::ArrayXd::LinSpaced(half_theta + 1, 0.0, half_theta);
@@ -118,11 +117,11 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
   for (const SphereRequest& request : requests) {
     patches.emplace_back(half_theta + 1, theta_spacing(mesh_), request.patch_load, highest_degree_);
   }
-  const double scale = 1.0 / (2.0 * std::numbers::pi * coating.outer_radius() * coating.outer_radius());
+  const double scale = 1.0 / (2.0 * std::numbers::pi * body.radius() * body.radius());
 
   parallel_for(count, threads, watch, "summing degrees", [&](std::size_t i, const Worker& worker) {
     const int m = static_cast<int>(i);
-    const auto compliances = degree_compliances(coating, *spectrum, i, highest_degree_);
+    const auto compliances = degree_compliances(body, *spectrum, i, highest_degree_);
     worker.checkpoint();
     const double patch = sinc(0.5 * m * phi_spacing(mesh_));
     for (std::size_t r = 0; r < requests.size(); ++r) {

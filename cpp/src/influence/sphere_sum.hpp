@@ -65,11 +65,11 @@ struct SphereRequest {
 /// @brief What the influence of a coating on a mesh is summed from.
 class SphereSum {
  public:
-  /// @param[in] sphere core and layers, without inertia
+  /// @param[in] sphere its layers, without inertia
   /// @param[in] angular_speed Omega [rad/s], > 0
   /// @param[in] mesh spacings, and the highest degree as its truncation
   /// @param[in] exact_degree middle of the step between degrees summed one by one and those of the local metric
-  SphereSum(CoatedSphere sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
+  SphereSum(LayeredBody sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
 
   /// @brief Sum all degrees and orders.
   /// @param[in] requests what to sum; the local metric serves all of them at once
@@ -95,7 +95,7 @@ class SphereSum {
   void add_local(const std::vector<SphereRequest>& requests, std::vector<SphereInfluence>& influences, int half_theta,
                  int threads, Watch& watch) const;
 
-  CoatedSphere sphere_;
+  LayeredBody sphere_;
   double angular_speed_;
   Mesh mesh_;
   double exact_degree_;  // infinite where the mesh truncates

@@ -36,8 +36,8 @@ std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool 
 
 }  // namespace
 
-DepthSeries::DepthSeries(std::vector<Medium<cplx>> pieces, std::vector<std::size_t> boundaries, double m,
-                         double highest_n, std::vector<Entry> entries, double tolerance)
+DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> boundaries, double m, double highest_n,
+                         std::vector<Entry> entries, double tolerance)
     : pieces_(std::move(pieces)),
       boundaries_(std::move(boundaries)),
       m_(m),
@@ -73,7 +73,7 @@ void DepthSeries::append(double low, double high) {
 DepthSeries::Values DepthSeries::solve(std::span<const double> squares) const {
   std::vector<OrderInLayers<cplx>> orders;
   for (const double square : squares) {
-    orders.push_back({.media = pieces_, .m = m_, .n = std::sqrt(std::max(square - m_ * m_, 0.0))});
+    orders.push_back({.layers = pieces_, .m = m_, .n = std::sqrt(std::max(square - m_ * m_, 0.0))});
   }
   std::vector<std::vector<DepthState>> states(orders.size());
   depth_states(orders, states);
@@ -199,39 +199,38 @@ void DepthTransfer::state(std::size_t boundary, Index count, const LoadRows& loa
   state.topRows(3) /= modulus_ratio_;
 }
 
-DepthTransfers::DepthTransfers(const HarmonicCoating& coating, const LayerCuts& cuts,
-                               std::vector<std::size_t> boundaries, double highest_k, const LoadedComponents& loaded,
-                               const Accuracy& accuracy)
-    : coating_(coating), cuts_(cuts), boundaries_(std::move(boundaries)), tolerance_(accuracy.tolerance) {
+DepthTransfers::DepthTransfers(const HarmonicBody& body, const LayerCuts& cuts, std::vector<std::size_t> boundaries,
+                               double highest_k, const LoadedComponents& loaded, const Accuracy& accuracy)
+    : body_(body), cuts_(cuts), boundaries_(std::move(boundaries)), tolerance_(accuracy.tolerance) {
   const bool shares = can_share(accuracy.inertia);
   entries_ = entries_of(loaded, shares);
   if (!shares) return;
-  auto pieces = cuts_.pieces(coating_.media(0));
-  for (auto& piece : pieces) piece.inertia = 0.0;
+  auto pieces = cuts_.pieces(body_.layers_at(0));
+  for (auto& piece : pieces.media) piece.inertia = 0.0;
   shared_ = std::make_shared<const DepthSeries>(std::move(pieces), boundaries_, 0.0, highest_k, entries_, tolerance_);
 }
 
 bool DepthTransfers::can_share(double negligible_inertia) const {
   constexpr double kSame = 1e-12;
-  const std::vector<Layer>& layers = coating_.sphere().layers;
-  const double speed = coating_.angular_speed() * coating_.outer_radius();
+  const std::vector<Layer>& layers = body_.body().layers;
+  const double speed = body_.angular_speed() * body_.radius();
   for (std::size_t l = 0; l < layers.size(); ++l) {
     if (!layers[l].poisson_ratio ||
-        layers[l].density * speed * speed > negligible_inertia * coating_.modulus(l, 0).real()) {
+        layers[l].density * speed * speed > negligible_inertia * body_.modulus(l, 0).real()) {
       return false;
     }
-    const cplx ratio = coating_.modulus(l, 0) / coating_.modulus(0, 0);
-    for (std::size_t i = 0; i < coating_.orders().size(); ++i) {
-      if (std::abs(coating_.modulus(l, i) / coating_.modulus(0, i) - ratio) > kSame * std::abs(ratio)) return false;
+    const cplx ratio = body_.modulus(l, 0) / body_.modulus(0, 0);
+    for (std::size_t i = 0; i < body_.orders().size(); ++i) {
+      if (std::abs(body_.modulus(l, i) / body_.modulus(0, i) - ratio) > kSame * std::abs(ratio)) return false;
     }
   }
   return true;
 }
 
 DepthTransfer DepthTransfers::at(std::size_t i, const Eigen::ArrayXd& n) const {
-  const double m = coating_.orders()[i];
-  if (shared_) return {shared_, m, n, coating_.modulus(0, i) / coating_.modulus(0, 0)};
-  return {std::make_shared<const DepthSeries>(cuts_.pieces(coating_.media(i)), boundaries_, m, n[n.size() - 1],
+  const double m = body_.orders()[i];
+  if (shared_) return {shared_, m, n, body_.modulus(0, i) / body_.modulus(0, 0)};
+  return {std::make_shared<const DepthSeries>(cuts_.pieces(body_.layers_at(i)), boundaries_, m, n[n.size() - 1],
                                               entries_, tolerance_),
           m, n, 0.0};
 }

@@ -17,6 +17,7 @@
 #include "interior/field_components.hpp"
 #include "interior/layer_cuts.hpp"
 #include "modal/chebyshev_panels.hpp"
+#include "modal/harmonic_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -37,14 +38,14 @@ class DepthSeries {
     [[nodiscard]] bool is_odd() const { return (component % 3 == 2) != (column == 2); }
   };
 
-  /// @param[in] pieces media at order m, from the center outwards
+  /// @param[in] pieces at order m
   /// @param[in] boundaries where states are wanted
   /// @param[in] m order
   /// @param[in] highest_n largest n that is asked for
   /// @param[in] entries that are not zero
   /// @param[in] tolerance of the series, relative to the load for stresses and to the largest displacement
-  DepthSeries(std::vector<Medium<std::complex<double>>> pieces, std::vector<std::size_t> boundaries, double m,
-              double highest_n, std::vector<Entry> entries, double tolerance);
+  DepthSeries(LayerStack<std::complex<double>> pieces, std::vector<std::size_t> boundaries, double m, double highest_n,
+              std::vector<Entry> entries, double tolerance);
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   /// @brief Series of all entries at all boundaries, boundary by boundary.
@@ -59,7 +60,7 @@ class DepthSeries {
   [[nodiscard]] Values solve(std::span<const double> squares) const;
   [[nodiscard]] bool is_resolved(const Panel<std::complex<double>>& panel) const;
 
-  std::vector<Medium<std::complex<double>>> pieces_;
+  LayerStack<std::complex<double>> pieces_;
   std::vector<std::size_t> boundaries_;
   double m_;
   std::vector<Entry> entries_;
@@ -68,11 +69,11 @@ class DepthSeries {
   bool is_real_;
 };
 
-/// @brief The layers' answer to order m at the places of a coating.
+/// @brief The layers' answer to order m at a list of places.
 class DepthTransfer {
  public:
   /// @brief Evaluate series at a list of orders.
-  /// @param[in] series of this m; or those of m = 0, if `modulus_ratio` says how much stiffer the coating is here
+  /// @param[in] series of this m; or those of m = 0, if `modulus_ratio` says how much stiffer the layers are here
   /// @param[in] m order
   /// @param[in] n orders, ascending from 0
   /// @param[in] modulus_ratio modulus at order m per that of the shared series; 0 where they are not shared
@@ -99,23 +100,23 @@ class DepthTransfer {
   std::vector<Eigen::MatrixXd> chebyshev_;  // of each panel
 };
 
-/// @brief Makes the transfers of all orders m of a coating to a list of boundaries.
+/// @brief Makes the transfers of all orders m of a body to a list of boundaries.
 class DepthTransfers {
  public:
   /// What may be left out.
   struct Accuracy {
     double tolerance;  ///< of series, see `DepthSeries`
-    double inertia;    ///< rho (Omega r_o)^2 per modulus, where without it series are shared
+    double inertia;    ///< rho (Omega r)^2 per modulus, where without it series are shared
   };
 
-  /// @param[in] coating layers at the orders m, the first of which is 0
+  /// @param[in] body layers at the orders m, the first of which is 0
   /// @param[in] cuts with the boundaries
   /// @param[in] boundaries where states are wanted
   /// @param[in] highest_k largest order that is asked for, of m and n together
   /// @param[in] loaded components of the surface stress that are not zero
   /// @param[in] accuracy what may be left out
-  DepthTransfers(const HarmonicCoating& coating, const LayerCuts& cuts, std::vector<std::size_t> boundaries,
-                 double highest_k, const LoadedComponents& loaded, const Accuracy& accuracy);
+  DepthTransfers(const HarmonicBody& body, const LayerCuts& cuts, std::vector<std::size_t> boundaries, double highest_k,
+                 const LoadedComponents& loaded, const Accuracy& accuracy);
 
   /// @param[in] i number of the order m
   /// @param[in] n orders, ascending from 0
@@ -124,7 +125,7 @@ class DepthTransfers {
  private:
   [[nodiscard]] bool can_share(double negligible_inertia) const;
 
-  const HarmonicCoating& coating_;
+  const HarmonicBody& body_;
   const LayerCuts& cuts_;
   std::vector<std::size_t> boundaries_;
   double tolerance_;

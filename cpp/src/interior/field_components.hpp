@@ -43,8 +43,9 @@ using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::
 /// @brief What all components are made of by factors that do not know of n: the state, and three rows that do.
 enum Basis : Eigen::Index {
   kState = 0,
-  kSpread = 6,  ///< m v_phi + n v_theta - 2 u_r, the change of area
-  kShape = 7,   ///< c (n v_theta - m v_phi) / 2, c^2 the membrane stiffness per k^2
+  kSpread = 6,  ///< m v_phi + n v_theta - p u_r, the change of area; p = 2 on a sphere, 1 on a cylinder
+  kShape = 7,   ///< half of what phi is stretched more than theta: c (n v_theta - m v_phi) / 2, and half of u_r on a
+                ///< cylinder; c^2 is the membrane stiffness per k^2
   kTwist = 8,   ///< -c (m v_theta + n v_phi), twice the strain phitheta
   kBasisRows = 9,
 };
@@ -62,34 +63,34 @@ enum Basis : Eigen::Index {
 }
 
 /// @brief The basis of all components.
-/// @param[in] medium at the place
+/// @param[in] metric of the body
 /// @param[in] m,n orders
 /// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
 /// @param[out] basis kBasisRows rows
-inline void field_basis(const Medium<std::complex<double>>& medium, double m, const Eigen::ArrayXd& n,
-                        const ComponentRows& state, ComponentRows& basis) {
+inline void field_basis(const Metric& metric, double m, const Eigen::ArrayXd& n, const ComponentRows& state,
+                        ComponentRows& basis) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
   // Of the strain by tangential displacements, the part that changes no area carries the membrane stiffness.
   const Eigen::Array<double, 1, Eigen::Dynamic> k2 = (m * m + n.square()).transpose();
-  const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr([&](double square) {
-    return square > 0.0 ? std::sqrt(membrane_stiffness(medium.curvature, square) / square) : 1.0;
-  });
+  const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr(
+      [&](double square) { return square > 0.0 ? std::sqrt(metric.membrane_stiffness(square) / square) : 1.0; });
   const auto orders = n.transpose().cast<std::complex<double>>();
   const Row along_phi = m * state.row(1);
   const Row along_theta = orders * state.row(2);
   basis.resize(kBasisRows, n.size());
   basis.topRows(6) = state;
-  basis.row(kSpread) = along_phi + along_theta - 2.0 * state.row(0);
+  basis.row(kSpread) = along_phi + along_theta - metric.bends() * state.row(0);
   basis.row(kShape) = 0.5 * membrane * (along_theta - along_phi);
+  if (!metric.is_sphere()) basis.row(kShape) += 0.5 * metric.bends() * state.row(0);
   basis.row(kTwist) = -membrane * (m * state.row(2) + orders * state.row(1));
 }
 
 /// @brief All components from their basis.
 /// @param[in] medium at the place
-/// @param[in] radius r [m]
+/// @param[in] length of a radian there [m], by which the stresses of a state are multiplied
 /// @param[in] basis kBasisRows rows, or sums of them over n
 /// @param[out] fields kFieldComponents rows
-inline void components_of(const Medium<std::complex<double>>& medium, double radius, const ComponentRows& basis,
+inline void components_of(const Medium<std::complex<double>>& medium, double length, const ComponentRows& basis,
                           ComponentRows& fields) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
   const std::complex<double> mu = medium.mu;
@@ -98,37 +99,37 @@ inline void components_of(const Medium<std::complex<double>>& medium, double rad
   const auto s = basis.row(3);
   const auto t = basis.row(kSpread);
   const auto shape = basis.row(kShape);
-  const Row area = -0.5 * t;  // u_r - (m v_phi + n v_theta) / 2, half the change of area
-  const double per_radius = 1.0 / radius;
+  const Row area = -0.5 * t;  // half the change of area
+  const double per_length = 1.0 / length;
 
   fields.resize(static_cast<Eigen::Index>(kFieldComponents), basis.cols());
   fields.topRows(3) = basis.topRows(3);
   const Row mean = a * s - 2.0 * a * mu * t;
-  fields.row(kStress) = per_radius * s;
-  fields.row(kStress + 1) = per_radius * (mean + 2.0 * mu * (area + shape));
-  fields.row(kStress + 2) = per_radius * (mean + 2.0 * mu * (area - shape));
-  fields.row(kStress + 3) = per_radius * basis.row(4);
-  fields.row(kStress + 4) = per_radius * basis.row(5);
-  fields.row(kStress + 5) = per_radius * mu * basis.row(kTwist);
-  fields.row(kStrain) = per_radius * (a * t + b / mu * s);
-  fields.row(kStrain + 1) = per_radius * (area + shape);
-  fields.row(kStrain + 2) = per_radius * (area - shape);
-  fields.row(kStrain + 3) = per_radius / (2.0 * mu) * basis.row(4);
-  fields.row(kStrain + 4) = per_radius / (2.0 * mu) * basis.row(5);
-  fields.row(kStrain + 5) = 0.5 * per_radius * basis.row(kTwist);
+  fields.row(kStress) = per_length * s;
+  fields.row(kStress + 1) = per_length * (mean + 2.0 * mu * (area + shape));
+  fields.row(kStress + 2) = per_length * (mean + 2.0 * mu * (area - shape));
+  fields.row(kStress + 3) = per_length * basis.row(4);
+  fields.row(kStress + 4) = per_length * basis.row(5);
+  fields.row(kStress + 5) = per_length * mu * basis.row(kTwist);
+  fields.row(kStrain) = per_length * (a * t + b / mu * s);
+  fields.row(kStrain + 1) = per_length * (area + shape);
+  fields.row(kStrain + 2) = per_length * (area - shape);
+  fields.row(kStrain + 3) = per_length / (2.0 * mu) * basis.row(4);
+  fields.row(kStrain + 4) = per_length / (2.0 * mu) * basis.row(5);
+  fields.row(kStrain + 5) = 0.5 * per_length * basis.row(kTwist);
 }
 
 /// @brief All components.
-/// @param[in] medium at the place
-/// @param[in] radius r [m]
+/// @param[in] layers of the body
+/// @param[in] place where
 /// @param[in] m,n orders
 /// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
 /// @param[out] fields kFieldComponents rows
-inline void field_components(const Medium<std::complex<double>>& medium, double radius, double m,
+inline void field_components(const LayerStack<std::complex<double>>& layers, const Place& place, double m,
                              const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
   ComponentRows basis;
-  field_basis(medium, m, n, state, basis);
-  components_of(medium, radius, basis, fields);
+  field_basis(layers.metric, m, n, state, basis);
+  components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.radius), basis, fields);
 }
 
 }  // namespace viscoroll::detail

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "validate.hpp"
@@ -12,19 +13,12 @@ namespace {
 /// Radii this close, relatively, are one.
 constexpr double kSameRadius = 1e-12;
 
-std::vector<double> interfaces(const CoatedSphere& sphere) {
-  std::vector<double> radii{sphere.core_radius};
-  for (const Layer& layer : sphere.layers) radii.push_back(radii.back() + layer.thickness);
-  return radii;
-}
-
 bool is_same(double a, double b) { return std::abs(a - b) <= kSameRadius * std::max(a, b); }
 
 }  // namespace
 
 std::vector<Place> places_at(const CoatedSphere& sphere, std::span<const double> radii) {
-  validate(sphere);
-  const std::vector<double> ends = interfaces(sphere);
+  const std::vector<double> ends = detail::layered_body(sphere).boundaries;
   std::vector<Place> places;
   for (const double radius : radii) {
     const auto before = places.size();
@@ -44,37 +38,37 @@ std::vector<Place> places_at(const CoatedSphere& sphere, std::span<const double>
 
 namespace detail {
 
-LayerCuts::LayerCuts(const CoatedSphere& sphere, std::span<const Place> places) {
-  const std::vector<double> ends = interfaces(sphere);
-  radii_ = ends;
+LayerCuts::LayerCuts(const LayeredBody& body, std::span<const Place> places) {
+  const std::vector<double>& ends = body.boundaries;
+  const double center = body.metric.is_curved() ? 0.0 : -std::numeric_limits<double>::infinity();
+  boundaries_ = ends;
   for (const Place& place : places) {
     const auto layer = static_cast<std::size_t>(place.layer);
-    if (place.layer < 0 || layer >= sphere.layers.size() || !(place.radius > 0.0) || !(place.radius >= ends[layer]) ||
+    if (place.layer < 0 || layer >= body.layers.size() || !(place.radius > center) || !(place.radius >= ends[layer]) ||
         !(place.radius <= ends[layer + 1])) {
       reject("place", "a radius within its layer", text(place.radius) + " m in layer " + std::to_string(place.layer));
     }
-    radii_.push_back(place.radius);
+    boundaries_.push_back(place.radius);
   }
-  std::ranges::sort(radii_);
-  const auto repeated = std::ranges::unique(radii_);
-  radii_.erase(repeated.begin(), repeated.end());
+  std::ranges::sort(boundaries_);
+  const auto repeated = std::ranges::unique(boundaries_);
+  boundaries_.erase(repeated.begin(), repeated.end());
   for (const Place& place : places) {
-    boundary_.push_back(static_cast<std::size_t>(std::ranges::lower_bound(radii_, place.radius) - radii_.begin()));
+    boundary_.push_back(
+        static_cast<std::size_t>(std::ranges::lower_bound(boundaries_, place.radius) - boundaries_.begin()));
   }
-  for (std::size_t piece = 0; piece + 1 < radii_.size(); ++piece) {
-    layer_.push_back(static_cast<std::size_t>(std::ranges::upper_bound(ends, radii_[piece]) - ends.begin() - 1));
+  for (std::size_t piece = 0; piece + 1 < boundaries_.size(); ++piece) {
+    layer_.push_back(static_cast<std::size_t>(std::ranges::upper_bound(ends, boundaries_[piece]) - ends.begin() - 1));
   }
 }
 
-std::vector<Medium<std::complex<double>>> LayerCuts::pieces(
-    std::span<const Medium<std::complex<double>>> layers) const {
-  std::vector<Medium<std::complex<double>>> pieces;
-  pieces.reserve(layer_.size());
+LayerStack<std::complex<double>> LayerCuts::pieces(const LayerStack<std::complex<double>>& layers) const {
+  LayerStack<std::complex<double>> pieces{.metric = layers.metric, .within = layers.within, .media = {}};
+  pieces.media.reserve(layer_.size());
   for (std::size_t piece = 0; piece < layer_.size(); ++piece) {
-    pieces.push_back(layers[layer_[piece]]);
-    pieces.back().inner_radius = radii_[piece];
-    pieces.back().outer_radius = radii_[piece + 1];
-    if (piece > 0) pieces.back().within = InnerBoundary::rigid;
+    pieces.media.push_back(layers.media[layer_[piece]]);
+    pieces.media.back().inner = boundaries_[piece];
+    pieces.media.back().outer = boundaries_[piece + 1];
   }
   return pieces;
 }

@@ -1,7 +1,6 @@
 #include "interior/load_spectrum.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "influence/patch.hpp"
@@ -111,9 +110,9 @@ void validate(const Tractions& tractions) {
   require_values("tractions.shear_traction", tractions.shear_traction, 2 * count);
 }
 
-LoadSpectrum::LoadSpectrum(const Tractions& tractions, double radius, const ArrayXd& m, const ArrayXd& n)
+LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, const ArrayXd& m, const ArrayXd& n)
     : count_(n.size()) {
-  const SurfaceWindow window = window_of(tractions, radius);
+  const SurfaceWindow window = window_of(tractions, metric.radius);
   const Formulation formulation{
       .compliance = tractions.compliance, .patch_load = tractions.patch_load, .tangential = tractions.friction};
   const VectorField force = nodal_forces(tractions, window);
@@ -125,8 +124,8 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, double radius, const Arra
   for (std::size_t shape = 0; shape < weights.size(); ++shape) {
     to_n.push_back(theta_waves(window.window().theta, window.grid().theta_spacing, n, static_cast<int>(shape)));
   }
-  // Forces of all orders add up to (2 pi r_o)^2 times the stress of order (0, 0).
-  const double scale = radius / std::pow(2.0 * std::numbers::pi * radius, 2);
+  // All forces add up to this area times the stress of order (0, 0).
+  const double scale = metric.radius / metric.area_of_waves();
   const cplx i(0.0, 1.0);
   for (std::size_t component = 0; component < directions.size(); ++component) {
     const auto& direction = directions[component];

@@ -18,13 +18,13 @@ namespace viscoroll::detail {
 /// @brief Mirror images of themselves, or opposite to them.
 enum class Mirror : std::size_t { same, opposite };
 
-/// @brief Surface stresses r_o sigma of given tractions at a grid of orders, not necessarily whole.
+/// @brief Surface stresses r sigma of given tractions at a grid of orders, not necessarily whole.
 class LoadSpectrum {
  public:
   /// @param[in] tractions of the plane
-  /// @param[in] radius r_o [m]
+  /// @param[in] metric of the body
   /// @param[in] m,n orders >= 0
-  LoadSpectrum(const Tractions& tractions, double radius, const Eigen::ArrayXd& m, const Eigen::ArrayXd& n);
+  LoadSpectrum(const Tractions& tractions, const Metric& metric, const Eigen::ArrayXd& m, const Eigen::ArrayXd& n);
 
   /// @return whether there are loads of this kind
   [[nodiscard]] bool has(Mirror mirror) const { return present_[static_cast<std::size_t>(mirror)]; }

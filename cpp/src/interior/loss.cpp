@@ -10,9 +10,9 @@
 #include "influence/fft.hpp"
 #include "influence/gauss_legendre.hpp"
 #include "influence/order_bands.hpp"
-#include "interior/depth_limit.hpp"
 #include "interior/depth_transfer.hpp"
 #include "interior/load_spectrum.hpp"
+#include "modal/depth_cut.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 #include "viscoroll/interior.hpp"
@@ -41,24 +41,23 @@ struct WeightedPlaces {
   std::vector<double> weights;  // dr [m]
 };
 
-WeightedPlaces volume_nodes(const CoatedSphere& sphere, double max_order) {
+WeightedPlaces volume_nodes(const LayeredBody& body, double max_order) {
   constexpr double kSeen = 12.0;  // exponent of what still matters at the top of a layer: 1e-10 of the loss
+  constexpr double kCenter = 6.907755278982137;  // ln(1000): deep enough for that of a solid ball
+  const Metric& metric = body.metric;
   WeightedPlaces nodes;
-  const double surface = outer_radius(sphere);
-  double outer = surface;
-  for (std::size_t layer = sphere.layers.size(); layer-- > 0;) {
-    const double thickness = sphere.layers[layer].thickness;
-    const double inner = layer > 0 ? outer - thickness : sphere.core_radius;
-    const double above = std::log(surface / outer);
+  for (std::size_t layer = body.layers.size(); layer-- > 0;) {
+    const double inner = body.boundaries[layer];
+    const double outer = body.boundaries[layer + 1];
+    const double above = metric.depth(metric.surface(), outer);
     const double highest = above > 0.0 ? std::min(max_order, kSeen / above) : max_order;
-    const double extent = std::log(outer / std::max(inner, 1e-3 * outer));
+    const double extent = metric.depth(outer, std::max(inner, metric.below(outer, kCenter)));
     const auto [points, weights] = gauss_legendre(radial_nodes(2.0 * highest * extent));
     for (Index i = 0; i < points.size(); ++i) {
       const double y = 0.5 * (1.0 + points[i]);
-      nodes.places.push_back({.radius = outer - thickness * y * y, .layer = static_cast<int>(layer)});
-      nodes.weights.push_back(thickness * y * weights[i]);
+      nodes.places.push_back({.radius = outer - (outer - inner) * y * y, .layer = static_cast<int>(layer)});
+      nodes.weights.push_back((outer - inner) * y * weights[i]);
     }
-    outer = inner;
   }
   return nodes;
 }
@@ -89,18 +88,17 @@ std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places
 
 class LossSum {
  public:
-  LossSum(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions, std::vector<Place> places,
+  LossSum(const LayeredBody& body, double angular_speed, const Tractions& tractions, std::vector<Place> places,
           std::vector<double> weights, int max_order)
       : places_(std::move(places)),
         weights_(std::move(weights)),
-        cuts_(sphere, places_),
-        limit_(sphere, angular_speed),
+        cuts_(body, places_),
+        limit_(body, angular_speed),
         orders_(whole_numbers(max_order)),
-        coating_(sphere, angular_speed, {orders_.begin(), orders_.end()}, measured_order(tractions.mesh),
-                 tractions.curvature),
-        loads_(tractions, coating_.outer_radius(), orders_, orders_),
-        transfers_(coating_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order,
-                   loads_.loaded(), kAccuracy),
+        body_(body, angular_speed, {orders_.begin(), orders_.end()}, measured_order(tractions.mesh)),
+        loads_(tractions, body.metric, orders_, orders_),
+        transfers_(body_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order, loads_.loaded(),
+                   kAccuracy),
         theta_nodes_(ComplexFft::fast_length(2 * max_order + 2)),
         transform_(theta_nodes_) {}
 
@@ -110,7 +108,7 @@ class LossSum {
     parallel_for(blocks.size(), threads, watch, "loss inside", [&](std::size_t block, const Worker& worker) {
       Losses& losses = blocks[block];
       losses.density.setZero(theta_nodes_, static_cast<Index>(places_.size()));
-      losses.by_order.setZero(static_cast<Index>(coating_.sphere().layers.size()), kBlock);
+      losses.by_order.setZero(static_cast<Index>(body_.body().layers.size()), kBlock);
       for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
         add_order(static_cast<Index>(block * kBlock + i + 1), static_cast<Index>(i), losses);
         worker.checkpoint();
@@ -123,35 +121,34 @@ class LossSum {
   void add_order(Index order, Index in_block, Losses& losses) const {
     const double m = orders_[order];
     const DepthTransfer transfer = transfers_.at(static_cast<std::size_t>(order), orders_);
-    const auto media = coating_.media(static_cast<std::size_t>(order));
+    const auto layers = body_.layers_at(static_cast<std::size_t>(order));
     const OrderLoads loads{.same = loads_.loads(Mirror::same, order),
                            .opposite = loads_.loads(Mirror::opposite, order)};
     ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
     for (std::size_t p = 0; p < places_.size(); ++p) {
       const Place& place = places_[p];
-      const double limit = limit_(place, kDeepest);
+      const double limit = limit_(place.radius, kDeepest);
       if (m > limit) continue;
       const double highest = std::min(std::sqrt(limit * limit - m * m), orders_[orders_.size() - 1]);
-      const Medium<cplx>& medium = media[static_cast<std::size_t>(place.layer)];
-      const ArrayXd density = density_of(transfer, p, medium, place, m, static_cast<Index>(highest) + 1, loads, line);
+      const ArrayXd density = density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
       losses.density.col(static_cast<Index>(p)) += density;
-      losses.by_order(place.layer, in_block) +=
-          weights_[p] * place.radius * place.radius * density.sum() * 2.0 * pi / theta_nodes_;
+      const double measure = layers.metric.measure(place.radius);
+      losses.by_order(place.layer, in_block) += weights_[p] * measure * density.sum() * 2.0 * pi / theta_nodes_;
     }
     losses.surface += surface_loss(transfer, places_.size(), m, loads);
   }
 
   /// w of order m at a place, over theta.
-  [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t boundary, const Medium<cplx>& medium,
-                                   const Place& place, double m, Index count, const OrderLoads& loads,
-                                   ComplexBuffer& line) const {
+  [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t p, const LayerStack<cplx>& layers,
+                                   double m, Index count, const OrderLoads& loads, ComplexBuffer& line) const {
+    const Medium<cplx>& medium = layers.media[static_cast<std::size_t>(places_[p].layer)];
     const ArrayXd n = orders_.head(count);
     std::array<ComponentRows, 2> fields;
     for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
       if (!loads_.has(mirror)) continue;
       ComponentRows state;
-      transfer.state(boundary, count, mirror == Mirror::same ? loads.same : loads.opposite, state);
-      field_components(medium, place.radius, m, n, state, fields[static_cast<std::size_t>(mirror)]);
+      transfer.state(p, count, mirror == Mirror::same ? loads.same : loads.opposite, state);
+      field_components(layers, places_[p], m, n, state, fields[static_cast<std::size_t>(mirror)]);
     }
     // Tensor components count twice off the diagonal.
     constexpr std::array kTimes{1.0, 1.0, 1.0, 2.0, 2.0, 2.0};
@@ -184,7 +181,8 @@ class LossSum {
     transform_.backward(line.data());
   }
 
-  /// What the tractions put into order m, per Omega: -(2 pi)^2 r_o m Im(conj(f)^T u), over orders of either sign.
+  /// What the tractions put into order m, per Omega: -A / r m Im(conj(f)^T u), A the area of waves, (2 pi r)^2 on a
+  /// sphere, over orders of either sign.
   [[nodiscard]] double surface_loss(const DepthTransfer& transfer, std::size_t boundary, double m,
                                     const OrderLoads& loads) const {
     double sum = 0.0;
@@ -195,12 +193,12 @@ class LossSum {
       const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
       sum += 2.0 * work.sum() - work[0];
     }
-    return -2.0 * std::pow(2.0 * pi, 2) * coating_.outer_radius() * m * sum;
+    return -2.0 * body_.metric().area_of_waves() / body_.radius() * m * sum;
   }
 
   [[nodiscard]] LossDensity collect(const std::vector<Losses>& blocks, std::size_t count) const {
-    const double speed = coating_.angular_speed();
-    const auto layers = coating_.sphere().layers.size();
+    const double speed = body_.angular_speed();
+    const auto layers = body_.body().layers.size();
     Eigen::ArrayXXd density = Eigen::ArrayXXd::Zero(theta_nodes_, static_cast<Index>(places_.size()));
     LossDensity loss{.places = places_, .radial_weights = weights_, .theta = {}, .density = {}, .order_power = {}};
     loss.order_power.assign(layers * (count + 1), 0.0);
@@ -231,7 +229,7 @@ class LossSum {
   LayerCuts cuts_;
   DepthLimit limit_;
   ArrayXd orders_;
-  HarmonicCoating coating_;
+  HarmonicBody body_;
   LoadSpectrum loads_;
   DepthTransfers transfers_;
   int theta_nodes_;
@@ -244,20 +242,20 @@ class LossSum {
 LossDensity loss_density(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
                          std::span<const Place> places, int max_order, int threads, const Observer& observer) {
   constexpr int kHighestOrder = 20000;
-  validate(sphere);
+  const detail::LayeredBody body = detail::layered_body(sphere, tractions.curvature);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::validate(tractions);
   detail::require_thread_count(threads);
   if (max_order < 1 || max_order > kHighestOrder) {
     detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));
   }
-  auto nodes = detail::volume_nodes(sphere, max_order);
+  auto nodes = detail::volume_nodes(body, max_order);
   const std::size_t integrated = nodes.places.size();
   nodes.places.insert(nodes.places.end(), places.begin(), places.end());
   nodes.weights.resize(nodes.places.size(), 0.0);
 
   detail::Watch watch(observer);
-  const detail::LossSum sum(sphere, angular_speed, tractions, nodes.places, nodes.weights, max_order);
+  const detail::LossSum sum(body, angular_speed, tractions, nodes.places, nodes.weights, max_order);
   LossDensity loss = sum.sum(threads, watch);
   if (!places.empty()) {
     const auto size = static_cast<std::ptrdiff_t>(integrated);

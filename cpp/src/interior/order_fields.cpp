@@ -1,11 +1,11 @@
 // Public face of single orders inside the layers.
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "interior/field_components.hpp"
 #include "interior/layer_cuts.hpp"
 #include "modal/compliance_recursion.hpp"
+#include "modal/harmonic_body.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 #include "viscoroll/interior.hpp"
@@ -37,10 +37,8 @@ std::vector<cplx> order_fields(const CoatedSphere& sphere, double angular_speed,
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
     magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
-                                        curvature);
-  const detail::LayerCuts cuts(sphere, places);
-  const double surface = coating.outer_radius();
+  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes);
+  const detail::LayerCuts cuts(body.body(), places);
 
   detail::Watch watch(observer);
   std::vector<cplx> values(m.size() * places.size() * kFieldComponents * 3);
@@ -48,18 +46,17 @@ std::vector<cplx> order_fields(const CoatedSphere& sphere, double angular_speed,
     // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
     const bool conjugate = m[i] < 0;
     const Eigen::ArrayXd order = Eigen::ArrayXd::Constant(1, conjugate ? -n[i] : n[i]);
-    const auto media = coating.media(i);
-    const auto pieces = cuts.pieces(media);
-    const detail::OrderInLayers<cplx> in_layers{.media = pieces, .m = magnitudes[i], .n = order[0]};
+    const auto layers = body.layers_at(i);
+    const auto pieces = cuts.pieces(layers);
+    const detail::OrderInLayers<cplx> in_layers{.layers = pieces, .m = magnitudes[i], .n = order[0]};
     std::vector<detail::DepthState> states;
     detail::depth_states(std::span(&in_layers, 1), std::span(&states, 1));
     cplx* out = values.data() + i * places.size() * kFieldComponents * 3;
     for (std::size_t place = 0; place < places.size(); ++place, out += kFieldComponents * 3) {
       for (int load = 0; load < 3; ++load) {
-        const detail::ComponentRows state = surface * states[cuts.boundary(place)].col(load).array();
+        const detail::ComponentRows state = body.radius() * states[cuts.boundary(place)].col(load).array();
         detail::ComponentRows fields;
-        detail::field_components(media[static_cast<std::size_t>(places[place].layer)], places[place].radius,
-                                 magnitudes[i], order, state, fields);
+        detail::field_components(layers, places[place], magnitudes[i], order, state, fields);
         for (std::size_t c = 0; c < kFieldComponents; ++c) {
           const cplx value = physical(fields(static_cast<Eigen::Index>(c), 0), c, load);
           out[3 * c + static_cast<std::size_t>(load)] = conjugate ? std::conj(value) : value;

@@ -9,10 +9,10 @@
 
 #include "dense_products.hpp"
 #include "influence/order_bands.hpp"
-#include "interior/depth_limit.hpp"
 #include "interior/depth_transfer.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/centrifugal.hpp"
+#include "modal/depth_cut.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 #include "viscoroll/interior.hpp"
@@ -97,20 +97,19 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
 
 class WindowSum {
  public:
-  WindowSum(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions, std::span<const Place> places,
+  WindowSum(const LayeredBody& body, double angular_speed, const Tractions& tractions, std::span<const Place> places,
             std::span<const double> phi, std::span<const double> theta)
       : places_(places),
-        cuts_(sphere, places),
-        limit_(sphere, angular_speed),
+        cuts_(body, places),
+        limit_(body, angular_speed),
         phi_(from_lowest_point("phi", phi)),
         theta_(from_lowest_point("theta", theta)),
         along_(phi_),
         across_(theta_),
-        m_(phi_bands(sphere, angular_speed, tractions)),
+        m_(phi_bands(body, angular_speed, tractions)),
         n_(theta_bands(tractions)),
-        coating_(sphere, angular_speed, {m_.orders.begin(), m_.orders.end()}, measured_order(tractions.mesh),
-                 tractions.curvature),
-        loads_(tractions, coating_.outer_radius(), m_.orders, n_.orders) {}
+        body_(body, angular_speed, {m_.orders.begin(), m_.orders.end()}, measured_order(tractions.mesh)),
+        loads_(tractions, body.metric, m_.orders, n_.orders) {}
 
   void sum(double* values, int threads, Watch& watch) const {
     const auto columns = static_cast<double>(kFieldComponents * mirrors().size()) *
@@ -131,7 +130,7 @@ class WindowSum {
  private:
   [[nodiscard]] double highest_order() const {
     double highest = 0.0;
-    for (const Place& place : places_) highest = std::max(highest, limit_(place, kEnd));
+    for (const Place& place : places_) highest = std::max(highest, limit_(place.radius, kEnd));
     return highest;
   }
 
@@ -144,11 +143,11 @@ class WindowSum {
     return octaves_within(spacing, highest_order(), largest, rough);
   }
 
-  [[nodiscard]] std::vector<OrderBand> phi_bands(const CoatedSphere& sphere, double angular_speed,
+  [[nodiscard]] std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed,
                                                  const Tractions& tractions) const {
     const double spacing = phi_spacing(tractions.mesh);
     return bands(spacing, largest_offset(phi_, tractions.phi_nodes, spacing),
-                 material_rough_orders(sphere, angular_speed, tractions.mesh), tractions.mesh);
+                 material_rough_orders(body, angular_speed, tractions.mesh), tractions.mesh);
   }
 
   [[nodiscard]] std::vector<OrderBand> theta_bands(const Tractions& tractions) const {
@@ -171,7 +170,7 @@ class WindowSum {
     std::vector<RowMajor> sums(last - first);
     double highest = 0.0;
     for (std::size_t place = first; place < last; ++place) {
-      const double limit = limit_(places_[place], kDeepest);
+      const double limit = limit_(places_[place].radius, kDeepest);
       highest = std::max(highest, limit);
       sums[place - first].setZero(2 * m_.count_up_to(limit),
                                   static_cast<Index>(mirrors().size()) * kComponents * across_.magnitudes.size());
@@ -179,7 +178,7 @@ class WindowSum {
     std::vector<std::size_t> boundaries;
     for (std::size_t place = first; place < last; ++place) boundaries.push_back(cuts_.boundary(place));
     const double most = std::hypot(m_.orders[m_.orders.size() - 1], n_.orders[n_.orders.size() - 1]);
-    const DepthTransfers transfers(coating_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
+    const DepthTransfers transfers(body_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
     const RowMajor phase = n_.orders.matrix() * across_.magnitudes.matrix().transpose();
     const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
     parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
@@ -202,7 +201,7 @@ class WindowSum {
     const ArrayXd n = n_.orders.head(reach(highest));
     const DepthTransfer transfer = transfers.at(static_cast<std::size_t>(i), n);
     worker.checkpoint();
-    const auto media = coating_.media(static_cast<std::size_t>(i));
+    const auto layers = body_.layers_at(static_cast<std::size_t>(i));
     const auto kinds = mirrors();
     ComponentRows state;
     ComponentRows basis;
@@ -211,13 +210,13 @@ class WindowSum {
       const LoadRows loads = loads_.loads(kinds[k], i);
       for (std::size_t p = 0; p < sums.size(); ++p) {
         const Place& place = places_[first + p];
-        const double limit = limit_(place, kDeepest);
+        const double limit = limit_(place.radius, kDeepest);
         if (m > limit) continue;
         const Index count = reach(limit);
         transfer.state(p, count, loads, state);
-        const auto& medium = media[static_cast<std::size_t>(place.layer)];
-        field_basis(medium, m, n.head(count), state, basis);
-        components_of(medium, place.radius, sum_over_n(basis, kinds[k], waves), fields);
+        field_basis(layers.metric, m, n.head(count), state, basis);
+        components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.radius),
+                      sum_over_n(basis, kinds[k], waves), fields);
         const auto width = across_.magnitudes.size();
         for (Index c = 0; c < kComponents; ++c) {
           auto sum = sums[p].block(2 * i, (static_cast<Index>(k) * kComponents + c) * width, 2, width);
@@ -296,19 +295,18 @@ class WindowSum {
   }
 
   void add_centrifugal(double* values) const {
-    const auto& layers = coating_.sphere().layers;
-    if (std::ranges::all_of(layers, [](const Layer& layer) { return layer.density == 0.0; })) return;
-    const HarmonicCoating rest = coating_at_rest(coating_.sphere(), coating_.angular_speed(), coating_.curvature());
-    const auto media = rest.media(0);
-    const auto states = centrifugal_states(cuts_.pieces(media));
+    const LayeredBody& body = body_.body();
+    const bool is_light = std::ranges::all_of(body.layers, [](const Layer& layer) { return layer.density == 0.0; });
+    if (is_light || !body.metric.is_curved()) return;
+    const auto layers = body_at_rest(body, body_.angular_speed()).layers_at(0);
+    const auto states = centrifugal_states(cuts_.pieces(layers));
     const auto size = phi_.size() * theta_.size();
     ComponentRows fields;
     for (std::size_t place = 0; place < places_.size(); ++place) {
       ComponentRows state = ComponentRows::Zero(6, 1);
       state(0, 0) = states[cuts_.boundary(place)](0);
       state(3, 0) = states[cuts_.boundary(place)](1);
-      field_components(media[static_cast<std::size_t>(places_[place].layer)], places_[place].radius, 0.0,
-                       ArrayXd::Zero(1), state, fields);
+      field_components(layers, places_[place], 0.0, ArrayXd::Zero(1), state, fields);
       for (std::size_t c = 0; c < kFieldComponents; ++c) {
         const double share = fields(static_cast<Index>(c), 0).real();
         double* field = values + (place * kFieldComponents + c) * size;
@@ -326,7 +324,7 @@ class WindowSum {
   Angles across_;
   WeightedOrders m_;
   WeightedOrders n_;
-  HarmonicCoating coating_;
+  HarmonicBody body_;
   LoadSpectrum loads_;
 };
 
@@ -336,7 +334,7 @@ class WindowSum {
 InteriorFields interior_fields(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
                                std::span<const Place> places, std::span<const double> phi,
                                std::span<const double> theta, int threads, const Observer& observer) {
-  validate(sphere);
+  const detail::LayeredBody body = detail::layered_body(sphere, tractions.curvature);
   detail::require_positive("angular_speed", angular_speed, "rad/s");
   detail::validate(tractions);
   detail::require_thread_count(threads);
@@ -346,7 +344,7 @@ InteriorFields interior_fields(const CoatedSphere& sphere, double angular_speed,
                         .values = std::vector<double>(places.size() * kFieldComponents * phi.size() * theta.size())};
   if (fields.values.empty()) return fields;
   detail::Watch watch(observer);
-  detail::WindowSum(sphere, angular_speed, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
+  detail::WindowSum(body, angular_speed, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
   return fields;
 }
 

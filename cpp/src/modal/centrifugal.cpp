@@ -9,6 +9,7 @@
 #include <ranges>
 #include <vector>
 
+#include "modal/harmonic_body.hpp"
 #include "modal/inner_boundary.hpp"
 #include "viscoroll/modal.hpp"
 
@@ -38,20 +39,18 @@ State advance(const Eigen::Matrix2d& elastic, double q, double load_radius, cons
   return sum;
 }
 
-/// Equations of u_r and r sigma_rr without inertia.
-using ElasticMatrix = Eigen::Matrix2d (*)(double mu, double b);
-
-Eigen::Matrix2d sphere_matrix(double mu, double b) {
-  return Eigen::Matrix2d{{-2.0 + 4.0 * b, b / mu}, {4.0 * mu * (3.0 - 4.0 * b), 1.0 - 4.0 * b}};
+/// Equations of u_r and r sigma_rr without inertia, those of layer_step.hpp at k = 0.
+Eigen::Matrix2d elastic_matrix(const Metric& metric, double mu, double b) {
+  const double bends = metric.bends();
+  const double gamma = (metric.is_sphere() ? 3.0 : 4.0) - 4.0 * b;
+  return Eigen::Matrix2d{{-bends * (1.0 - 2.0 * b), b / mu}, {bends * bends * mu * gamma, 1.0 - 2.0 * bends * b}};
 }
 
-Eigen::Matrix2d cylinder_matrix(double mu, double b) {
-  return Eigen::Matrix2d{{2.0 * b - 1.0, b / mu}, {4.0 * mu * (1.0 - b), 1.0 - 2.0 * b}};
-}
+}  // namespace
 
-/// At the inner boundary of the innermost layer and at the outer radius of each.
-std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<double>>> media,
-                                        ElasticMatrix elastic_matrix) {
+std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<double>>& layers) {
+  const auto& media = layers.media;
+  const bool is_free = inner_surface(layers.within).is_free;
   const double stress_unit = media.back().mu.real();
 
   // u_r = compliance * (r sigma_rr) + offset, carried outwards from the rigid core; the surface is free.
@@ -68,11 +67,11 @@ std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<doub
   for (const auto& medium : media) {
     const double mu = medium.mu.real() / stress_unit;
     const double b = medium.b.real();
-    const Eigen::Matrix2d elastic = elastic_matrix(mu, b);
+    const Eigen::Matrix2d elastic = elastic_matrix(layers.metric, mu, b);
     // In a solid ball the irregular solution, r^-3 of the regular one, dies out from this depth.
-    const double inner = std::max(medium.inner_radius, 1e-6 * medium.outer_radius);
-    const double extent = std::log(medium.outer_radius / inner);
-    bool free = inner_surface(medium.within).is_free;  // inner surface of the first step
+    const double inner = std::max(medium.inner, 1e-6 * medium.outer);
+    const double extent = std::log(medium.outer / inner);
+    bool free = is_free && taken.empty();
     const int steps = static_cast<int>(std::ceil(extent / 0.2));
     const double x = std::expm1(extent / steps);
     for (int step = 0; step < steps; ++step) {
@@ -98,35 +97,21 @@ std::vector<State> states_at_boundaries(std::span<const Medium<std::complex<doub
     if (step.ends_layer) states.emplace_back(step.compliance * stress + step.offset, stress * stress_unit);
     stress = (stress - step.load) / step.stress;
   }
-  const bool free = inner_surface(media.front().within).is_free;
-  states.emplace_back(free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
+  states.emplace_back(is_free ? State{stress, 0.0} : State{0.0, stress * stress_unit});
   std::ranges::reverse(states);
   return states;
 }
 
-double uniform_displacement(std::span<const Medium<std::complex<double>>> media, ElasticMatrix elastic_matrix) {
-  return states_at_boundaries(media, elastic_matrix).back()(0);
-}
-
-}  // namespace
-
-std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media) {
-  return states_at_boundaries(media, sphere_matrix);
-}
-
-double centrifugal_displacement(const HarmonicCoating& coating) {
-  return uniform_displacement(coating.media(0), sphere_matrix);
-}
-
-double cylinder_centrifugal_displacement(std::span<const Medium<std::complex<double>>> media) {
-  return uniform_displacement(media, cylinder_matrix);
+double centrifugal_displacement(const LayeredBody& body, double angular_speed) {
+  if (!body.metric.is_curved()) return 0.0;
+  return centrifugal_states(body_at_rest(body, angular_speed).layers_at(0)).back()(0);
 }
 
 }  // namespace detail
 
 double centrifugal_displacement(const CoatedSphere& sphere, double angular_speed) {
-  // The uniform displacement has no tangential part, for which the choice would count.
-  return detail::centrifugal_displacement(detail::coating_at_rest(sphere, angular_speed, Curvature::sphere));
+  // The uniform displacement has no tangential part, for which the choice of curvature would count.
+  return detail::centrifugal_displacement(detail::layered_body(sphere), angular_speed);
 }
 
 }  // namespace viscoroll

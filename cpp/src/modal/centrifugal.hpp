@@ -4,24 +4,21 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <span>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/layered_body.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief As `viscoroll::centrifugal_displacement`, of a coating at order 0.
+/// @brief u_r [m] and r sigma_rr [N/m] under the centrifugal load: order m = n = 0.
+/// @param[in] layers as order 0 sees them
+/// @return at the inner boundary of the innermost layer and at the outer one of each
+[[nodiscard]] std::vector<Eigen::Vector2d> centrifugal_states(const LayerStack<std::complex<double>>& layers);
+
+/// @brief Uniform displacement of the surface of a body.
+/// @param[in] body any: a plane does not turn, and has none
+/// @param[in] angular_speed Omega [rad/s], > 0
 /// @return d_R^(c) [m], outwards
-[[nodiscard]] double centrifugal_displacement(const HarmonicCoating& coating);
-
-/// @brief The same of a cylinder, in plane strain.
-/// @param[in] media layers at rest, core outwards
-[[nodiscard]] double cylinder_centrifugal_displacement(std::span<const Medium<std::complex<double>>> media);
-
-/// @brief u_r [m] and r sigma_rr [N/m] of a sphere under the centrifugal load.
-/// @param[in] media layers at order 0, from the center outwards
-/// @return at the inner boundary of the innermost layer and at the outer radius of each
-[[nodiscard]] std::vector<Eigen::Vector2d> centrifugal_states(std::span<const Medium<std::complex<double>>> media);
+[[nodiscard]] double centrifugal_displacement(const LayeredBody& body, double angular_speed);
 
 }  // namespace viscoroll::detail

@@ -7,64 +7,64 @@
 #include <complex>
 #include <vector>
 
+#include "modal/depth_cut.hpp"
 #include "modal/inner_boundary.hpp"
-#include "modal/radial_step.hpp"
+#include "modal/layer_step.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-constexpr double kDepth = 24.0;        // exponent beyond which material is out of reach of the surface
-constexpr double kDepthInside = 36.0;  // exponent beyond which nothing is left of what the surface bears
+constexpr double kDepth = 24.0;        // e-folds beyond which material is out of reach of the surface
+constexpr double kDepthInside = 36.0;  // e-folds beyond which nothing is left of what the surface bears
 constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
-constexpr double kStepRatio = 0.25;    // largest relative growth of the radius in a step: the series' radius is 1
+constexpr double kStepRatio = 0.25;    // largest relative growth of a radius in a step: the series' radius is 1
 
-/// Share of k by which shear waves decay with depth: sqrt(1 - (speed along the surface / shear wave speed)^2).
+/// Compliance of a half-space for waves of k = 1, in units of 1 / modulus.
 template <class Scalar>
-double decay(const Medium<Scalar>& medium, double cosine) {
-  constexpr double kLeastDecay = 0.05;
-  if (medium.inertia == 0.0) return 1.0;
-  const std::complex<double> q = medium.inertia * medium.outer_radius * medium.outer_radius / medium.mu;
-  return std::clamp(std::sqrt(1.0 - q * cosine * cosine).real(), kLeastDecay, 1.0);
-}
+struct HalfSpaceCompliance {
+  Scalar normal, mixed, along, across;
 
-/// Radius below which material is out of reach of the surface.
-template <class Scalar>
-double deepest_radius(const OrderInLayers<Scalar>& order, double k, double depth) {
-  // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
-  // whose two solutions differ by the third power of the radius.
-  const bool held = inner_surface(order.media.front().within).is_core;
-  const double exponent = std::max(k, held ? 1e-300 : 0.5);
-  const double cosine = k > 0.0 ? order.m / k : 0.0;
-  double left = depth;
-  for (auto medium = order.media.rbegin(); medium != order.media.rend(); ++medium) {
-    const double rate = exponent * decay(*medium, cosine);
-    const double reach = medium->outer_radius * std::exp(-left / rate);
-    if (reach >= medium->inner_radius) return reach;
-    left -= rate * std::log(medium->outer_radius / medium->inner_radius);
+  /// @param[in] b,mach2 as of a medium, the latter in the direction of k
+  HalfSpaceCompliance(const Scalar& b, const Scalar& mach2) {
+    using std::sqrt;
+    const Scalar p_s = sqrt(1.0 - mach2);
+    const Scalar p_l = sqrt(1.0 - b * mach2);
+    // Free of differences of nearly equal numbers at low speeds.
+    const Scalar g = (1.0 + b - b * mach2) / (1.0 + p_l * p_s);
+    const Scalar d = 4.0 - mach2 - 4.0 * g;
+    normal = p_l / d;
+    mixed = -(2.0 * g - 1.0) / d;
+    along = p_s / d;
+    across = 1.0 / p_s;
   }
-  return 0.0;
-}
+};
 
 /// Up to kLanes orders on their way outwards.
 template <class Scalar>
 class Batch {
  public:
   explicit Batch(std::span<const OrderInLayers<Scalar>> orders, double depth = kDepth) : orders_(orders) {
+    step_.along = Metric::bend(metric().along);
+    step_.across = Metric::bend(metric().across);
+    step_.area = metric().is_sphere() ? 3.0 : 4.0;
     for (std::size_t l = 0; l < kLanes; ++l) {
       const double m = at(l).m;
       const double n = at(l).n;
       const double k = std::hypot(m, n);
-      deepest_[l] = deepest_radius(at(l), k, depth);
+      deepest_[l] = deepest_place(at(l).layers, m, k, depth);
       step_.k.set(l, k);
-      step_.membrane.set(l, membrane_stiffness(at(l).media.back().curvature, m * m + n * n));
+      const double stiffness = metric().membrane_stiffness(m * m + n * n);
+      step_.membrane.set(l, metric().is_sphere() ? stiffness : 0.0);
+      step_.shear.set(l, stiffness);
       const double cosine = k > 0.0 ? m / k : 1.0;
       const double sine = k > 0.0 ? n / k : 0.0;
-      step_.inertia.rr.set(l, -1.0 - m * m);
-      step_.inertia.rk.set(l, 2.0 * m * cosine);
-      step_.inertia.rx.set(l, -2.0 * m * sine);
-      step_.inertia.kk.set(l, -m * m - cosine * cosine);
-      step_.inertia.kx.set(l, cosine * sine);
-      step_.inertia.xx.set(l, -m * m - sine * sine);
+      const double turns = step_.along;
+      step_.inertia.rr.set(l, -turns - m * m);
+      step_.inertia.rk.set(l, 2.0 * turns * m * cosine);
+      step_.inertia.rx.set(l, -2.0 * turns * m * sine);
+      step_.inertia.kk.set(l, -m * m - turns * cosine * cosine);
+      step_.inertia.kx.set(l, turns * cosine * sine);
+      step_.inertia.xx.set(l, -m * m - turns * sine * sine);
     }
   }
 
@@ -72,8 +72,9 @@ class Batch {
   /// by false.
   template <class Visit>
   bool carry(const Visit& visit) {
-    for (std::size_t layer = 0; layer < at(0).media.size(); ++layer) {
+    for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
       const int steps = enter(layer);
+      if (media(0)[layer].is_endless() && !visit(*this)) return false;
       for (int step = 0; step < steps; ++step) {
         advance(step_, start(), compliance_);
         leave_step();
@@ -89,11 +90,11 @@ class Batch {
   void carry_keeping(const Keep& keep) {
     std::array<Matrix3<Scalar>, kLanes> down;
     MatrixLanes<Scalar> inverse_stress;
-    for (std::size_t layer = 0; layer < at(0).media.size(); ++layer) {
+    for (std::size_t layer = 0; layer < media(0).size(); ++layer) {
       const int steps = enter(layer);
       for (std::size_t l = 0; l < kLanes; ++l) {
-        // An order that starts above the layer's inner radius has died out there.
-        const bool whole = inner_[l] == at(l).media[layer].inner_radius;
+        // An order that starts above the layer's inner end has died out there.
+        const bool whole = inner_[l] == media(l)[layer].inner;
         down[l] = whole ? Matrix3<Scalar>(Matrix3<Scalar>::Identity()) : Matrix3<Scalar>(Matrix3<Scalar>::Zero());
       }
       for (int step = 0; step < steps; ++step) {
@@ -124,8 +125,8 @@ class Batch {
     const double k = step_.k.value(l);
     const Eigen::Matrix3d turn = this->turn(l);
     Matrix3<Scalar> y = turn.cast<Scalar>() * matrix(l) * turn.transpose().cast<Scalar>();
-    if (!is_held() && k == 0.0) y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
-    return y * (surface() / at(l).media.back().mu);
+    if (!inner_surface().is_core && k == 0.0) y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
+    return y * (metric().radius / media(l).back().mu);
   }
 
   /// Whether Y is positive definite in all lanes.
@@ -144,8 +145,9 @@ class Batch {
   [[nodiscard]] const OrderInLayers<Scalar>& at(std::size_t l) const {
     return orders_[std::min(l, orders_.size() - 1)];
   }
-  [[nodiscard]] double surface() const { return at(0).media.back().outer_radius; }
-  [[nodiscard]] bool is_held() const { return inner_surface(at(0).media.front().within).is_core; }
+  [[nodiscard]] const std::vector<Medium<Scalar>>& media(std::size_t l) const { return at(l).layers.media; }
+  [[nodiscard]] const Metric& metric() const { return at(0).layers.metric; }
+  [[nodiscard]] InnerSurface inner_surface() const { return detail::inner_surface(at(0).layers.within); }
 
   [[nodiscard]] Matrix3<Scalar> matrix(std::size_t l) const {
     const auto& y = compliance_;
@@ -154,32 +156,47 @@ class Batch {
                            {y.rx.value(l), y.kx.value(l), y.xx.value(l)}};
   }
 
-  /// Number of steps through a layer, none where it is out of reach; Y is taken to its unit.
+  /// Number of steps through a layer, none where it is out of reach or a half-space; Y is taken to its unit.
   int enter(std::size_t layer) {
     int steps = 0;
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const Medium<Scalar>& medium = at(l).media[layer];
-      inner_[l] = std::min(std::max(medium.inner_radius, deepest_[l]), medium.outer_radius);
-      extent_[l] = std::log1p((medium.outer_radius - inner_[l]) / inner_[l]);
-      const double longest = std::min(std::log1p(kStepRatio), kStepExponent / (step_.k.value(l) + 1.0));
-      steps = std::max(steps, static_cast<int>(std::ceil(extent_[l] / longest)));
+      const Medium<Scalar>& medium = media(l)[layer];
+      inner_[l] = medium.is_endless() ? medium.outer : std::clamp(deepest_[l], medium.inner, medium.outer);
+      extent_[l] = metric().depth(medium.outer, inner_[l]);
+      const double longest = std::min(metric().is_curved() ? std::log1p(kStepRatio) : extent_[l],
+                                      kStepExponent / (step_.k.value(l) + step_.along));
+      if (extent_[l] > 0.0) steps = std::max(steps, static_cast<int>(std::ceil(extent_[l] / longest)));
     }
     step_.has_inertia = false;
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const Medium<Scalar>& medium = at(l).media[layer];
-      if (layer > 0) scale(l, medium.mu / at(l).media[layer - 1].mu);
+      const Medium<Scalar>& medium = media(l)[layer];
+      if (layer > 0) scale(l, medium.mu / media(l)[layer - 1].mu);
+      if (medium.is_endless()) start_from_half_space(l, medium);
       step_.b.set(l, medium.b);
-      step_.q.set(l, medium.inertia * inner_[l] * inner_[l] / medium.mu);
-      step_.growth.set(l, std::expm1(extent_[l] / std::max(steps, 1)));
+      const double length = metric().length(inner_[l]);
+      step_.q.set(l, medium.inertia * length * length / medium.mu);
+      const double growth = extent_[l] / std::max(steps, 1);
+      step_.growth.set(l, metric().is_curved() ? std::expm1(growth) : growth);
       step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
-      at_free_surface_[l] = layer == 0 && inner_surface(medium.within).is_free && inner_[l] == medium.inner_radius;
+      at_free_surface_[l] = layer == 0 && inner_surface().is_free && inner_[l] == medium.inner;
     }
     return steps;
   }
 
+  void start_from_half_space(std::size_t l, const Medium<Scalar>& medium) {
+    const double k = step_.k.value(l);
+    const double cosine = at(l).m / k;
+    const HalfSpaceCompliance<Scalar> y(medium.b, at(l).layers.mach2(medium) * (cosine * cosine));
+    compliance_.rr.set(l, y.normal / k);
+    compliance_.rk.set(l, y.mixed / k);
+    compliance_.kk.set(l, y.along / k);
+    compliance_.xx.set(l, y.across / k);
+    started_[l] = true;
+  }
+
   void leave_step() {
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const double ratio = 1.0 + step_.growth.value(l);
+      const double ratio = 1.0 + step_.along * step_.growth.value(l);
       step_.q.set(l, ratio * ratio * step_.q.value(l));
       at_free_surface_[l] = false;
       started_[l] = started_[l] || extent_[l] > 0.0;
@@ -209,9 +226,9 @@ class Batch {
   std::span<const OrderInLayers<Scalar>> orders_;
   StepLanes<Scalar> step_;
   SymmetricLanes<Scalar> compliance_;
-  std::array<double, kLanes> deepest_{};  // radius below which nothing reaches the surface
-  std::array<double, kLanes> inner_{};    // radius at which the order enters the layer
-  std::array<double, kLanes> extent_{};   // of its way through the layer in ln r
+  std::array<double, kLanes> deepest_{};  // place below which nothing reaches the surface
+  std::array<double, kLanes> inner_{};    // place at which the order enters the layer
+  std::array<double, kLanes> extent_{};   // of its way through the layer, in e-folds of an order 1
   std::array<bool, kLanes> at_free_surface_{};
   std::array<bool, kLanes> started_{};
 };
@@ -240,8 +257,8 @@ struct KeptOrder {
 
 /// States of one order in the directions r, k and across k, from the surface down.
 std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrder& kept) {
-  const auto& media = order.media;
-  const auto [held, free_inside] = inner_surface(media.front().within);
+  const auto& media = order.layers.media;
+  const auto [held, free_inside] = inner_surface(order.layers.within);
   const bool uniform = order.m == 0.0 && order.n == 0.0;
   std::vector<DepthState> states(media.size() + 1, DepthState::Zero());
   Matrix3<cplx> stress = Matrix3<cplx>::Identity();
@@ -262,10 +279,10 @@ std::vector<DepthState> descend(const OrderInLayers<cplx>& order, const KeptOrde
   }
   if (!held && uniform) {
     // No mean rotation of the surface.
-    const Eigen::Matrix<cplx, 2, 3> turning = states.back().middleRows<2>(1) / media.back().outer_radius;
-    inner.middleRows<2>(1) -= media.front().inner_radius * turning;
+    const Eigen::Matrix<cplx, 2, 3> turning = states.back().middleRows<2>(1) / media.back().outer;
+    inner.middleRows<2>(1) -= media.front().inner * turning;
     for (std::size_t layer = 0; layer < media.size(); ++layer) {
-      states[layer + 1].middleRows<2>(1) -= media[layer].outer_radius * turning;
+      states[layer + 1].middleRows<2>(1) -= media[layer].outer * turning;
     }
   }
   return states;
@@ -295,8 +312,8 @@ void depth_states(std::span<const OrderInLayers<cplx>> orders, std::span<std::ve
 }
 
 template <class Scalar>
-Matrix3<Scalar> surface_compliance(std::span<const Medium<Scalar>> media, double m, double n) {
-  const OrderInLayers<Scalar> order{.media = media, .m = m, .n = n};
+Matrix3<Scalar> surface_compliance(const LayerStack<Scalar>& layers, double m, double n) {
+  const OrderInLayers<Scalar> order{.layers = layers, .m = m, .n = n};
   Matrix3<Scalar> compliance;
   surface_compliances<Scalar>(std::span(&order, 1), std::span(&compliance, 1));
   return compliance;
@@ -313,8 +330,7 @@ bool are_subcritical(std::span<const OrderInLayers<double>> orders) {
 template void surface_compliances(std::span<const OrderInLayers<double>>, std::span<Matrix3<double>>);
 template void surface_compliances(std::span<const OrderInLayers<std::complex<double>>>,
                                   std::span<Matrix3<std::complex<double>>>);
-template Matrix3<double> surface_compliance(std::span<const Medium<double>>, double, double);
-template Matrix3<std::complex<double>> surface_compliance(std::span<const Medium<std::complex<double>>>, double,
-                                                          double);
+template Matrix3<double> surface_compliance(const LayerStack<double>&, double, double);
+template Matrix3<std::complex<double>> surface_compliance(const LayerStack<std::complex<double>>&, double, double);
 
 }  // namespace viscoroll::detail

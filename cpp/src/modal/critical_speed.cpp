@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "modal/compliance_recursion.hpp"
-#include "modal/cylinder_compliance.hpp"
-#include "modal/medium.hpp"
 #include "validate.hpp"
 #include "viscoroll/modal.hpp"
 
@@ -18,93 +16,100 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The layers at infinite frequency and unit rolling speed. A layer without a finite short-time modulus is rigid there:
-/// it and all below it become the core.
-std::vector<Medium<double>> short_time_media(const CoatedSphere& sphere, double highest_frequency,
-                                             Curvature curvature = Curvature::sphere) {
-  std::vector<Medium<double>> media;
-  double radius = sphere.core_radius;
-  for (const Layer& layer : sphere.layers) {
-    const double inner = radius;
-    radius += layer.thickness;
-    const double mu = short_time_modulus(layer.shear_modulus, highest_frequency);
-    if (std::isinf(mu)) {
-      media.clear();
-      continue;
-    }
-    media.push_back({.inner_radius = inner,
-                     .outer_radius = radius,
-                     .mu = mu,
-                     .b = shear_ratio(layer, mu),
-                     .inertia = layer.density,
-                     .within = inner == sphere.core_radius ? sphere.inner_boundary : InnerBoundary::rigid,
-                     .curvature = curvature});
-  }
-  return media;
+/// The layers at infinite frequency and unit speed. A layer without a finite short-time modulus is rigid there: it and
+/// all below it become the core, or the base.
+LayerStack<double> short_time_stack(const LayeredBody& body, double highest_frequency) {
+  std::vector<double> moduli;
+  for (const Layer& layer : body.layers) moduli.push_back(short_time_modulus(layer.shear_modulus, highest_frequency));
+  LayerStack<double> stack = body.stack(moduli, 1.0);
+  const auto rigid = std::ranges::find_if(moduli.rbegin(), moduli.rend(), [](double mu) { return std::isinf(mu); });
+  if (rigid == moduli.rend()) return stack;
+  stack.media.erase(stack.media.begin(), stack.media.begin() + (moduli.rend() - rigid));
+  stack.within = InnerBoundary::rigid;
+  return stack;
 }
 
-/// Speed of the surface's Rayleigh wave, the limit of large orders; infinite without inertia.
-double rayleigh_limit(const std::vector<Medium<double>>& media) {
-  const Medium<double>& outer = media.back();
-  if (outer.inertia == 0.0) return kInfinity;
-  return rayleigh_ratio(outer.b) * std::sqrt(outer.mu / outer.inertia) / outer.outer_radius;
+LayerStack<double> at_speed(LayerStack<double> stack, double angular_speed) {
+  for (Medium<double>& medium : stack.media) medium.inertia *= angular_speed * angular_speed;
+  return stack;
 }
 
-/// Whether the stiffness of orders m, with n = 0 where there is an n, stays positive on a geometry.
-using StiffnessCheck = bool (*)(std::span<const Medium<double>> media, std::span<const double> orders);
-
-bool are_stiff_on_sphere(std::span<const Medium<double>> media, std::span<const double> orders) {
-  std::vector<OrderInLayers<double>> in_layers;
-  for (const double m : orders) in_layers.push_back({.media = media, .m = m, .n = 0.0});
-  return are_subcritical(in_layers);
+/// Speed at which the surface keeps up with the shear waves of a layer; infinite without inertia.
+double shear_wave(const LayerStack<double>& stack, const Medium<double>& medium) {
+  return medium.inertia > 0.0 ? std::sqrt(medium.mu / medium.inertia) / stack.metric.radius : kInfinity;
 }
 
-bool are_stiff_on_cylinder(std::span<const Medium<double>> media, std::span<const double> orders) {
-  return std::ranges::all_of(orders, [&](double m) { return is_subcritical(media, m); });
+double rayleigh_wave(const LayerStack<double>& stack, const Medium<double>& medium) {
+  return rayleigh_ratio(medium.b) * shear_wave(stack, medium);
 }
 
-/// Whether no order resonates up to this speed. The slowest waves run straight along phi, so n = 0; the orders are
-/// spaced geometrically, since the resonances depend smoothly on the order.
-bool all_subcritical(std::vector<Medium<double>> media, double angular_speed, StiffnessCheck are_stiff) {
-  constexpr int kHighestOrder = 2000;
-  for (Medium<double>& medium : media) medium.inertia *= angular_speed * angular_speed;
-  std::vector<double> orders;
-  for (int m = 1; m <= kHighestOrder; m = std::max(m + 1, m * 11 / 10)) orders.push_back(m);
-  return are_stiff(media, orders);
-}
-
-/// Rolling speed at which the surface keeps up with the slowest shear wave of any layer; infinite without inertia.
-double slowest_shear_wave(const std::vector<Medium<double>>& media) {
+/// The slowest shear wave of any layer.
+double slowest_shear_wave(const LayerStack<double>& stack) {
   double speed = kInfinity;
-  for (const Medium<double>& medium : media) {
-    if (medium.inertia > 0.0)
-      speed = std::min(speed, std::sqrt(medium.mu / medium.inertia) / media.back().outer_radius);
-  }
+  for (const Medium<double>& medium : stack.media) speed = std::min(speed, shear_wave(stack, medium));
   return speed;
 }
 
-double critical_speed(const std::vector<Medium<double>>& media, StiffnessCheck are_stiff) {
-  if (media.empty()) return kInfinity;
-  const double rayleigh = rayleigh_limit(media);
+/// What bounds the speeds of surface waves: that of the outer layer's, of short waves, and a half-space's, of long
+/// ones.
+double rayleigh_limit(const LayerStack<double>& stack) {
+  const double outer = rayleigh_wave(stack, stack.media.back());
+  return stack.media.front().is_endless() ? std::min(outer, rayleigh_wave(stack, stack.media.front())) : outer;
+}
+
+/// What no speed may reach. On a plane waves of any length run into slower layers, and away; around a center only whole
+/// orders may resonate.
+double speed_limit(const LayerStack<double>& stack) {
+  const double rayleigh = rayleigh_limit(stack);
+  return stack.metric.is_curved() ? rayleigh : std::min(rayleigh, slowest_shear_wave(stack));
+}
+
+/// Orders m, spaced geometrically, since the resonances depend smoothly on the order: whole ones, or waves from far
+/// longer than the layers are thick to far shorter.
+std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
+  std::vector<double> orders;
+  if (stack.metric.is_curved()) {
+    constexpr int kHighestOrder = 2000;
+    for (int m = 1; m <= kHighestOrder; m = std::max(m + 1, m * 11 / 10)) orders.push_back(m);
+    return orders;
+  }
+  double thinnest = kInfinity;
+  double thickness = 0.0;
+  for (const Medium<double>& medium : stack.media) {
+    if (medium.is_endless()) continue;
+    thinnest = std::min(thinnest, medium.outer - medium.inner);
+    thickness += medium.outer - medium.inner;
+  }
+  const double radius = stack.metric.radius;
+  if (thickness == 0.0) return {radius};
+  for (double k = 1e-3 / thickness; k < 50.0 / thinnest; k *= 1.1) orders.push_back(k * radius);
+  return orders;
+}
+
+/// Whether the stiffness of orders stays positive. The slowest waves run straight along the way, so n = 0.
+bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& orders) {
+  std::vector<OrderInLayers<double>> in_layers;
+  for (const double m : orders) in_layers.push_back({.layers = stack, .m = m, .n = 0.0});
+  return are_subcritical(in_layers);
+}
+
+/// Whether no order resonates up to this speed.
+bool all_subcritical(const LayerStack<double>& stack, double angular_speed) {
+  return angular_speed < speed_limit(stack) && are_stiff(at_speed(stack, angular_speed), orders_to_look_at(stack));
+}
+
+double critical_speed(const LayerStack<double>& stack) {
+  if (stack.media.empty()) return kInfinity;
+  const double limit = speed_limit(stack);
   // An outer layer without mass sets no limit of its own; far above every shear wave nothing new can resonate.
-  double high = std::min(rayleigh, 100.0 * slowest_shear_wave(media));
-  if (std::isinf(high)) return high;
-  if (all_subcritical(media, high, are_stiff)) return rayleigh;
+  double high = std::min(limit, 100.0 * slowest_shear_wave(stack));
+  if (std::isinf(high) || all_subcritical(stack, high * (1.0 - 1e-12))) return limit;
   double low = 0.0;
   while (high - low > 1e-9 * high) {
     const double middle = 0.5 * (low + high);
-    (all_subcritical(media, middle, are_stiff) ? low : high) = middle;
+    (all_subcritical(stack, middle) ? low : high) = middle;
   }
   return low;
-}
-
-void require_subcritical(const std::vector<Medium<double>>& media, double angular_speed, StiffnessCheck are_stiff) {
-  if (media.empty() || angular_speed < 0.1 * slowest_shear_wave(media)) return;
-  if (angular_speed < rayleigh_limit(media) && all_subcritical(media, angular_speed, are_stiff)) return;
-  reject("angular_speed",
-         "below the critical speed " + text(critical_speed(media, are_stiff)) +
-             " rad/s, above which the coating radiates waves",
-         text(angular_speed) + " rad/s");
 }
 
 }  // namespace
@@ -123,76 +128,62 @@ double rayleigh_ratio(double shear_ratio) {
   return std::sqrt(0.5 * (low + high));
 }
 
-void require_subcritical(const CoatedSphere& sphere, double angular_speed, double highest_frequency,
-                         Curvature curvature) {
-  require_subcritical(short_time_media(sphere, highest_frequency, curvature), angular_speed, are_stiff_on_sphere);
+double critical_speed(const LayeredBody& body, double highest_frequency) {
+  return critical_speed(short_time_stack(body, highest_frequency));
 }
 
-void require_subcritical(const CoatedCylinder& cylinder, double angular_speed, double highest_frequency) {
-  require_subcritical(short_time_media(layers_about_center(cylinder), highest_frequency), angular_speed,
-                      are_stiff_on_cylinder);
-}
-
-namespace {
-
-void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
-                          const std::vector<std::vector<std::complex<double>>>& moduli, Curvature curvature,
-                          StiffnessCheck are_stiff) {
-  double next = 1.0;
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    const double m = orders[i];
-    if (m < next) continue;
-    next = std::max(m + 1.0, 1.1 * m);
-    std::vector<Medium<double>> media;
-    double radius = sphere.core_radius;
-    double damping = 0.0;  // the largest m tan(delta)
-    for (std::size_t j = 0; j < sphere.layers.size(); ++j) {
-      const Layer& layer = sphere.layers[j];
-      const double mu = moduli[j][i].real();
-      damping = std::max(damping, m * moduli[j][i].imag() / mu);
-      media.push_back({.inner_radius = radius,
-                       .outer_radius = radius + layer.thickness,
-                       .mu = mu,
-                       .b = shear_ratio(layer, mu),
-                       .inertia = layer.density * angular_speed * angular_speed,
-                       .within = j == 0 ? sphere.inner_boundary : InnerBoundary::rigid,
-                       .curvature = curvature});
-      radius += layer.thickness;
-    }
-    const double slowest = slowest_shear_wave(media);  // per rolling speed, which the inertia already holds
-    if (damping > 1.0 || slowest > 10.0 || are_stiff(media, std::span(&m, 1))) continue;
+void require_subcritical(const LayeredBody& body, double angular_speed, double highest_frequency) {
+  const LayerStack<double> stack = short_time_stack(body, highest_frequency);
+  if (stack.media.empty() || angular_speed < 0.1 * slowest_shear_wave(stack)) return;
+  if (all_subcritical(stack, angular_speed)) return;
+  const double critical = critical_speed(stack);
+  if (body.metric.is_curved()) {
     reject("angular_speed",
-           "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
+           "below the critical speed " + text(critical) + " rad/s, above which the coating radiates waves",
            text(angular_speed) + " rad/s");
   }
+  const double radius = body.metric.radius;
+  reject("angular_speed",
+         "such that the plane's material passes at less than the critical speed " + text(critical * radius) +
+             " m/s, above which the plane radiates waves",
+         text(angular_speed * radius) + " m/s");
 }
 
-}  // namespace
-
-void require_damped_waves(const CoatedSphere& sphere, double angular_speed, std::span<const double> orders,
-                          const std::vector<std::vector<std::complex<double>>>& moduli, Curvature curvature) {
-  require_damped_waves(sphere, angular_speed, orders, moduli, curvature, are_stiff_on_sphere);
-}
-
-void require_damped_waves(const CoatedCylinder& cylinder, double angular_speed, std::span<const double> orders,
-                          const std::vector<std::vector<std::complex<double>>>& moduli) {
-  require_damped_waves(layers_about_center(cylinder), angular_speed, orders, moduli, Curvature::sphere,
-                       are_stiff_on_cylinder);
+void require_damped_waves(const HarmonicBody& body) {
+  if (!body.metric().is_curved()) return;  // what has passed does not come back
+  double next = 1.0;
+  for (std::size_t i = 0; i < body.orders().size(); ++i) {
+    const double m = body.orders()[i];
+    if (m < next) continue;
+    next = std::max(m + 1.0, 1.1 * m);
+    std::vector<double> moduli;
+    double damping = 0.0;  // the largest m tan(delta)
+    for (std::size_t j = 0; j < body.body().layers.size(); ++j) {
+      const std::complex<double> modulus = body.modulus(j, i);
+      moduli.push_back(modulus.real());
+      damping = std::max(damping, m * modulus.imag() / modulus.real());
+    }
+    const LayerStack<double> stack = body.body().stack(moduli, body.angular_speed());
+    const double slowest = slowest_shear_wave(stack);  // per rolling speed, which the inertia already holds
+    if (damping > 1.0 || slowest > 10.0 || are_stiff(stack, {m})) continue;
+    reject("angular_speed",
+           "below the speed at which the coating radiates waves of order " + text(m) + " that it hardly damps",
+           text(body.angular_speed()) + " rad/s");
+  }
 }
 
 }  // namespace detail
 
 double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curvature curvature) {
-  validate(sphere);
-  if (sphere.layers.empty()) return std::numeric_limits<double>::infinity();
-  return detail::critical_speed(detail::short_time_media(sphere, highest_frequency, curvature),
-                                detail::are_stiff_on_sphere);
+  return detail::critical_speed(detail::layered_body(sphere, curvature), highest_frequency);
 }
 
 double critical_speed(const CoatedCylinder& cylinder, double highest_frequency) {
-  validate(cylinder);
-  return detail::critical_speed(detail::short_time_media(detail::layers_about_center(cylinder), highest_frequency),
-                                detail::are_stiff_on_cylinder);
+  return detail::critical_speed(detail::layered_body(cylinder), highest_frequency);
+}
+
+double critical_speed(const CoatedPlane& plane, double highest_frequency) {
+  return detail::critical_speed(detail::layered_body(plane, 1.0), highest_frequency);
 }
 
 }  // namespace viscoroll

@@ -38,20 +38,20 @@ Eigen::Matrix<cplx, 6, 6> weighed_matrix(const Medium<cplx>& medium, double stre
 }
 
 /// Degree 1 of a hollow or solid ball; see `degree_compliance`.
-DegreeCompliance free_degree_one(std::span<const Medium<cplx>> media) {
+DegreeCompliance free_degree_one(const LayerStack<cplx>& layers) {
   constexpr double kCavity = 1e-4;  // of a solid ball: what it changes falls with its third power
   constexpr double kStep = 0.5;     // in ln r, over which solutions stay of one size
-  const double surface = media.back().outer_radius;
-  const double stress_unit = std::abs(media.back().mu);
-  const double inner = std::max(media.front().inner_radius, kCavity * surface) / surface;
+  const double surface = layers.metric.radius;
+  const double stress_unit = std::abs(layers.media.back().mu);
+  const double inner = std::max(layers.media.front().inner, kCavity * surface) / surface;
 
   // A displacement of the free inner surface that is not uniform, and the uniform force. Lengths are per outer radius.
   Eigen::Matrix<cplx, 6, 2> states = Eigen::Matrix<cplx, 6, 2>::Zero();
   states(1, 0) = 1.0;
   states(4, 1) = inner * inner;
   double radius = inner;
-  for (const Medium<cplx>& medium : media) {
-    const double extent = std::log(medium.outer_radius / surface / radius);
+  for (const Medium<cplx>& medium : layers.media) {
+    const double extent = std::log(medium.outer / surface / radius);
     if (extent <= 0.0) continue;
     const int steps = static_cast<int>(std::ceil(extent / kStep));
     const Eigen::Matrix<cplx, 6, 6> step = (weighed_matrix(medium, stress_unit) * (extent / steps)).exp();
@@ -59,7 +59,7 @@ DegreeCompliance free_degree_one(std::span<const Medium<cplx>> media) {
       states = step * states;
       states.col(0) /= states.col(0).head<4>().cwiseAbs().maxCoeff();
     }
-    radius = medium.outer_radius / surface;
+    radius = medium.outer / surface;
   }
 
   // Stresses s and tau at the surface ask for the force -(s + sqrt(2) tau) / volume, with 1/3 as the unit of both.
@@ -81,33 +81,33 @@ DegreeCompliance free_degree_one(std::span<const Medium<cplx>> media) {
 
 }  // namespace
 
-DegreeCompliance degree_compliance(std::span<const Medium<cplx>> media, int degree) {
+DegreeCompliance degree_compliance(const LayerStack<cplx>& layers, int degree) {
   if (degree == 0) {
     // The surface has no tangential harmonic of degree 0; the membrane stiffness would be negative.
-    std::vector<Medium<cplx>> radial(media.begin(), media.end());
-    for (Medium<cplx>& medium : radial) medium.curvature = Curvature::sphere;
-    return {.radial = surface_compliance<cplx>(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
+    LayerStack<cplx> radial = layers;
+    radial.metric.curvature = Curvature::sphere;
+    return {.radial = surface_compliance(radial, 0.0, 0.0)(0, 0), .mixed = 0.0, .along = 0.0, .across = 0.0};
   }
-  if (degree == 1 && !inner_surface(media.front().within).is_core) return free_degree_one(media);
+  if (degree == 1 && !inner_surface(layers.within).is_core) return free_degree_one(layers);
   if (degree == 1) {
     // Along the diagonal k^2 is 2 to the last bit: a small core makes much of any stiffness against turning.
-    const Matrix3<cplx> y = surface_compliance<cplx>(media, 1.0, 1.0);
+    const Matrix3<cplx> y = surface_compliance(layers, 1.0, 1.0);
     return {.radial = y(0, 0), .mixed = sqrt2 * y(0, 1), .along = y(1, 1) + y(1, 2), .across = y(1, 1) - y(1, 2)};
   }
-  const Matrix3<cplx> y = surface_compliance<cplx>(media, 0.0, std::sqrt(degree * (degree + 1.0)));
+  const Matrix3<cplx> y = surface_compliance(layers, 0.0, std::sqrt(degree * (degree + 1.0)));
   return {.radial = y(0, 0), .mixed = y(0, 2), .along = y(2, 2), .across = y(1, 1)};
 }
 
-std::vector<DegreeCompliance> degree_compliances(const HarmonicCoating& coating, const Spectrum& spectrum,
-                                                 std::size_t i, int highest) {
+std::vector<DegreeCompliance> degree_compliances(const HarmonicBody& body, const Spectrum& spectrum, std::size_t i,
+                                                 int highest) {
   constexpr int kFirstOfSpectrum = 2;
-  const double order = coating.orders()[i];
+  const double order = body.orders()[i];
   const int first = static_cast<int>(std::lround(order));
   std::vector<DegreeCompliance> compliances;
-  std::vector<Medium<cplx>> media = coating.media(i);
-  for (Medium<cplx>& medium : media) medium.curvature = Curvature::exact;
+  LayerStack<cplx> layers = body.layers_at(i);
+  layers.metric.curvature = Curvature::exact;
   for (int degree = first; degree < std::min(kFirstOfSpectrum, highest + 1); ++degree) {
-    compliances.push_back(degree_compliance(media, degree));
+    compliances.push_back(degree_compliance(layers, degree));
   }
   const int from = std::max(first, kFirstOfSpectrum);
   if (highest < from) return compliances;

@@ -8,10 +8,9 @@
 #pragma once
 
 #include <complex>
-#include <span>
 #include <vector>
 
-#include "modal/medium.hpp"
+#include "modal/harmonic_body.hpp"
 #include "modal/spectrum.hpp"
 
 namespace viscoroll::detail {
@@ -29,17 +28,17 @@ struct DegreeCompliance {
 /// Without a core degree 1 holds the rigid motions. Its displacement is then that which the ball has beyond its mean
 /// over the volume, with the resultant of the stress balanced by a force that is uniform over the volume, as weight is;
 /// and the surface does not turn as a whole.
-/// @param[in] media layers at the order m, with `Curvature::exact`
+/// @param[in] layers of a sphere as the order m sees them, with `Curvature::exact`
 /// @param[in] degree l >= 0
-[[nodiscard]] DegreeCompliance degree_compliance(std::span<const Medium<std::complex<double>>> media, int degree);
+[[nodiscard]] DegreeCompliance degree_compliance(const LayerStack<std::complex<double>>& layers, int degree);
 
 /// @brief Compliances of many degrees at the i-th order m of a coating, cheaply.
-/// @param[in] coating with `Curvature::sphere`, which differs from the exact sphere below degree 2 alone
-/// @param[in] spectrum of the coating, up to the order n = highest + 1
+/// @param[in] body a sphere with `Curvature::sphere`, which differs from the exact sphere below degree 2 alone
+/// @param[in] spectrum of it, up to the order n = highest + 1
 /// @param[in] i number of the order m, a whole one
 /// @param[in] highest degree
 /// @return of the degrees m, m + 1, ..., highest
-[[nodiscard]] std::vector<DegreeCompliance> degree_compliances(const HarmonicCoating& coating, const Spectrum& spectrum,
+[[nodiscard]] std::vector<DegreeCompliance> degree_compliances(const HarmonicBody& body, const Spectrum& spectrum,
                                                                std::size_t i, int highest);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The ordinary differential equations of one order in one layer, in real form.
+/// @brief The ordinary differential equations of one order in one layer of a sphere, in real form.
 ///
 /// Theory.md section 3 writes z' = B z, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi, r sigma_rtheta), ' = d/d ln
 /// r, with a = lambda / (lambda + 2 mu), b = mu / (lambda + 2 mu), gamma = mu (3a + 2b) and epsilon = mu (a + b). Two
@@ -16,7 +16,8 @@
 ///
 ///   with s = r sigma_rr, gamma = mu (3 - 4b) and k^2 = m^2 + n^2.
 ///
-/// Everything in this folder uses that form; `to_physical` undoes it. Orders need not be whole numbers here.
+/// Everything in this folder uses that form; `to_physical` undoes it. Orders need not be whole numbers here. What other
+/// surfaces than a sphere's make of the equations is in layer_step.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,56 +31,32 @@ using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 template <class Scalar>
 using Matrix6 = Eigen::Matrix<Scalar, 6, 6>;
 
-/// @brief The equations of a layer without inertia, as the product B z.
+/// @brief B without inertia.
+/// @param[in] metric of a sphere
+/// @param[in] medium the layer, its modulus in the unit of the stresses
+/// @param[in] m,n order
 template <class Scalar>
-class LayerEquations {
- public:
-  /// @param[in] medium the layer, its modulus in the unit of the stresses
-  /// @param[in] m,n order
-  LayerEquations(const Medium<Scalar>& medium, double m, double n)
-      : m_(m),
-        n_(n),
-        a_(1.0 - 2.0 * medium.b),
-        recovery_(1.0 - 4.0 * medium.b),
-        radial_(medium.b / medium.mu),
-        tangential_(1.0 / medium.mu),
-        gamma_(medium.mu * (3.0 - 4.0 * medium.b)),
-        membrane_(membrane_stiffness(medium.curvature, m * m + n * n) * medium.mu) {}
-
-  /// @brief B z for several states at once.
-  /// @param[in] z one state in each row: u_r, v_phi, v_theta, s, tau_phi, tau_theta
-  template <int States>
-  [[nodiscard]] Eigen::Array<Scalar, States, 6> operator()(const Eigen::Array<Scalar, States, 6>& z) const {
-    const auto u = z.col(0);
-    const auto v_phi = z.col(1);
-    const auto v_theta = z.col(2);
-    const auto s = z.col(3);
-    const auto tau_phi = z.col(4);
-    const auto tau_theta = z.col(5);
-    using Column = Eigen::Array<Scalar, States, 1>;
-    const Column t = m_ * v_phi + n_ * v_theta - 2.0 * u;
-    const Column gamma_t = gamma_ * t;
-    const Column shear = gamma_t - a_ * s;
-    Eigen::Array<Scalar, States, 6> rate;
-    rate.col(0) = a_ * t + radial_ * s;
-    rate.col(1) = v_phi - m_ * u + tangential_ * tau_phi;
-    rate.col(2) = v_theta - n_ * u + tangential_ * tau_theta;
-    rate.col(3) = recovery_ * s - 2.0 * gamma_t + m_ * tau_phi + n_ * tau_theta;
-    rate.col(4) = m_ * shear + membrane_ * v_phi - 2.0 * tau_phi;
-    rate.col(5) = n_ * shear + membrane_ * v_theta - 2.0 * tau_theta;
-    return rate;
-  }
-
- private:
-  double m_, n_;
-  Scalar a_, recovery_, radial_, tangential_, gamma_, membrane_;
-};
-
-/// @brief B without inertia as a matrix.
-template <class Scalar>
-[[nodiscard]] Matrix6<Scalar> elastic_matrix(const Medium<Scalar>& medium, double m, double n) {
-  const Eigen::Array<Scalar, 6, 6> unit_states = Matrix6<Scalar>::Identity().array();
-  return LayerEquations<Scalar>(medium, m, n)(unit_states).matrix().transpose();
+[[nodiscard]] Matrix6<Scalar> elastic_matrix(const Metric& metric, const Medium<Scalar>& medium, double m, double n) {
+  const Scalar a = 1.0 - 2.0 * medium.b;
+  const Scalar gamma = medium.mu * (3.0 - 4.0 * medium.b);
+  const Scalar membrane = metric.membrane_stiffness(m * m + n * n) * medium.mu;
+  const Eigen::Vector3d spread(-2.0, m, n);   // t, of the displacements
+  const Eigen::Vector3d turned(0.0, -m, -n);  // the gradient of u_r
+  Matrix6<Scalar> matrix = Matrix6<Scalar>::Zero();
+  auto strain = matrix.template topLeftCorner<3, 3>();
+  auto compliance = matrix.template topRightCorner<3, 3>();
+  auto stiffness = matrix.template bottomLeftCorner<3, 3>();
+  auto stress = matrix.template bottomRightCorner<3, 3>();
+  strain.diagonal().template tail<2>().setOnes();
+  strain.col(0) += turned.cast<Scalar>();
+  strain.row(0) += a * spread.transpose().cast<Scalar>();
+  compliance.diagonal() << medium.b / medium.mu, 1.0 / medium.mu, 1.0 / medium.mu;
+  stiffness = gamma * (spread * spread.transpose()).cast<Scalar>();
+  stiffness.diagonal().template tail<2>().array() += membrane;
+  stress.row(0) << 1.0 - 4.0 * medium.b, m, n;
+  stress.col(0).template tail<2>() += a * turned.tail<2>().cast<Scalar>();
+  stress.diagonal().template tail<2>().array() -= 2.0;
+  return matrix;
 }
 
 /// @brief What inertia adds to the stress rows of B, from the displacements, per rho Omega^2 r^2: order m alone counts,

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "modal/harmonic_moduli.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -11,22 +13,22 @@ constexpr double kModulusTolerance = 1e-13;
 
 }  // namespace
 
-std::optional<MeasuredModuli> MeasuredModuli::try_make(const LayeredSurface& surface,
-                                                       std::span<const std::size_t> orders, int most_terms) {
-  const std::vector<std::size_t> layers = surface.measured_layers();
+std::optional<MeasuredModuli> MeasuredModuli::try_make(const HarmonicBody& body, std::span<const std::size_t> orders,
+                                                       int most_terms) {
+  const std::vector<std::size_t> layers = measured_layers(body.body().layers);
   const auto count = static_cast<Eigen::Index>(orders.size());
   MeasuredModuli moduli;
-  moduli.lowest_m_ = surface.orders()[orders.front()];
-  moduli.highest_m_ = surface.orders()[orders.back()];
+  moduli.lowest_m_ = body.orders()[orders.front()];
+  moduli.highest_m_ = body.orders()[orders.back()];
   moduli.layers_ = static_cast<Eigen::Index>(layers.size());
 
   Eigen::ArrayXd points(count);
   Eigen::ArrayXXcd rest(count, moduli.layers_);  // what the polynomials leave of the moduli
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::size_t order = orders[static_cast<std::size_t>(i)];
-    points[i] = moduli.coordinate(surface.orders()[order]);
+    points[i] = moduli.coordinate(body.orders()[order]);
     for (Eigen::Index l = 0; l < moduli.layers_; ++l) {
-      rest(i, l) = surface.modulus(layers[static_cast<std::size_t>(l)], order);
+      rest(i, l) = body.modulus(layers[static_cast<std::size_t>(l)], order);
     }
   }
   const Eigen::ArrayXXd limit = kModulusTolerance * rest.abs();

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "modal/layered_surface.hpp"
+#include "modal/harmonic_body.hpp"
 
 namespace viscoroll::detail {
 
@@ -24,11 +24,11 @@ class MeasuredModuli {
   MeasuredModuli() = default;
 
   /// @brief Those of a run.
-  /// @param[in] surface layers at the orders m
+  /// @param[in] body layers at the orders m
   /// @param[in] orders numbers of the orders of the run, at least one, with m > 0 ascending
   /// @param[in] most_terms of a polynomial
   /// @return nothing where so many terms do not meet the moduli at every order of the run
-  [[nodiscard]] static std::optional<MeasuredModuli> try_make(const LayeredSurface& surface,
+  [[nodiscard]] static std::optional<MeasuredModuli> try_make(const HarmonicBody& body,
                                                               std::span<const std::size_t> orders, int most_terms);
 
   /// @param[in] orders m within the run

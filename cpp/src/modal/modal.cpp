@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <string>
+#include <utility>
 
 #include "modal/compliance_recursion.hpp"
 #include "modal/degree_compliance.hpp"
-#include "modal/harmonic_plane.hpp"
+#include "modal/harmonic_body.hpp"
 #include "modal/layer_system.hpp"
-#include "modal/medium.hpp"
 #include "parallel.hpp"
 #include "validate.hpp"
 
@@ -34,17 +33,15 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, doubl
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
     magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicCoating coating(sphere, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
-                                        curvature);
+  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes);
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
   detail::parallel_for(m.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
     // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
     const bool conjugate = m[i] < 0;
-    const auto media = coating.media(i);
-    const Eigen::Matrix3cd compliance =
-        detail::to_physical(detail::surface_compliance<cplx>(media, magnitudes[i], conjugate ? -n[i] : n[i]));
+    const double order = conjugate ? -n[i] : n[i];
+    const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = order}));
     Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
   });
   return compliances;
@@ -70,13 +67,12 @@ std::vector<ComplexMatrix3> degree_compliance(const CoatedSphere& sphere, double
   }
   CoatedSphere still = sphere;
   for (Layer& layer : still.layers) layer.density = 0.0;
-  const detail::HarmonicCoating coating(still, angular_speed, magnitudes, std::numeric_limits<double>::infinity(),
-                                        Curvature::exact);
+  const detail::HarmonicBody body(detail::layered_body(still, Curvature::exact), angular_speed, magnitudes);
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(degree.size());
   detail::parallel_for(degree.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
-    const auto c = detail::degree_compliance(coating.media(i), degree[i]);
+    const auto c = detail::degree_compliance(body.layers_at(i), degree[i]);
     ComplexMatrix3& matrix = compliances[i];
     matrix = {c.radial, c.mixed, 0.0, c.mixed, c.along, 0.0, 0.0, 0.0, c.across};
     if (order[i] < 0) std::ranges::transform(matrix, matrix.begin(), [](cplx z) { return std::conj(z); });
@@ -96,16 +92,16 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double 
     if (k_xi[i] == 0.0 && k_zeta[i] == 0.0) detail::reject("k_zeta", "other than 0 1/m where k_xi is", "0 1/m");
     magnitudes.push_back(std::abs(k_xi[i]));
   }
-  const detail::HarmonicPlane harmonics(plane, speed, 1.0, magnitudes);
+  detail::LayeredBody layers = detail::layered_body(plane, 1.0);
+  detail::require_positive("speed", speed, "m/s");
+  const detail::HarmonicBody body(std::move(layers), speed, magnitudes);
   std::vector<ComplexMatrix3> compliances(k_xi.size());
   for (std::size_t i = 0; i < k_xi.size(); ++i) {
     // The fields are real, so the wave (-k_xi, k_zeta) is the conjugate of (k_xi, -k_zeta).
     const bool conjugate = k_xi[i] < 0.0;
-    const detail::OrderAt order{.i = i, .n = conjugate ? -k_zeta[i] : k_zeta[i]};
-    Eigen::Matrix3cd compliance;
-    harmonics.compliances(std::span(&order, 1), std::span(&compliance, 1));
-    compliance = detail::to_physical(compliance).eval();
-    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate().eval() : compliance;
+    const double order = conjugate ? -k_zeta[i] : k_zeta[i];
+    const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = order}));
+    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
   }
   return compliances;
 }
@@ -119,14 +115,13 @@ ComplexMatrix6 state_matrix(const Layer& layer, double angular_speed, double rad
   const std::array frequency{std::abs(m) * angular_speed};
   const cplx at_frequency = complex_modulus(layer.shear_modulus, frequency).front();
   const cplx mu = m < 0 ? std::conj(at_frequency) : at_frequency;  // mu*(-w) = conj mu*(w)
-  const detail::Medium<cplx> medium{.inner_radius = radius,
-                                    .outer_radius = radius,
+  const detail::Medium<cplx> medium{.inner = radius,
+                                    .outer = radius,
                                     .mu = mu,
                                     .b = detail::shear_ratio(layer, mu),
-                                    .inertia = layer.density * angular_speed * angular_speed,
-                                    .curvature = curvature};
+                                    .inertia = layer.density * angular_speed * angular_speed};
 
-  detail::Matrix6<cplx> matrix = detail::elastic_matrix(medium, m, n);
+  detail::Matrix6<cplx> matrix = detail::elastic_matrix({.radius = radius, .curvature = curvature}, medium, m, n);
   matrix.bottomLeftCorner<3, 3>() += (medium.inertia * radius * radius * detail::inertia_matrix(m)).cast<cplx>();
   // From the unknowns v = -i u of the tangential components to u.
   const cplx i(0.0, 1.0);

@@ -24,12 +24,12 @@ bool is_resolved(const Panel<cplx>& panel, double m) {
 }  // namespace
 
 void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
-  const double order = surface_->orders()[i];
+  const double order = body_->orders()[i];
   const auto sample = [&](const std::array<double, kPanelNodes>& nodes) {
     std::array<OrderAt, kPanelNodes> orders{};
     std::array<Eigen::Matrix3cd, kPanelNodes> solved;
     for (std::size_t j = 0; j < orders.size(); ++j) orders[j] = {.i = i, .n = std::sqrt(nodes[j] - order * order)};
-    surface_->compliances(orders, solved);
+    body_->compliances(orders, solved);
     Eigen::Matrix<cplx, kEntries, kPanelNodes> entries;
     for (std::size_t j = 0; j < orders.size(); ++j) {
       const Eigen::Matrix3cd& y = solved[j];
@@ -43,7 +43,7 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
   if (order == 0.0) {
     const OrderAt zero{.i = i, .n = 0.0};
     Eigen::Matrix3cd y;
-    surface_->compliances(std::span(&zero, 1), std::span(&y, 1));
+    body_->compliances(std::span(&zero, 1), std::span(&y, 1));
     Eigen::VectorXcd entries(kEntries);
     entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
     append_constants(kZeroOrder, entries, series);

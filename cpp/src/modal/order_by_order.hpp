@@ -1,11 +1,11 @@
 /// @file
-/// @brief Spectrum of any surface: each order m sampled along n by itself.
+/// @brief Spectrum of any body: each order m sampled along n by itself.
 #pragma once
 
 #include <memory>
 #include <utility>
 
-#include "modal/layered_surface.hpp"
+#include "modal/harmonic_body.hpp"
 #include "modal/spectrum.hpp"
 
 namespace viscoroll::detail {
@@ -13,13 +13,13 @@ namespace viscoroll::detail {
 /// @brief Solves the layers at the Chebyshev nodes of every order m: about thirty solutions in place of N_t.
 class OrderByOrderSpectrum final : public Spectrum {
  public:
-  OrderByOrderSpectrum(std::shared_ptr<const LayeredSurface> surface, double highest_n)
-      : surface_(std::move(surface)), highest_n_(highest_n) {}
+  OrderByOrderSpectrum(std::shared_ptr<const HarmonicBody> body, double highest_n)
+      : body_(std::move(body)), highest_n_(highest_n) {}
 
   void series(std::size_t i, OrderSeries& series) const override;
 
  private:
-  std::shared_ptr<const LayeredSurface> surface_;
+  std::shared_ptr<const HarmonicBody> body_;
   double highest_n_;
 };
 

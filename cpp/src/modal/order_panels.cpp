@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "modal/harmonic_moduli.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -42,13 +44,13 @@ int order_terms(double lowest_m, double highest_m, double distance) {
 /// by which the series in k is judged, all m at the outermost k, by which that in m is, and the rest.
 class CellSamples {
  public:
-  CellSamples(const LayeredSurface& surface, const SmoothRun& run, const Cell& cell)
+  CellSamples(const HarmonicBody& body, const SmoothRun& run, const Cell& cell)
       : m_(chebyshev_nodes(cell.lowest_m, cell.highest_m, run.nodes)),
         m_count_(run.nodes),
         m_transform_(chebyshev_transform(m_count_).transpose().cast<cplx>()),
         ratios_(panel_nodes(cell.lowest_ratio, cell.highest_ratio)),
         highest_n_ratio_(std::sqrt(cell.highest_ratio - 1.0)),
-        surface_(surface.resampled(m_, run.measured.at(m_))),
+        body_(body.resampled(m_, run.measured.at(m_))),
         values_(m_count_, kEntries * kPanelNodes) {}
 
   /// Whether the last terms along k are negligible at the outermost m.
@@ -126,13 +128,13 @@ class CellSamples {
       }
     }
     std::vector<Eigen::Matrix3cd> solved(orders.size());
-    surface_->compliances(orders, solved);
+    body_.compliances(orders, solved);
     auto order = orders.begin();
     auto compliance = solved.begin();
     for (const int j : k_nodes) {
       for (const int i : m_nodes) {
         const double m = m_[order->i];
-        const Eigen::Matrix3cd y = *compliance++ * (m * surface_->outer_modulus(order->i));
+        const Eigen::Matrix3cd y = *compliance++ * (m * body_.outer_modulus(order->i));
         const double n_ratio = order->n / m;
         ++order;
         const std::array<cplx, kEntries> entries{y(0, 0), y(0, 1),           y(0, 2) / n_ratio,
@@ -147,18 +149,18 @@ class CellSamples {
   Eigen::MatrixXcd m_transform_;
   std::array<double, kPanelNodes> ratios_;  // k^2 / m^2
   double highest_n_ratio_;
-  std::unique_ptr<LayeredSurface> surface_;  // at each m
+  HarmonicBody body_;  // at each m
   CellTerms values_;
 };
 
 /// Append the cells that resolve the compliance on the range of `cell`, halved where needed.
-void append_cells(const LayeredSurface& surface, const SmoothRun& run, Cell cell, const Worker& worker,
+void append_cells(const HarmonicBody& body, const SmoothRun& run, Cell cell, const Worker& worker,
                   std::vector<Cell>& cells) {
   worker.checkpoint();
   const bool is_wide_along_k = cell.highest_ratio / cell.lowest_ratio > kSmallestRatio;
   const bool is_wide_along_m = cell.highest_m / cell.lowest_m > kSmallestRatio;
   const auto append = [&](double lowest_m, double highest_m, double lowest_ratio, double highest_ratio) {
-    append_cells(surface, run, {lowest_m, highest_m, lowest_ratio, highest_ratio, {}}, worker, cells);
+    append_cells(body, run, {lowest_m, highest_m, lowest_ratio, highest_ratio, {}}, worker, cells);
   };
   const auto halve_along_k = [&] {
     const double middle = std::sqrt(cell.lowest_ratio * cell.highest_ratio);
@@ -170,7 +172,7 @@ void append_cells(const LayeredSurface& surface, const SmoothRun& run, Cell cell
     append(cell.lowest_m, middle, cell.lowest_ratio, cell.highest_ratio);
     append(middle, cell.highest_m, cell.lowest_ratio, cell.highest_ratio);
   };
-  CellSamples samples(surface, run, cell);
+  CellSamples samples(body, run, cell);
   if (!samples.is_resolved_along_k() && is_wide_along_k) return halve_along_k();
   if (!samples.is_resolved_along_m() && is_wide_along_m) return halve_along_m();
   samples.complete();
@@ -191,16 +193,16 @@ Eigen::RowVectorXd chebyshev_polynomials(const Cell& cell, double m) {
 }
 
 /// The longest run at the beginning of some orders, by their numbers.
-SmoothRun first_smooth_run(const LayeredSurface& surface, std::span<const std::size_t> orders) {
-  const auto order = [&](std::size_t i) { return surface.orders()[i]; };
+SmoothRun first_smooth_run(const HarmonicBody& body, std::span<const std::size_t> orders) {
+  const auto order = [&](std::size_t i) { return body.orders()[i]; };
   const auto end = std::ranges::upper_bound(orders, kLargestOrderRatio * order(orders.front()), {}, order);
   const auto most = static_cast<std::size_t>(end - orders.begin());
-  const bool has_measured = !surface.measured_layers().empty();
+  const bool has_measured = !measured_layers(body.body().layers).empty();
   SmoothRun run;
   const auto extend_to = [&](std::size_t count) {
     const double lowest = order(orders.front());
     const double highest = order(orders[count - 1]);
-    auto measured = MeasuredModuli::try_make(surface, orders.first(count), order_terms(lowest, highest, kNearestPole));
+    auto measured = MeasuredModuli::try_make(body, orders.first(count), order_terms(lowest, highest, kNearestPole));
     if (!measured) return false;
     const int nodes = has_measured ? order_terms(lowest, highest, kNearestBend) : kMostOrderNodes;
     run = {.lowest_m = lowest, .highest_m = highest, .count = count, .measured = std::move(*measured), .nodes = nodes};
@@ -224,10 +226,9 @@ SmoothRun first_smooth_run(const LayeredSurface& surface, std::span<const std::s
 
 }  // namespace
 
-OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
-                         Watch& watch)
-    : surface_(std::move(surface)), one_by_one_(surface_, highest_n) {
-  find_ranges(lowest_m);
+OrderPanels::OrderPanels(std::shared_ptr<const HarmonicBody> body, double highest_n, int threads, Watch& watch)
+    : body_(std::move(body)), one_by_one_(body_, highest_n) {
+  find_ranges();
   struct Part {
     std::size_t range;
     Cell cell;
@@ -247,7 +248,7 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
     }
   }
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
-    append_cells(*surface_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
+    append_cells(*body_, ranges_[parts[p].range].run, parts[p].cell, worker, parts[p].cells);
   });
   for (Part& part : parts) {
     auto& cells = ranges_[part.range].cells;
@@ -255,14 +256,15 @@ OrderPanels::OrderPanels(std::shared_ptr<const LayeredSurface> surface, double l
   }
 }
 
-void OrderPanels::find_ranges(double lowest_m) {
-  const std::vector<double>& m = surface_->orders();
+void OrderPanels::find_ranges() {
+  const double lowest_m = body_->metric().is_curved() ? 2.0 : 0.0;  // whole orders below are few
+  const std::vector<double>& m = body_->orders();
   std::vector<std::size_t> ascending(m.size());
   std::iota(ascending.begin(), ascending.end(), std::size_t{0});
   std::ranges::sort(ascending, {}, [&](std::size_t i) { return m[i]; });
   const auto lowest = std::ranges::lower_bound(ascending, lowest_m, {}, [&](std::size_t i) { return m[i]; });
   for (std::span<const std::size_t> left(lowest, ascending.end()); !left.empty();) {
-    SmoothRun run = first_smooth_run(*surface_, left);
+    SmoothRun run = first_smooth_run(*body_, left);
     if (std::cmp_greater(run.count, run.nodes)) {
       left = left.subspan(run.count);
       ranges_.push_back({.run = std::move(run), .cells = {}});
@@ -278,11 +280,11 @@ const OrderPanels::Range* OrderPanels::range_of(double m) const {
 }
 
 void OrderPanels::series(std::size_t i, OrderSeries& series) const {
-  const double m = surface_->orders()[i];
+  const double m = body_->orders()[i];
   const Range* range = range_of(m);
   if (!range) return one_by_one_.series(i, series);
 
-  const cplx unit = 1.0 / (m * surface_->outer_modulus(i));
+  const cplx unit = 1.0 / (m * body_->outer_modulus(i));
   std::size_t used = 0;
   for (const Cell& cell : range->cells) {
     const bool is_last = cell.highest_m == range->run.highest_m;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Spectrum of any surface: sampled in both directions of order, where its moduli are smooth.
+/// @brief Spectrum of any body: sampled in both directions of order, where its moduli are smooth.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,11 @@ namespace viscoroll::detail {
 /// the orders. Orders that lie less closely are solved one by one.
 class OrderPanels final : public Spectrum {
  public:
-  /// @param[in] surface layers at the orders m
-  /// @param[in] lowest_m from which on series stand for orders
+  /// @param[in] body layers at the orders m
   /// @param[in] highest_n largest order n that is asked for
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  OrderPanels(std::shared_ptr<const LayeredSurface> surface, double lowest_m, double highest_n, int threads,
-              Watch& watch);
+  OrderPanels(std::shared_ptr<const HarmonicBody> body, double highest_n, int threads, Watch& watch);
 
   void series(std::size_t i, OrderSeries& series) const override;
 
@@ -54,10 +52,10 @@ class OrderPanels final : public Spectrum {
     std::vector<Cell> cells;  ///< at any m in the order of k^2 / m^2
   };
 
-  void find_ranges(double lowest_m);
+  void find_ranges();
   [[nodiscard]] const Range* range_of(double m) const;
 
-  std::shared_ptr<const LayeredSurface> surface_;
+  std::shared_ptr<const HarmonicBody> body_;
   OrderByOrderSpectrum one_by_one_;
   std::vector<Range> ranges_;
 };

@@ -18,62 +18,65 @@ constexpr double kInertiaGrowth = 8.0;  // |f_{j+1}| / |f_j| stays below this in
 constexpr int kMaxInertiaOrder = 3;
 
 /// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
-std::optional<double> common_ratio(const HarmonicCoating& coating, std::size_t layer, std::size_t reference) {
-  const cplx ratio = coating.modulus(layer, 0) / coating.modulus(reference, 0);
-  for (std::size_t i = 0; i < coating.orders().size(); ++i) {
-    const cplx expected = ratio * coating.modulus(reference, i);
-    if (std::abs(coating.modulus(layer, i) - expected) > 1e-14 * std::abs(expected)) return std::nullopt;
+std::optional<double> common_ratio(const HarmonicBody& body, std::size_t layer, std::size_t reference) {
+  const cplx ratio = body.modulus(layer, 0) / body.modulus(reference, 0);
+  for (std::size_t i = 0; i < body.orders().size(); ++i) {
+    const cplx expected = ratio * body.modulus(reference, i);
+    if (std::abs(body.modulus(layer, i) - expected) > 1e-14 * std::abs(expected)) return std::nullopt;
   }
   return ratio.real();
 }
 
 /// Whether the layer's Poisson's ratio is real and the same at every harmonic.
-bool has_constant_poisson_ratio(const HarmonicCoating& coating, std::size_t layer) {
-  const Layer& properties = coating.sphere().layers[layer];
+bool has_constant_poisson_ratio(const HarmonicBody& body, std::size_t layer) {
+  const Layer& properties = body.body().layers[layer];
   return properties.poisson_ratio || std::holds_alternative<Elastic>(properties.shear_modulus);
 }
 
 /// Layers in units of g, with rho Omega^2 r_o^2 = eta for the densest; nothing where they are not self-similar.
-std::optional<std::vector<Medium<double>>> scaled_media(const HarmonicCoating& coating, std::size_t reference,
-                                                        double highest_density) {
-  std::vector<Medium<double>> media;
-  const auto at_rest = coating.media(0);
-  for (std::size_t l = 0; l < at_rest.size(); ++l) {
-    const std::optional<double> ratio = common_ratio(coating, l, reference);
-    if (!ratio || !has_constant_poisson_ratio(coating, l)) return std::nullopt;
-    const double share = highest_density > 0.0 ? coating.sphere().layers[l].density / highest_density : 0.0;
-    media.push_back({.inner_radius = at_rest[l].inner_radius,
-                     .outer_radius = at_rest[l].outer_radius,
-                     .mu = *ratio,
-                     .b = at_rest[l].b.real(),
-                     .inertia = share / (coating.outer_radius() * coating.outer_radius()),
-                     .within = at_rest[l].within,
-                     .curvature = coating.curvature()});
+std::optional<LayerStack<double>> scaled_layers(const HarmonicBody& body, std::size_t reference,
+                                                double highest_density) {
+  const auto at_rest = body.layers_at(0);
+  LayerStack<double> layers{.metric = at_rest.metric, .within = at_rest.within, .media = {}};
+  for (std::size_t l = 0; l < at_rest.media.size(); ++l) {
+    const std::optional<double> ratio = common_ratio(body, l, reference);
+    if (!ratio || !has_constant_poisson_ratio(body, l)) return std::nullopt;
+    const double share = highest_density > 0.0 ? body.body().layers[l].density / highest_density : 0.0;
+    const Medium<cplx>& medium = at_rest.media[l];
+    layers.media.push_back({.inner = medium.inner,
+                            .outer = medium.outer,
+                            .mu = *ratio,
+                            .b = medium.b.real(),
+                            .inertia = share / (body.radius() * body.radius())});
   }
-  return media;
+  return layers;
 }
 
-std::size_t softest_layer(const HarmonicCoating& coating) {
+std::size_t softest_layer(const HarmonicBody& body) {
   std::size_t softest = 0;
-  for (std::size_t l = 1; l < coating.sphere().layers.size(); ++l) {
-    if (std::abs(coating.modulus(l, 0)) < std::abs(coating.modulus(softest, 0))) softest = l;
+  for (std::size_t l = 1; l < body.body().layers.size(); ++l) {
+    if (std::abs(body.modulus(l, 0)) < std::abs(body.modulus(softest, 0))) softest = l;
   }
   return softest;
 }
 
+/// The same layers with so much more inertia.
+LayerStack<double> with_inertia(LayerStack<double> layers, double factor) {
+  for (Medium<double>& medium : layers.media) medium.inertia *= factor;
+  return layers;
+}
+
 /// How much each term of the inertia series exceeds the one before, per eta: more than in other coatings in a thin
 /// shell on nothing, which is soft in bending. Taken from the change of the compliance by inertia.
-/// @param[in] media layers in units of g, with inertia for eta = 1
-double inertia_growth(const std::vector<Medium<double>>& media, double highest_eta) {
-  std::array<std::vector<Medium<double>>, 2> at_rest_and_fast{media, media};
-  for (Medium<double>& medium : at_rest_and_fast[0]) medium.inertia = 0.0;
-  for (Medium<double>& medium : at_rest_and_fast[1]) medium.inertia *= highest_eta;
+/// @param[in] layers in units of g, with inertia for eta = 1
+double inertia_growth(const LayerStack<double>& layers, double highest_eta) {
+  const std::array at_rest_and_fast{with_inertia(layers, 0.0), with_inertia(layers, highest_eta)};
   constexpr double kHighestOrder = 2000.0;
   std::vector<OrderInLayers<double>> orders;
-  for (const auto& layers : at_rest_and_fast) {
+  for (const LayerStack<double>& turning : at_rest_and_fast) {
     for (const double share : {1.0, 0.5, 0.1}) {  // m^2 / k^2
       for (double k = 1.0; k < kHighestOrder; k *= 1.25) {
-        orders.push_back({.media = layers, .m = k * std::sqrt(share), .n = k * std::sqrt(1.0 - share)});
+        orders.push_back({.layers = turning, .m = k * std::sqrt(share), .n = k * std::sqrt(1.0 - share)});
       }
     }
   }
@@ -113,16 +116,13 @@ int highest_power(Eigen::Index entry, int j) {
 /// Samples F at a given k^2 on a grid in eta and t = m^2 / k^2, and takes it to coefficients of eta^j m^(2i).
 class InertiaSeries {
  public:
-  /// @param media layers in units of g, with inertia for eta = 1
+  /// @param layers in units of g, with inertia for eta = 1
   /// @param highest_eta where the series is to hold; eta is counted in its units
   /// @param order largest power of eta
-  InertiaSeries(const std::vector<Medium<double>>& media, double highest_eta, int order) : order_(order) {
+  InertiaSeries(const LayerStack<double>& layers, double highest_eta, int order) : order_(order) {
     constexpr std::array<double, kMaxInertiaOrder + 1> kEtas{0.0, 1.0, -1.0, 0.5};
     etas_ = Eigen::Map<const Eigen::VectorXd>(kEtas.data(), order + 1);
-    for (const double eta : etas_) {
-      media_.push_back(media);
-      for (Medium<double>& medium : media_.back()) medium.inertia *= eta * highest_eta;
-    }
+    for (const double eta : etas_) layers_.push_back(with_inertia(layers, eta * highest_eta));
     angles_.resize(order + 2);
     for (Eigen::Index i = 0; i < angles_.size(); ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(angles_.size());
@@ -140,12 +140,12 @@ class InertiaSeries {
   /// Coefficients at the nodes of a panel, a column for each.
   [[nodiscard]] Eigen::MatrixXd sample(const std::array<double, kPanelNodes>& k2) const {
     std::vector<OrderInLayers<double>> orders;
-    orders.reserve(k2.size() * (1 + (media_.size() - 1) * static_cast<std::size_t>(angles_.size())));
-    for (const double square : k2) orders.push_back({.media = media_.front(), .m = std::sqrt(square), .n = 0.0});
-    for (std::size_t j = 1; j < media_.size(); ++j) {
+    orders.reserve(k2.size() * (1 + (layers_.size() - 1) * static_cast<std::size_t>(angles_.size())));
+    for (const double square : k2) orders.push_back({.layers = layers_.front(), .m = std::sqrt(square), .n = 0.0});
+    for (std::size_t j = 1; j < layers_.size(); ++j) {
       for (const double t : angles_) {
         for (const double square : k2) {
-          orders.push_back({.media = media_[j], .m = std::sqrt(t * square), .n = std::sqrt((1.0 - t) * square)});
+          orders.push_back({.layers = layers_[j], .m = std::sqrt(t * square), .n = std::sqrt((1.0 - t) * square)});
         }
       }
     }
@@ -166,7 +166,7 @@ class InertiaSeries {
   /// Coefficients of order (0, 0).
   [[nodiscard]] Eigen::VectorXd sample_zero_order() const {
     return fit(0.0, [&](Eigen::Index j, Eigen::Index) -> Entries {
-      const Matrix3<double> y = surface_compliance<double>(media_[static_cast<std::size_t>(j)], 0.0, 0.0);
+      const Matrix3<double> y = surface_compliance(layers_[static_cast<std::size_t>(j)], 0.0, 0.0);
       return {y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2)};
     });
   }
@@ -238,7 +238,7 @@ class InertiaSeries {
     return {y(0, 0), y(0, 1) / m, y(0, 2) / n, y(1, 1), y(1, 2) / (m * n), y(2, 2)};
   }
 
-  std::vector<std::vector<Medium<double>>> media_;  // for each eta
+  std::vector<LayerStack<double>> layers_;  // for each eta
   int order_;
   Eigen::VectorXd etas_;  // the first is 0
   Eigen::VectorXd angles_;
@@ -248,37 +248,38 @@ class InertiaSeries {
 
 }  // namespace
 
-std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicCoating& coating, double highest_n,
+std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicBody& body, double highest_n,
                                                                    double inertia_tolerance, int threads,
                                                                    Watch& watch) {
-  const auto& layers = coating.sphere().layers;
-  const double density = std::ranges::max(layers, {}, &Layer::density).density;
-  const std::size_t reference = softest_layer(coating);
-  const auto media = scaled_media(coating, reference, density);
-  if (!media) return nullptr;
+  const double density = std::ranges::max(body.body().layers, {}, &Layer::density).density;
+  const std::size_t reference = softest_layer(body);
+  const auto layers = scaled_layers(body, reference, density);
+  if (!layers) return nullptr;
 
   std::unique_ptr<SelfSimilarSpectrum> spectrum(new SelfSimilarSpectrum);
-  const double speed = coating.angular_speed() * coating.outer_radius();
+  const double speed = body.angular_speed() * body.radius();
   double highest_eta = 0.0;
-  for (std::size_t m = 0; m < coating.orders().size(); ++m) {
-    spectrum->modulus_.push_back(coating.modulus(reference, m));
+  for (std::size_t m = 0; m < body.orders().size(); ++m) {
+    spectrum->modulus_.push_back(body.modulus(reference, m));
     spectrum->inertia_.push_back(density * speed * speed / spectrum->modulus_.back());
     highest_eta = std::max(highest_eta, std::abs(spectrum->inertia_.back()));
   }
-  const double growth = highest_eta > 0.0 ? inertia_growth(*media, highest_eta) : 0.0;
+  const bool is_sphere = body.metric().is_sphere();
+  if (highest_eta > 0.0 && !is_sphere) return nullptr;  // how the series grows is known of spheres
+  const double growth = highest_eta > 0.0 ? inertia_growth(*layers, highest_eta) : 0.0;
   const std::optional<int> order = inertia_order(growth * highest_eta, inertia_tolerance);
   if (!order) return nullptr;
   spectrum->inertia_order_ = *order;
   for (cplx& eta : spectrum->inertia_) eta /= highest_eta > 0.0 ? highest_eta : 1.0;
 
-  const InertiaSeries inertia_series(*media, highest_eta, *order);
-  spectrum->orders_ = coating.orders();
+  const InertiaSeries inertia_series(*layers, highest_eta, *order);
+  spectrum->orders_ = body.orders();
   spectrum->highest_n_ = highest_n;
-  const double highest_m = std::ranges::max(coating.orders());
-  append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
+  const auto [lowest_m, highest_m] = std::ranges::minmax(body.orders());
   const double most = highest_m * highest_m + highest_n * highest_n;
-  std::vector<double> bounds{kZeroOrder};
-  if (most > kLowOrders) bounds.push_back(kLowOrders);
+  std::vector<double> bounds{is_sphere ? kZeroOrder : lowest_m * lowest_m};
+  if (is_sphere) append_constants(kZeroOrder, inertia_series.sample_zero_order(), spectrum->panels_);
+  if (is_sphere && most > kLowOrders) bounds.push_back(kLowOrders);
   while (bounds.back() < most) bounds.push_back(std::min(64.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
   parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {

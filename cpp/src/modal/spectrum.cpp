@@ -7,7 +7,6 @@
 #include "instruction_sets.hpp"
 #include "modal/order_panels.hpp"
 #include "modal/self_similar.hpp"
-#include "modal/self_similar_plane.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -36,17 +35,10 @@ void sum_chebyshev(const std::array<double, kPanelNodes>& series, const double* 
 
 }  // namespace
 
-std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads, Watch& watch,
+std::unique_ptr<Spectrum> make_spectrum(const HarmonicBody& body, double highest_n, int threads, Watch& watch,
                                         double inertia_tolerance) {
-  if (auto shared = SelfSimilarSpectrum::try_make(coating, highest_n, inertia_tolerance, threads, watch)) return shared;
-  constexpr double kLowestOrder = 2.0;  // orders below are few
-  return std::make_unique<OrderPanels>(std::make_shared<const HarmonicCoating>(coating), kLowestOrder, highest_n,
-                                       threads, watch);
-}
-
-std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads, Watch& watch) {
-  if (auto shared = SelfSimilarPlane::try_make(plane, highest_n)) return shared;
-  return std::make_unique<OrderPanels>(std::make_shared<const HarmonicPlane>(plane), 0.0, highest_n, threads, watch);
+  if (auto shared = SelfSimilarSpectrum::try_make(body, highest_n, inertia_tolerance, threads, watch)) return shared;
+  return std::make_unique<OrderPanels>(std::make_shared<const HarmonicBody>(body), highest_n, threads, watch);
 }
 
 OrderValues::OrderValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series)

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "modal/chebyshev_panels.hpp"
-#include "modal/harmonic_plane.hpp"
-#include "modal/medium.hpp"
+#include "modal/harmonic_body.hpp"
 #include "parallel.hpp"
 
 namespace viscoroll::detail {
@@ -63,13 +62,13 @@ constexpr double kZeroOrder = 0.5;
 /// where the entry is odd.
 using OrderSeries = std::vector<Panel<std::complex<double>>>;
 
-/// @brief The orders m of a coating. Immutable after construction: threads may share it.
+/// @brief The orders m of a body. Immutable after construction: threads may share it.
 class Spectrum {
  public:
   virtual ~Spectrum() = default;
 
   /// @brief Series of one order.
-  /// @param[in] i number of the order m in the coating's list
+  /// @param[in] i number of the order m in the body's list
   /// @param[out] series panels that cover n in [0, highest_n]; storage is reused
   virtual void series(std::size_t i, OrderSeries& series) const = 0;
 };
@@ -77,19 +76,15 @@ class Spectrum {
 /// @brief Relative error of a compliance that inertia may leave where nothing else is asked for: next to round-off.
 constexpr double kInertiaTolerance = 1e-12;
 
-/// @brief Choose how to obtain the spectrum of a coating, and prepare it.
-/// @param[in] coating layers at the orders m; (0, 0) is the only order below 1/2
+/// @brief Choose how to obtain the spectrum of a body, and prepare it.
+/// @param[in] body layers at the orders m; around a center (0, 0) is the only order below 1/2, on a plane none is 0
 /// @param[in] highest_n largest order n that is asked for
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] watch progress and cancellation
 /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia: small inertia then takes
 /// a term or two, or none
-[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicCoating& coating, double highest_n, int threads,
+[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicBody& body, double highest_n, int threads,
                                                       Watch& watch, double inertia_tolerance = kInertiaTolerance);
-
-/// @brief The same of a plane, whose orders are not whole: none is 0.
-[[nodiscard]] std::unique_ptr<Spectrum> make_spectrum(const HarmonicPlane& plane, double highest_n, int threads,
-                                                      Watch& watch);
 
 /// @brief Sums the series of one order m at a list of orders n. Several entries share the work on the coordinates.
 class OrderValues {

@@ -1,6 +1,4 @@
 // A ball, touching in a spot: translation-invariant tables of the orders (m, n), or those of the exact sphere.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -8,11 +6,11 @@
 #include "influence/coating_sum.hpp"
 #include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
+#include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
 #include "rolling/sphere_tables.hpp"
 #include "rolling/table_store.hpp"
 #include "validate.hpp"
-#include "viscoroll/modal.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -20,10 +18,10 @@ namespace {
 /// Inertia joins neighboring degrees on the exact sphere: it is left out there, or the speed refused where it counts.
 CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   constexpr double kNegligible = 1e-3;  // of rho (Omega r_o)^2 per modulus, which changes the torque by less
-  const HarmonicCoating coating = coating_at_rest(sphere, angular_speed, Curvature::sphere);
-  const double speed = angular_speed * coating.outer_radius();
+  const HarmonicBody body = body_at_rest(layered_body(sphere), angular_speed);
+  const double speed = angular_speed * body.radius();
   for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const double share = sphere.layers[l].density * speed * speed / std::abs(coating.modulus(l, 0));
+    const double share = sphere.layers[l].density * speed * speed / std::abs(body.modulus(l, 0));
     if (share > kNegligible) {
       reject("layers[" + std::to_string(l) + "].density",
              "so small that inertia is negligible with curvature EXACT, at most " +
@@ -35,19 +33,6 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   return sphere;
 }
 
-/// Largest modulus of a layer at the highest order.
-double stiffest_modulus(const CoatedSphere& sphere, const Crossing& crossing, Curvature curvature) {
-  const double speed = crossing.angular_speed;
-  const HarmonicCoating coating(sphere, speed, all_orders(phi_bands(sphere, speed, crossing.mesh)),
-                                measured_order(crossing.mesh), curvature);
-  const auto highest = std::ranges::max_element(coating.orders()) - coating.orders().begin();
-  double stiffest = 0.0;
-  for (std::size_t layer = 0; layer < sphere.layers.size(); ++layer) {
-    stiffest = std::max(stiffest, std::abs(coating.modulus(layer, static_cast<std::size_t>(highest))));
-  }
-  return stiffest;
-}
-
 BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   BodySurface surface;
   if (sphere.layers.empty()) return surface;
@@ -55,22 +40,21 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   const double speed = crossing.angular_speed;
   const Mesh& mesh = crossing.mesh;
   const bool exact = crossing.curvature == Curvature::exact;
-  const Curvature curvature = exact ? Curvature::sphere : crossing.curvature;
-  const CoatedSphere rolling = exact ? without_inertia(sphere, speed) : sphere;
-  surface.stiffest_modulus = stiffest_modulus(rolling, crossing, curvature);
+  const LayeredBody layers =
+      layered_body(exact ? without_inertia(sphere, speed) : sphere, exact ? Curvature::sphere : crossing.curvature);
+  const HarmonicBody harmonics(layers, speed, all_orders(phi_bands(layers, speed, mesh)), measured_order(mesh));
+  surface.stiffest_modulus = harmonics.stiffest_modulus();
   if (exact) {
-    surface.tables = std::make_unique<const SphereTables>(SphereSum(rolling, speed, mesh), mesh);
+    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh);
   } else {
     surface.tables = std::make_unique<const TableStore>(
-        std::make_unique<const CoatingSum>(rolling, speed, mesh, threads, watch, curvature, crossing.inertia_tolerance),
-        mesh);
+        std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), mesh);
   }
-  surface.centrifugal = centrifugal_displacement(coating_at_rest(sphere, speed, curvature));
-  const std::array m{mesh.nodes_per_revolution / 2};
-  const std::array n{0};
-  const ComplexMatrix3 alternating = surface_compliance(rolling, speed, m, n, curvature).front();
-  surface.normal = alternating[0];
-  surface.along = alternating[4];
+  surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
+  const HarmonicBody alternating(layers, speed, {1.0 * (mesh.nodes_per_revolution / 2)});
+  const Eigen::Matrix3cd compliance = alternating.compliance({.i = 0, .n = 0.0});
+  surface.normal = compliance(0, 0);
+  surface.along = compliance(1, 1);
   return surface;
 }
 

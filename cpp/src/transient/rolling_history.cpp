@@ -117,7 +117,7 @@ struct RollingHistory::Impl {
       }
       half_nodes = most;
     }
-    const detail::CoatingSum sum(elastic, 1.0, mesh, options.threads, watch, options.curvature);
+    const detail::CoatingSum sum(detail::layered_body(elastic, options.curvature), 1.0, mesh, options.threads, watch);
     const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
     return std::make_shared<const CreepingCoating>(CreepingCoating{
         .grid = {.radius = outer_radius(elastic),

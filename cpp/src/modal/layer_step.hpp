@@ -1,16 +1,24 @@
 /// @file
-/// @brief One radial step through a layer, for several orders side by side.
+/// @brief One step outwards through a layer, for several orders side by side.
 ///
 /// Along and across the direction of k, v_k = (m v_phi + n v_theta) / k and v_x = (m v_theta - n v_phi) / k, and with
-/// stresses in units of the layer's modulus, the equations of layer_system.hpp read
+/// stresses in units of the layer's modulus, every body obeys
 ///
-///     u_r' = a t + b s               s'     = -2 gamma t + (1 - 4b) s + k tau_k
-///     v_k' = v_k - k u_r + tau_k     tau_k' = k (gamma t - a s) + c v_k - 2 tau_k
-///     v_x' = v_x + tau_x             tau_x' = c v_x - 2 tau_x
+///     u_r' = a t + b s               s'     = -p gamma t + (c - 2 p b) s + k tau_k
+///     v_k' = c v_k - k u_r + tau_k   tau_k' = k (gamma t - a s) + f v_k - p tau_k
+///     v_x' = d v_x + tau_x           tau_x' = g v_x - 2 d tau_x
 ///
-/// with t = k v_k - 2 u_r and the membrane stiffness c: one number, b, is all of the material that is left. Inertia
-/// adds q (1 + x)^2 M u at the radius r (1 + x), q = rho Omega^2 r^2 / mu, to the rates of the stresses. M, that of
-/// `inertia_matrix` turned, couples the six.
+/// with t = k v_k - p u_r: one number, b, is all of the material that is left. c and d are 1 where the surface is a
+/// ring along k and across it, else 0, and p = c + d.
+///
+/// - Sphere: ' = d/d ln r, stresses times r, c = d = 1, gamma = 3 - 4b, and f = g is the membrane stiffness, as in
+///   layer_system.hpp.
+/// - Cylinder in plane strain, k along its ring: c = 1 and d = 0, gamma = 4 (1 - b) and f = 0, and g = k^2 is of what
+///   moves along its axis. Theory.md section 14.
+/// - Plane: ' = d/dy, lengths per radius of the metric; as on the cylinder, but c = 0. Section 15.
+///
+/// Inertia adds q M u to the rates of the stresses, q = rho Omega^2 r^2 / mu. On a ring q grows as (1 + x)^2 up to the
+/// radius r (1 + x), and M, that of `inertia_matrix` turned, couples the six; on a plane it is -m^2.
 #pragma once
 
 #include <array>
@@ -28,12 +36,16 @@ struct SymmetricLanes {
 /// @brief Coefficients of the equations in a step.
 template <class Scalar>
 struct StepLanes {
+  double along = 1.0;   ///< c
+  double across = 1.0;  ///< d
+  double area = 3.0;    ///< gamma + 4b
   Lanes<double> k;
-  Lanes<double> membrane;  ///< `membrane_stiffness`, k^2 - 2 on a sphere
+  Lanes<double> membrane;  ///< f
+  Lanes<double> shear;     ///< g
   Lanes<Scalar> b;         ///< `shear_ratio`
-  Lanes<double> growth;    ///< x: relative growth of the radius in the step; 0 where a lane does not take part
+  Lanes<double> growth;    ///< x: growth of the radius, or height, per radius; 0 where a lane does not take part
   bool has_inertia = false;
-  Lanes<Scalar> q;                 ///< at the inner radius
+  Lanes<Scalar> q;                 ///< at the inner end
   SymmetricLanes<double> inertia;  ///< M
 };
 
@@ -45,7 +57,7 @@ using MatrixLanes = std::array<Lanes<Scalar>, 9>;
 template <class Scalar>
 using SolutionLanes = std::array<Lanes<Scalar>, 6>;
 
-/// @brief Carry three solutions outwards by the Taylor series about the inner radius, and give the compliance D F^-1 of
+/// @brief Carry three solutions outwards by the Taylor series about the inner end, and give the compliance D F^-1 of
 /// their displacements D and stresses F there.
 void advance(const StepLanes<double>& step, const std::array<SolutionLanes<double>, 3>& start,
              SymmetricLanes<double>& compliance);

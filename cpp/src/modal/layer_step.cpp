@@ -1,4 +1,4 @@
-#include "modal/radial_step.hpp"
+#include "modal/layer_step.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -6,16 +6,20 @@ namespace {
 constexpr int kMaxTerms = 81;        // steps are short enough for 40
 constexpr double kRoundOff = 1e-17;  // of a term that is left out, relative to the sum
 
-/// The next term of a solution, added to its sum: (1 + x) dz/dx = (B + q (1 + x)^2 M) z gives the terms t_j = z_j x^j
-/// by t_{j+1} = x / (j+1) ((B - j) t_j + q M (t_j + 2 x t_{j-1} + x^2 t_{j-2})).
+/// The next term of a solution, added to its sum: (1 + c x) dz/dx = (B + q (1 + c x)^2 M) z gives the terms t_j = z_j
+/// x^j by t_{j+1} = x / (j+1) ((B - c j) t_j + q M (t_j + 2 c x t_{j-1} + (c x)^2 t_{j-2})).
 /// @param[in] now,before t_j and t_{j-1}
 /// @param[in,out] next t_{j-2}, which t_{j+1} takes the place of
 template <bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, const SolutionLanes<Scalar>& now,
                                        const SolutionLanes<Scalar>& before, SolutionLanes<Scalar>& next,
                                        SolutionLanes<Scalar>& sum) {
-  const auto order = static_cast<double>(j);
-  const double share = 1.0 / (order + 1.0);
+  const double share = 1.0 / (j + 1.0);
+  const double along = step.along;
+  const double across = step.across;
+  const double area = step.area;
+  const double bends = along + across;
+  const double order = along * j;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const double k = step.k[l];
     const double x = step.growth[l];
@@ -25,26 +29,27 @@ VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, con
     const auto s = now[3][l];
     const auto tau_k = now[4][l];
     const auto tau_x = now[5][l];
-    const auto t = k * v_k - 2.0 * u;
+    const auto t = k * v_k - bends * u;
     const auto bt = step.b[l] * t;
     const auto bs = step.b[l] * s;
-    const auto gamma_t = 3.0 * t - 4.0 * bt;
-    auto s_rate = k * tau_k - 2.0 * gamma_t + (1.0 - order) * s - 4.0 * bs;
-    auto tau_k_rate = k * (gamma_t - s + 2.0 * bs) + step.membrane[l] * v_k - (2.0 + order) * tau_k;
-    auto tau_x_rate = step.membrane[l] * v_x - (2.0 + order) * tau_x;
+    const auto gamma_t = area * t - 4.0 * bt;
+    auto s_rate = k * tau_k - bends * gamma_t + (along - order) * s - 2.0 * bends * bs;
+    auto tau_k_rate = k * (gamma_t - s + 2.0 * bs) + step.membrane[l] * v_k - (bends + order) * tau_k;
+    auto tau_x_rate = step.shear[l] * v_x - (2.0 * across + order) * tau_x;
     if constexpr (HasInertia) {
+      const double spread = along * x;
       const auto& mass = step.inertia;
       const auto q = step.q[l];
-      const auto u_sum = u + 2.0 * x * before[0][l] + x * x * next[0][l];
-      const auto v_k_sum = v_k + 2.0 * x * before[1][l] + x * x * next[1][l];
-      const auto v_x_sum = v_x + 2.0 * x * before[2][l] + x * x * next[2][l];
+      const auto u_sum = u + 2.0 * spread * before[0][l] + spread * spread * next[0][l];
+      const auto v_k_sum = v_k + 2.0 * spread * before[1][l] + spread * spread * next[1][l];
+      const auto v_x_sum = v_x + 2.0 * spread * before[2][l] + spread * spread * next[2][l];
       s_rate = s_rate + q * (mass.rr[l] * u_sum + mass.rk[l] * v_k_sum + mass.rx[l] * v_x_sum);
       tau_k_rate = tau_k_rate + q * (mass.rk[l] * u_sum + mass.kk[l] * v_k_sum + mass.kx[l] * v_x_sum);
       tau_x_rate = tau_x_rate + q * (mass.rx[l] * u_sum + mass.kx[l] * v_k_sum + mass.xx[l] * v_x_sum);
     }
     const std::array rates{t - 2.0 * bt + bs - order * u,
-                           (1.0 - order) * v_k - k * u + tau_k,
-                           (1.0 - order) * v_x + tau_x,
+                           (along - order) * v_k - k * u + tau_k,
+                           (across - order) * v_x + tau_x,
                            s_rate,
                            tau_k_rate,
                            tau_x_rate};
@@ -75,7 +80,7 @@ VISCOROLL_PART_OF_CALLER bool are_negligible(const SolutionLanes<Scalar>& last, 
   return true;
 }
 
-/// One solution at r (1 + x).
+/// One solution at the outer end.
 template <bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void sum_series(const StepLanes<Scalar>& step, SolutionLanes<Scalar>& sum) {
   SolutionLanes<Scalar> first = sum;

@@ -1,0 +1,82 @@
+#include "modal/harmonic_body.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "modal/compliance_recursion.hpp"
+#include "modal/critical_speed.hpp"
+#include "modal/harmonic_moduli.hpp"
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+
+using cplx = std::complex<double>;
+
+void require_rolling(const LayeredBody& body, double angular_speed) {
+  if (body.layers.empty()) {
+    const bool is_curved = body.metric.is_curved();
+    reject("layers", is_curved ? "a list of at least one layer" : "a list of at least one layer, or base given",
+           is_curved ? "none" : "neither");
+  }
+  require_positive("angular_speed", angular_speed, "rad/s");
+}
+
+HarmonicBody::HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders, double measured_order)
+    : body_(std::move(body)), angular_speed_(angular_speed), orders_(std::move(orders)) {
+  require_rolling(body_, angular_speed);
+  moduli_ = harmonic_moduli(body_.layers, angular_speed, orders_, measured_order);
+  require_subcritical(body_, angular_speed, highest_frequency(angular_speed, orders_, measured_order));
+  require_damped_waves(*this);
+}
+
+double HarmonicBody::stiffest_modulus() const {
+  const auto highest = static_cast<std::size_t>(std::ranges::max_element(orders_) - orders_.begin());
+  double stiffest = 0.0;
+  for (const auto& layer : moduli_) stiffest = std::max(stiffest, std::abs(layer[highest]));
+  return stiffest;
+}
+
+HarmonicBody HarmonicBody::resampled(std::vector<double> orders, const Eigen::ArrayXXcd& measured) const {
+  HarmonicBody other = *this;
+  other.orders_ = std::move(orders);
+  other.moduli_ = resampled_moduli(body_.layers, angular_speed_, other.orders_, measured);
+  return other;
+}
+
+LayerStack<cplx> HarmonicBody::layers_at(std::size_t i) const {
+  std::vector<cplx> moduli;
+  moduli.reserve(moduli_.size());
+  for (const auto& layer : moduli_) moduli.push_back(layer[i]);
+  return body_.stack(moduli, angular_speed_);
+}
+
+void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const {
+  std::map<std::size_t, LayerStack<cplx>> stacks;
+  std::vector<OrderInLayers<cplx>> in_layers;
+  in_layers.reserve(orders.size());
+  for (const auto& [i, n] : orders) {
+    auto stack = stacks.find(i);
+    if (stack == stacks.end()) stack = stacks.emplace(i, layers_at(i)).first;
+    in_layers.push_back({.layers = stack->second, .m = orders_[i], .n = n});
+  }
+  surface_compliances<cplx>(in_layers, compliances);
+}
+
+Eigen::Matrix3cd HarmonicBody::compliance(const OrderAt& order) const {
+  Eigen::Matrix3cd compliance;
+  compliances(std::span(&order, 1), std::span(&compliance, 1));
+  return compliance;
+}
+
+HarmonicBody body_at_rest(LayeredBody body, double angular_speed) {
+  return {std::move(body), angular_speed, std::vector<double>{0.0}};
+}
+
+void require_orders(Curvature curvature) {
+  if (curvature == Curvature::exact) {
+    reject("curvature", "SPHERE or PAPER here, where orders (m, n) are meant", "EXACT");
+  }
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,65 @@
+#include "modal/harmonic_moduli.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+
+/// An order that approaches a limit smoothly: series over such orders stay smooth.
+double limited(double order, double limit) { return order / std::pow(1.0 + std::pow(order / limit, 4), 0.25); }
+
+}  // namespace
+
+bool is_measured(const ShearModulus& modulus) {
+  return std::holds_alternative<MasterCurve>(modulus) || std::holds_alternative<CustomModulus>(modulus);
+}
+
+std::vector<std::size_t> measured_layers(const std::vector<Layer>& layers) {
+  std::vector<std::size_t> measured;
+  for (std::size_t j = 0; j < layers.size(); ++j) {
+    if (is_measured(layers[j].shear_modulus)) measured.push_back(j);
+  }
+  return measured;
+}
+
+std::vector<std::vector<cplx>> harmonic_moduli(const std::vector<Layer>& layers, double angular_speed,
+                                               const std::vector<double>& orders, double measured_order) {
+  std::vector<std::vector<cplx>> moduli;
+  std::vector<double> omega(orders.size());
+  for (const Layer& layer : layers) {
+    const bool measured = is_measured(layer.shear_modulus);
+    std::ranges::transform(orders, omega.begin(),
+                           [&](double m) { return angular_speed * (measured ? limited(m, measured_order) : m); });
+    moduli.push_back(complex_modulus(layer.shear_modulus, omega));
+  }
+  return moduli;
+}
+
+std::vector<std::vector<cplx>> resampled_moduli(const std::vector<Layer>& layers, double angular_speed,
+                                                const std::vector<double>& orders, const Eigen::ArrayXXcd& measured) {
+  std::vector<double> omega(orders.size());
+  std::ranges::transform(orders, omega.begin(), [&](double m) { return m * angular_speed; });
+  std::vector<std::vector<cplx>> moduli;
+  moduli.reserve(layers.size());
+  Eigen::Index column = 0;
+  for (const Layer& layer : layers) {
+    if (is_measured(layer.shear_modulus)) {
+      const auto values = measured.col(column++);
+      moduli.emplace_back(values.begin(), values.end());
+    } else {
+      moduli.push_back(complex_modulus(layer.shear_modulus, omega));
+    }
+  }
+  return moduli;
+}
+
+double highest_frequency(double angular_speed, const std::vector<double>& orders, double measured_order) {
+  const double highest = orders.empty() ? 0.0 : std::ranges::max(orders);
+  return angular_speed * std::max(1.0, limited(highest, measured_order));
+}
+
+}  // namespace viscoroll::detail

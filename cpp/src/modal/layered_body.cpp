@@ -1,0 +1,64 @@
+#include "modal/layered_body.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+/// Where layers lie about a center.
+std::vector<double> radii(double inner, const std::vector<Layer>& layers) {
+  std::vector<double> boundaries{inner};
+  for (const Layer& layer : layers) boundaries.push_back(boundaries.back() + layer.thickness);
+  return boundaries;
+}
+
+/// Where layers lie below a plane.
+std::vector<double> heights(const std::vector<Layer>& layers) {
+  std::vector<double> boundaries(layers.size() + 1, 0.0);
+  for (std::size_t j = layers.size(); j-- > 0;) boundaries[j] = boundaries[j + 1] - layers[j].thickness;
+  return boundaries;
+}
+
+}  // namespace
+
+std::vector<Layer> layers_from_base(const CoatedPlane& plane) {
+  std::vector<Layer> layers = plane.layers;
+  if (plane.base) {
+    layers.insert(layers.begin(), {.thickness = std::numeric_limits<double>::infinity(),
+                                   .shear_modulus = plane.base->shear_modulus,
+                                   .poisson_ratio = plane.base->poisson_ratio,
+                                   .bulk_modulus = plane.base->bulk_modulus,
+                                   .density = plane.base->density});
+  }
+  return layers;
+}
+
+LayeredBody layered_body(const CoatedSphere& sphere, Curvature curvature) {
+  validate(sphere);
+  return {.metric = {.radius = outer_radius(sphere), .curvature = curvature},
+          .layers = sphere.layers,
+          .within = sphere.inner_boundary,
+          .boundaries = radii(sphere.core_radius, sphere.layers)};
+}
+
+LayeredBody layered_body(const CoatedCylinder& cylinder) {
+  validate(cylinder);
+  return {.metric = {.radius = outer_radius(cylinder), .across = Way::nothing},
+          .layers = cylinder.layers,
+          .boundaries = radii(cylinder.core_radius, cylinder.layers)};
+}
+
+LayeredBody layered_body(const CoatedPlane& plane, double radius) {
+  validate(plane);
+  require_positive("radius", radius, "m");
+  std::vector<Layer> layers = layers_from_base(plane);
+  std::vector<double> boundaries = heights(layers);
+  return {.metric = {.radius = radius, .along = Way::line, .across = Way::line},
+          .layers = std::move(layers),
+          .boundaries = std::move(boundaries)};
+}
+
+}  // namespace viscoroll::detail
