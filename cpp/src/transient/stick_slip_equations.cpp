@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "contact/krylov.hpp"
-#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -114,7 +113,6 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   right[way] *= share;
 
   const VectorXd unknowns = solved(conditions, matrix, right);
-  if (!unknowns.allFinite()) throw ConvergenceError("the equations of stick and slip are singular", 0, 1.0);
   StickSlipForces result{
       .forces = {}, .moves = VectorXd::Zero(closed_.rows()), .penetration = unknowns[depth], .way = unknowns[way]};
   for (Index i = 0; i < free; ++i) {

@@ -68,6 +68,7 @@ class StickSlipEquations {
   [[nodiscard]] double own_compliance() const { return own_compliance_; }
 
   /// @param[in] conditions one for each displacement that is free; what is not, touches and sticks
+  /// @return not finite where the equations are singular
   [[nodiscard]] StickSlipForces solve(const std::vector<Condition>& conditions);
 
  private:

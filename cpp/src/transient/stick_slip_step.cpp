@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "viscoroll/errors.hpp"
 
@@ -15,9 +16,14 @@ constexpr int kMostSteps = 100;
 constexpr int kExchanges = 12;        // steps in which nodes join while others leave
 constexpr int kFewJoins = 3;          // of a node, after which it slips
 constexpr int kMostJoins = 6;         // after which it stays out of this instant
-constexpr double kBalance = 1e-12;    // of tractions per load
+constexpr double kBalance = 1e-12;    // of tractions per load,
+constexpr double kRoundOff = 1e-10;   // and where steps no longer improve it
 constexpr double kTolerance = 1e-10;  // of gaps per penetration
 constexpr double kLikelySlip = 0.97;  // traction per its limit from which a node of the guess is taken to slip
+
+/// Which nodes may join at any step: those covered by the equations, whose gaps are unknowns of it, or all, at the cost
+/// of a product.
+enum class Joining { among_covered, anywhere };
 
 class StickSlipSolver {
  public:
@@ -34,9 +40,9 @@ class StickSlipSolver {
   [[nodiscard]] StickSlip solve() {
     const PlaneForces guess = forces_;
     start_from(guess);
-    if (settles(kStepsNearby)) return result();
+    if (settles(kStepsNearby, Joining::among_covered)) return result();
     start_from({.pressing = guess.pressing, .forward = 0.0 * guess.forward, .sideways = 0.0 * guess.sideways});
-    if (settles(kMostSteps)) return result();
+    if (settles(kMostSteps, Joining::anywhere)) return result();
     throw ConvergenceError("stick and slip did not settle", kMostSteps, 1.0);
   }
 
@@ -64,15 +70,20 @@ class StickSlipSolver {
     }
   }
 
-  bool settles(int most_steps) {
-    for (int step = 0; step < most_steps; ++step) {
-      if (nodes_.empty()) throw ConvergenceError("no node carries load", step, 1.0);
+  /// @param[in] joining which gaps are known before all else has settled
+  bool settles(int most_steps, Joining joining) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < most_steps && !nodes_.empty(); ++step) {
       equations_.cover(nodes_);
-      newton_step();
+      if (!newton_step()) return false;
+      if (joining == Joining::anywhere) find_gaps_and_slips();
       bool changed = drop_tensile();
       changed = ((step < kExchanges || !changed) && add_overclosed()) || changed;
       changed = switch_stick_and_slip() || changed;
-      if (changed || imbalance() > kBalance * problem_.load) continue;
+      const double now = imbalance() / problem_.load;
+      const bool stalls = now < kRoundOff && now > 0.5 * before;
+      before = now;
+      if (changed || (now > kBalance && !stalls)) continue;
       find_gaps_and_slips();
       if (!add_overclosed()) return true;
     }
@@ -109,8 +120,10 @@ class StickSlipSolver {
     return conditions;
   }
 
-  void newton_step() {
+  /// @return whether the equations have a solution
+  bool newton_step() {
     const auto [forces, moves, penetration, way] = equations_.solve(conditions());
+    if (!forces.allFinite()) return false;
     penetration_ = penetration;
     way_ = way;
     for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) field->setZero();
@@ -126,6 +139,7 @@ class StickSlipSolver {
       forces_.forward.data()[node] = force[kForward];
       forces_.sideways.data()[node] = in_middle(node) ? 0.0 : force[kSideways];
     }
+    return true;
   }
 
   void find_gaps_and_slips() {
