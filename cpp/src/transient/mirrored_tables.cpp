@@ -108,14 +108,25 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced,
 Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
                                            const std::array<HalfField, 3>& direction) const {
   const auto count = static_cast<Index>(nodes.size());
-  Eigen::Matrix3Xd along = Eigen::Vector3d::UnitX().replicate(1, count);
-  for (Index p = 0; p < 3 && components_ == 3; ++p) {
+  Eigen::MatrixXd matrix(count, count);
+  if (components_ == 1) {
+    const Eigen::Map<const Eigen::ArrayX<Index>> numbers(nodes.data(), count);
+    const Eigen::ArrayX<Index> row = numbers / half_nodes_;
+    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes_;  // in a column of the table
+    for (Index j = 0; j < count; ++j) {
+      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes_);
+      for (Index i = j; i < count; ++i)
+        matrix(i, j) = row[i] - row[j] > reach_ ? 0.0 : column[place[i] - row[j] * height()];
+    }
+    return matrix;
+  }
+  Eigen::Matrix3Xd along(3, count);
+  for (Index p = 0; p < 3; ++p) {
     along.row(p) = direction[static_cast<std::size_t>(p)].reshaped()(nodes).transpose();
   }
-  Eigen::MatrixXd matrix(count, count);
   for (Index j = 0; j < count; ++j) {
     for (Index i = j; i < count; ++i) {
-      const auto node = [&](Index place) { return nodes[static_cast<std::size_t>(place)]; };
+      const auto node = [&](Index at) { return nodes[static_cast<std::size_t>(at)]; };
       matrix(i, j) = along.col(i).dot(influence(node(i), node(j)) * along.col(j));
     }
   }
