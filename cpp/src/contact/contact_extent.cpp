@@ -7,19 +7,22 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Half length of the ellipse with the second moment of `weights` along `coordinate`.
-double semi_axis(const Eigen::ArrayXd& coordinate, const Eigen::ArrayXd& weights) {
+/// Half length of the ellipse with the second moment of `weights` along `coordinate`, about their mean or a `center`.
+double semi_axis(const Eigen::ArrayXd& coordinate, const Eigen::ArrayXd& weights, std::optional<double> center) {
   const double sum = std::max(weights.sum(), std::numeric_limits<double>::min());
-  const double center = (coordinate * weights).sum() / sum;
-  return 2.0 * std::sqrt(((coordinate - center).square() * weights).sum() / sum);
+  const double middle = center ? *center : (coordinate * weights).sum() / sum;
+  return 2.0 * std::sqrt(((coordinate - middle).square() * weights).sum() / sum);
 }
 
 }  // namespace
 
-ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching) {
+ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching,
+                             std::optional<double> center_z) {
   const double area = touching.sum();
   if (nodes.window().is_line()) return {.area = area, .semi_axis_x = 0.5 * area, .semi_axis_z = std::nullopt};
-  return {.area = area, .semi_axis_x = semi_axis(nodes.x(), touching), .semi_axis_z = semi_axis(nodes.z(), touching)};
+  return {.area = area,
+          .semi_axis_x = semi_axis(nodes.x(), touching, std::nullopt),
+          .semi_axis_z = semi_axis(nodes.z(), touching, center_z)};
 }
 
 }  // namespace viscoroll::detail

@@ -17,6 +17,8 @@ struct ContactExtent {
 
 /// @param[in] nodes of a window
 /// @param[in] touching area in contact around every node [m^2]
-[[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching);
+/// @param[in] center_z where the contact's center is across the path, if the nodes are of one side alone [m]
+[[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching,
+                                           std::optional<double> center_z = std::nullopt);
 
 }  // namespace viscoroll::detail

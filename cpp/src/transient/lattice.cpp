@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "contact/contact_extent.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -268,11 +268,10 @@ void Lattice::take_contact(const Touch& touch) {
   const ArrayXd patches = flat_patch * (1.0 - (nodes.z() / grid.radius).square()).sqrt();
   ArrayXd touching = ArrayXd::Zero(forces.size());
   for (const Index node : touch.contact.nodes) touching[node] = weights[node] * weights[node] * patches[node];
-  now_.contact_area = touching.sum();
-  const ArrayXd share = touching / std::max(now_.contact_area, std::numeric_limits<double>::min());
-  const double center = (share * nodes.x()).sum();
-  now_.semi_axis_x = 2.0 * std::sqrt((share * (nodes.x() - center).square()).sum());
-  now_.semi_axis_z = 2.0 * std::sqrt((share * nodes.z().square()).sum());
+  const ContactExtent extent = contact_extent(nodes, touching, 0.0);
+  now_.contact_area = extent.area;
+  now_.semi_axis_x = extent.semi_axis_x;
+  now_.semi_axis_z = extent.semi_axis_z.value();
   now_.max_pressure = (forces / weights).maxCoeff() / flat_patch;
 }
 
