@@ -8,6 +8,7 @@
 
 #include "cases.hpp"
 #include "influence/coating_sum.hpp"
+#include "modal/layered_body.hpp"
 #include "transient/coating_history.hpp"
 #include "transient/contact_stiffness.hpp"
 #include "transient/creep_spectrum.hpp"
@@ -148,7 +149,7 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   const Observer silent;
   Watch watch(silent);
   const Mesh mesh{.nodes_per_revolution = 200};
-  const CoatingSum sum(coating_without_time(cases::paper_sphere()), 1.0, mesh, 1, watch, Curvature::sphere);
+  const CoatingSum sum(layered_body(coating_without_time(cases::paper_sphere())), 1.0, mesh, 1, watch);
   const MirroredTables tables(sum, 3, 5, 1, watch);
   const auto nodes = [](Eigen::Index first, Eigen::Index last) {
     std::vector<Eigen::Index> range;

@@ -169,9 +169,9 @@ def kalker(pair, ratio, across):
     model = RollingModel(pair["body"], on=pair["on"], angular_speed=1.0, mesh=mesh, threads=1)
     load = 16 / 3 * modulus * a**3 / radius
     spin = 1e-6 / a
-    sideways = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0, lateral_creepage=1e-6))
-    spinning = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0, spin=spin))
-    free = model.solve(load=load, friction=1e3, drive=Drive(creepage=0.0))
+    sideways = model.solve(load=load, friction=math.inf, drive=Drive(creepage=0.0, lateral_creepage=1e-6))
+    spinning = model.solve(load=load, friction=math.inf, drive=Drive(creepage=0.0, spin=spin))
+    free = model.solve(load=load, friction=math.inf, drive=Drive(creepage=0.0))
     mean = math.sqrt(spinning.contact_area / math.pi)
     scale = 2.0 * modulus * mean**3
     return np.abs(
