@@ -88,7 +88,7 @@ class Comparison:
         axes.errorbar(
             self.speeds,
             self.torques,
-            yerr=self.errors * self.torques,
+            yerr=np.abs(self.errors * self.torques),
             fmt="ko-",
             markersize=3.5,
             linewidth=1.0,
@@ -105,7 +105,9 @@ class Comparison:
             xlabel="rolling speed $Ω$ [rad/s]",
             ylabel=f"resisting torque $T_r$ [{self._unit()}]",
         )
-        axes.set_ylim(0.3 * self.torques.min(), 5.0 * self.torques.max())
+        resisting = self.torques[self.torques > 0.0]  # on a mesh that is too coarse a torque may drive
+        if resisting.size:
+            axes.set_ylim(0.3 * resisting.min(), 5.0 * resisting.max())
         axes.set_title(f"$P$ = {self.case.load:g} {'N/m' if self._unit() == 'N' else 'N'}")
         axes.legend(fontsize="small")
 
