@@ -6,9 +6,9 @@
 
 namespace viscoroll {
 
-/// @brief What presses the sphere and turns it.
+/// @brief What presses the rolling body and turns it.
 struct LoadCase {
-  double load = 0.0;           ///< P, force on the plane [N], > 0
+  double load = 0.0;           ///< P, force on what it rolls on [N], of a roller per length, > 0
   double angular_speed = 0.0;  ///< Omega [rad/s], > 0
   double friction = 0.0;       ///< Coulomb's coefficient mu between the bodies [-], in [0, 4]; infinite: full stick
   Drive drive;                 ///< without friction, a force of 0 or a creepage

@@ -1,7 +1,8 @@
 /// @file
 /// @brief Transient rolling of a coated sphere on a rigid plane: start, stop, stand, reverse.
 ///
-/// Frame as in solve.hpp: an angle that grows rolls forward. Layers share one relaxation function, inertia is left out.
+/// Frame as in result.hpp: an angle that grows rolls forward. Layers share one relaxation function, inertia is left
+/// out.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Steady rolling contact of a coated sphere on a rigid plane.
+/// @brief Steady rolling contact of two bodies, of which one deforms at the least.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace viscoroll {
 
-/// @brief Solve steady rolling of a coated sphere on a rigid plane: paper sections 11 to 13 with the solvers of
-/// theory.md sections 5 and 6.
+/// @brief Solve steady rolling of what rolls on something, a rigid plane unless told otherwise: paper sections 11 to 13
+/// with the solvers of theory.md sections 5 and 6.
 /// @param[in] body rigid core and layers
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options how to solve

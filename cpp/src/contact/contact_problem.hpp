@@ -23,12 +23,12 @@ struct Friction {
   std::shared_ptr<const Drive> drive;
 };
 
-/// @brief Find forces p >= 0 and the plane's position such that the surface touches it where p > 0 and is clear
-/// elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, sum p = normal_force.
+/// @brief Find forces p >= 0 and how deep the bodies approach one another such that they touch where p > 0 and are
+/// clear elsewhere: gap = initial_gap - u_y - penetration >= 0, p gap = 0, sum p = normal_force.
 struct ContactProblem {
   std::shared_ptr<const SurfaceOperator> surface;
   Eigen::ArrayXd initial_gap;        ///< of each node when the lowest one just touches [m], >= 0
-  double normal_force;               ///< [N], > 0
+  double normal_force;               ///< the load [N], > 0
   std::optional<Friction> friction;  ///< none where forces along the plane are left out
 };
 

@@ -20,13 +20,13 @@ struct SmoothFields {
 struct ContactSolution {
   VectorField force;                  ///< on the surface at every node [N]: the pressing one along y is <= 0
   VectorField displacement;           ///< of every node [m]; empty where nobody has asked for it yet
-  Eigen::ArrayXd gap;                 ///< of every node to the plane [m]
+  Eigen::ArrayXd gap;                 ///< of every node to the counterpart [m]
   std::vector<Eigen::Index> contact;  ///< nodes in contact
-  double penetration = 0.0;           ///< of the lowest undeformed node below the plane [m]
+  double penetration = 0.0;           ///< of the lowest undeformed node, swollen as it turns [m]
 
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
-  Eigen::ArrayX2d slip;  ///< way over the plane from a node to the next, along x and z [m]; empty without friction
-  std::optional<double> creepage;         ///< [-], undetermined without friction
+  Eigen::ArrayX2d slip;             ///< way over it from a node to the next, along x and z [m]; empty without friction
+  std::optional<double> creepage;   ///< [-], undetermined without friction
   std::optional<SmoothFields> prolonged;  ///< of the coarser mesh that a start is from
 
   int iterations = 0;             ///< linear systems solved

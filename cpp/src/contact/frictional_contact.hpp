@@ -1,5 +1,5 @@
 /// @file
-/// @brief Steady rolling contact with Coulomb friction: who touches, who sticks, and how fast the sphere moves.
+/// @brief Steady rolling contact with Coulomb friction: who touches, who sticks, and how fast what rolls moves.
 /// Theory.md section 6.
 #pragma once
 

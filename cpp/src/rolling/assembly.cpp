@@ -19,12 +19,12 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
   const MeshModel& model = given.model;
   std::shared_ptr<const SurfaceOperator> own;
   if (model.own) own = model.own->operator_on(window, given.formulation, given.execution);
-  if (!model.track) return own;
+  if (!model.counterpart) return own;
   Formulation formulation = given.formulation;
   formulation.is_counterpart = true;
   formulation.counterpart_curvature = given.pair().on.curvatures.along;
-  auto track = model.track->operator_on(window, formulation, given.execution);
-  return own ? std::make_shared<SumOperator>(std::move(own), std::move(track)) : track;
+  auto counterpart = model.counterpart->operator_on(window, formulation, given.execution);
+  return own ? std::make_shared<SumOperator>(std::move(own), std::move(counterpart)) : counterpart;
 }
 
 Friction make_friction(const SurfaceWindow& window, const Assembly& given) {

@@ -70,7 +70,8 @@ struct Body {
   std::string_view type;           ///< name of the struct that users give
   std::vector<NamedLayer> layers;  ///< from within outwards; none of a rigid body
   Curvatures curvatures;
-  /// Refuses meshes and curvatures that the body knows nothing of, and critical speeds.
+  /// Its tables and what else it does as material crosses the contact. Refuses meshes and curvatures that the body
+  /// knows nothing of, and critical speeds.
   std::function<BodySurface(const Crossing&)> surface;
   std::function<Profile(const SurfaceWindow&)> profile;
   /// Refuses what has no room to roll on it.

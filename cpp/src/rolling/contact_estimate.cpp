@@ -47,10 +47,10 @@ std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
     if (!layers.empty()) parts.push_back(part_of(layers, frequency));
   };
   append(pair.body.layers);
-  const std::span<const NamedLayer> track = pair.on.layers;
-  const std::size_t base = !track.empty() && std::isinf(track.front().layer.thickness) ? 1 : 0;
-  append(track.first(base));
-  append(track.subspan(base));
+  const std::span<const NamedLayer> counterpart = pair.on.layers;
+  const std::size_t base = !counterpart.empty() && std::isinf(counterpart.front().layer.thickness) ? 1 : 0;
+  append(counterpart.first(base));
+  append(counterpart.subspan(base));
   return parts;
 }
 
@@ -67,8 +67,8 @@ double load_at(double a, double radius, const Part& part, const ContactForm& for
 /// Of a circle, or a line, with the mean of the curvatures.
 double mean_radius(const RollingPair& pair) {
   const Curvatures& own = pair.body.curvatures;
-  const Curvatures& track = pair.on.curvatures;
-  return pair.body.form.dimensions / (own.along + track.along + own.across + track.across);
+  const Curvatures& counterpart = pair.on.curvatures;
+  return pair.body.form.dimensions / (own.along + counterpart.along + own.across + counterpart.across);
 }
 
 double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, double load) {

@@ -6,14 +6,14 @@
 
 namespace viscoroll::detail {
 
-/// @brief Contact radius of a rolling sphere on a plane, rather from above, for the size of the candidate window.
+/// @brief Contact radius of a pair, rather from above, for the size of the candidate window.
 ///
-/// The load is the sum of Hertz's, P = 8 G a^3 / (3 (1 - nu) R), and of the thin bonded layer's, the softer of
+/// The load is the sum of Hertz's, P = 8 G a^3 / (3 R), and of the thin bonded layer's, the softer of
 /// P = pi G a^6 / (32 R h^3) (incompressible) and P = pi M a^4 / (4 R h) (confined modulus M); the true load at a given
 /// a exceeds it, and the softest modulus of all layers is taken. A layer's modulus is the relaxed one, or half of that
 /// at the frequency Omega r_o / a of what passes the contact where this is more: a coating that relaxes almost wholly,
 /// but not in so short a time, is as stiff as it rolls.
-/// Of a roller: P = pi G a^2 / (2 (1 - nu) R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
+/// Of a roller: P = pi G a^2 / (2 R), 2 G a^5 / (15 R h^3) and 2 M a^3 / (3 R h) per length.
 /// Of two bodies, and of layers on a half-space: the compliances, a load's inverse at a given a, add up. Of a groove:
 /// the circle with the mean of both curvatures.
 /// @param[in] pair what rolls, and what it rolls on
@@ -23,7 +23,7 @@ namespace viscoroll::detail {
 [[nodiscard]] double estimate_contact_radius(const RollingPair& pair, double angular_speed, double load);
 
 /// @brief A load that no coating of such layers bears, from above: a thousand times those of Hertz and of the thin
-/// incompressible bonded layer for a contact as wide as the sphere, of the stiffest layer at the highest harmonic.
+/// incompressible bonded layer for a contact as wide as the body, of the stiffest layer at the highest harmonic.
 /// @param[in] pair what rolls, and what it rolls on
 /// @param[in] stiffest_modulus the largest shear modulus of a layer at the highest harmonic [Pa]
 /// @return load [N], of a roller per length

@@ -39,16 +39,16 @@ MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& 
                           .execution = execution};
   BodySurface own = pair.body.surface(crossing);
   require_flat_curvature(pair.on, curvature);
-  BodySurface track = pair.on.surface(crossing);
+  BodySurface counterpart = pair.on.surface(crossing);
   return {.pair = pair,
           .angular_speed = angular_speed,
           .mesh = mesh,
           .curvature = curvature,
           .own = std::move(own.tables),
-          .track = std::move(track.tables),
-          .stiffest_modulus = std::max(own.stiffest_modulus, track.stiffest_modulus),
-          .centrifugal = own.centrifugal + track.centrifugal,
-          .collocation = stable_collocation(own.normal + track.normal, own.along + track.along)};
+          .counterpart = std::move(counterpart.tables),
+          .stiffest_modulus = std::max(own.stiffest_modulus, counterpart.stiffest_modulus),
+          .centrifugal = own.centrifugal + counterpart.centrifugal,
+          .collocation = stable_collocation(own.normal + counterpart.normal, own.along + counterpart.along)};
 }
 
 }  // namespace viscoroll::detail

@@ -15,12 +15,12 @@ struct MeshModel {
   RollingPair pair;
   double angular_speed;  ///< Omega [rad/s]
   Mesh mesh;
-  Curvature curvature;                         ///< what is kept of it in the equations of the layers
-  std::unique_ptr<const SurfaceTables> own;    ///< of what rolls, none where that is rigid
-  std::unique_ptr<const SurfaceTables> track;  ///< of what it rolls on, likewise
-  double stiffest_modulus;                     ///< the largest shear modulus of a layer at the highest harmonic [Pa]
-  double centrifugal;                          ///< d_R^(c) [m]
-  double collocation;  ///< where displacements are taken, see `SurfaceOperator::collocation` [spacings]
+  Curvature curvature;                               ///< what is kept of it in the equations of the layers
+  std::unique_ptr<const SurfaceTables> own;          ///< of what rolls, none where that is rigid
+  std::unique_ptr<const SurfaceTables> counterpart;  ///< of what it rolls on, likewise
+  double stiffest_modulus;  ///< the largest shear modulus of a layer at the highest harmonic [Pa]
+  double centrifugal;       ///< d_R^(c) [m]
+  double collocation;       ///< where displacements are taken, see `SurfaceOperator::collocation` [spacings]
 };
 
 /// @param[in] pair what rolls, and what it rolls on

@@ -57,7 +57,7 @@ void reject_load(const RollingPair& pair, double load, const std::string& reason
 
 void require_formulation(const MeshModel& model, const Options& options) {
   model.pair.body.require(options);
-  if (!model.track) return;
+  if (!model.counterpart) return;
   const std::string why = " where the counterpart deforms";
   if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT" + why, "SPHERICAL");

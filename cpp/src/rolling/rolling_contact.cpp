@@ -24,7 +24,7 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
   require_bearable_load(model, load_case.load);
   const Assembly assembly = assemble(model, load_case, options, watch);
   require_lasting_stiffness(assembly);
-  return make_result(assembly, find_contact(assembly, seen));
+  return make_result(assembly, find_window(assembly, seen));
 }
 
 }  // namespace viscoroll::detail

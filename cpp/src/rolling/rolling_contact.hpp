@@ -17,7 +17,7 @@ namespace viscoroll::detail {
 [[nodiscard]] ContactReach contact_reach(const Result& result);
 
 /// @brief Solve one load case: tables, contact, powers. A window whose edge is touched grows.
-/// @param[in] model coating at the load case's speed, on a mesh
+/// @param[in] model of both bodies at the load case's speed, on a mesh
 /// @param[in] load_case load, friction and drive
 /// @param[in] options how to solve; its mesh and accuracy are not looked at
 /// @param[in] watch progress and cancellation

@@ -1,5 +1,6 @@
 /// @file
-/// @brief What the operators of a surface are made of, kept for the load cases of a model.
+/// @brief What the operators of a surface are made of, kept for the load cases of a model: orders are summed to tables
+/// (influence), which are stored here, and make the operator of a window (surface).
 #pragma once
 
 #include <memory>

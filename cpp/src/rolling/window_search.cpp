@@ -127,7 +127,7 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
 
 }  // namespace
 
-HeldContact find_contact(const Assembly& assembly, const std::optional<ContactReach>& seen) {
+HeldContact find_window(const Assembly& assembly, const std::optional<ContactReach>& seen) {
   const SurfaceGrid& grid = assembly.nodes.grid;
   const double estimate = assembly.contact_radius;
   const ContactReach likely = seen.value_or(ContactReach{.along = estimate, .across = estimate});

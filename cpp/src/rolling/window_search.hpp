@@ -28,6 +28,6 @@ struct HeldContact {
 /// @param[in] seen reach of the contact on a coarser mesh, where there was one
 /// @throws std::invalid_argument for loads under which no window does
 /// @throws MeshTooFine where the mesh needs too many nodes
-[[nodiscard]] HeldContact find_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
+[[nodiscard]] HeldContact find_window(const Assembly& assembly, const std::optional<ContactReach>& seen);
 
 }  // namespace viscoroll::detail

@@ -22,7 +22,7 @@ struct Formulation {
   PatchLoad patch_load;
   bool tangential;           ///< whether forces along the plane occur
   double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
-  /// Of the plane that a body rolls on. Its frame is the mirror image of the body's, so that forces and displacements
+  /// Of what a body rolls on. Its frame is the mirror image of the body's, so that forces and displacements
   /// along it keep their signs; its normals turn with its curvature alone. Radial compliance and flat patches.
   bool is_counterpart = false;
   double counterpart_curvature = 0.0;  ///< along the path [1/m]: > 0 of a roller, 0 of a plane

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 from .. import _core
 from .._core import InnerBoundary
@@ -23,6 +23,9 @@ class _RoundBody(ParameterTable):
 
     core_radius: float
     layers: Sequence[Layer]
+
+    #: Whether loads, forces and torques are per length.
+    line_contact: ClassVar[bool] = False
 
     @property
     def thickness(self) -> float:
@@ -102,6 +105,8 @@ class CoatedCylinder(_RoundBody):
     >>> CoatedCylinder(core_radius=50e-3, layers=[layer]).outer_radius
     0.060000000000000005
     """
+
+    line_contact: ClassVar[bool] = True
 
     core_radius: float
     layers: Sequence[Layer] = ()

@@ -14,7 +14,7 @@ from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from ..analytic import applicable
-from ..bodies import CoatedCylinder, Drive
+from ..bodies import Drive
 from ..bodies.orders import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.runner import run_all
@@ -72,7 +72,7 @@ class Comparison:
 
     def _unit(self) -> str:
         """Return the unit of the torques."""
-        return scalar_units(line_contact=isinstance(self.case.ball, CoatedCylinder))["resisting_torque"]
+        return scalar_units(line_contact=self.case.ball.line_contact)["resisting_torque"]
 
     @overload
     def draw(self) -> Figure: ...

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
-from ..bodies import CoatedCylinder, Counterpart, Drive, Mesh, RollingBody
+from ..bodies import Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hint
 from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
@@ -177,7 +177,7 @@ class Solution(ScalarFields):
         >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
         'W'
         """
-        line_contact = isinstance(self.ball, CoatedCylinder)
+        line_contact = self.ball.line_contact
         return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
 
     def scalars(self) -> dict[str, float | int | str | None]:

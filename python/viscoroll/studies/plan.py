@@ -79,7 +79,7 @@ class Plan:
         """Refuse plans without anything to solve, and find the keys."""
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
-        if len({isinstance(ball, CoatedCylinder) for ball in self.balls()}) > 1:
+        if len({ball.line_contact for ball in self.balls()}) > 1:
             raise ValueError("ball must be a sphere at all points or a cylinder at all points, got both")
         known = PointKeys()
         keys = [
@@ -100,7 +100,7 @@ class Plan:
     @property
     def line_contact(self) -> bool:
         """Whether rollers roll, whose loads and results are per length."""
-        return isinstance(self.balls()[0], CoatedCylinder)
+        return self.balls()[0].line_contact
 
     def tasks(self, indices: Sequence[int], *, largest: int) -> list[Task]:
         """Return tasks of at most `largest` points that solve the points of `indices`."""
