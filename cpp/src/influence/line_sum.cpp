@@ -33,6 +33,7 @@ cplx value(const Eigen::Matrix3cd& compliance, Entry entry) {
 std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int threads, Watch& watch) {
   constexpr std::size_t kBlock = 16;  // orders that are solved in a row
   std::vector<OrderAt> orders;
+  orders.reserve(body.orders().size());
   for (std::size_t i = 0; i < body.orders().size(); ++i) orders.push_back({.i = i, .n = 0.0});
   std::vector<Eigen::Matrix3cd> spectrum(orders.size());
   parallel_for((orders.size() + kBlock - 1) / kBlock, threads, watch, "solving layers",

@@ -20,6 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// all below it become the core, or the base.
 LayerStack<double> short_time_stack(const LayeredBody& body, double highest_frequency) {
   std::vector<double> moduli;
+  moduli.reserve(body.layers.size());
   for (const Layer& layer : body.layers) moduli.push_back(short_time_modulus(layer.shear_modulus, highest_frequency));
   LayerStack<double> stack = body.stack(moduli, 1.0);
   const auto rigid = std::ranges::find_if(moduli.rbegin(), moduli.rend(), [](double mu) { return std::isinf(mu); });
@@ -89,6 +90,7 @@ std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
 /// Whether the stiffness of orders stays positive. The slowest waves run straight along the way, so n = 0.
 bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& orders) {
   std::vector<OrderInLayers<double>> in_layers;
+  in_layers.reserve(orders.size());
   for (const double m : orders) in_layers.push_back({.layers = stack, .m = m, .n = 0.0});
   return are_subcritical(in_layers);
 }

@@ -51,7 +51,8 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
         std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), mesh);
   }
   surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
-  const HarmonicBody alternating(layers, speed, {1.0 * (mesh.nodes_per_revolution / 2)});
+  const int highest_order = mesh.nodes_per_revolution / 2;
+  const HarmonicBody alternating(layers, speed, {static_cast<double>(highest_order)});
   const Eigen::Matrix3cd compliance = alternating.compliance({.i = 0, .n = 0.0});
   surface.normal = compliance(0, 0);
   surface.along = compliance(1, 1);

@@ -127,6 +127,7 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
 VectorXd StickSlipEquations::solved(const std::vector<Condition>& conditions, const MatrixXd& matrix,
                                     const VectorXd& right) {
   std::vector<std::pair<Index, Axis>> free;
+  free.reserve(conditions.size());
   for (const Condition& condition : conditions) free.emplace_back(condition.place, condition.axis);
   if (!free.empty() && free == factored_) {
     const double small = kExactness * right.norm();
