@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -50,13 +51,13 @@ FlatCompliance flat_compliance(std::span<const FlatLayer> layers, double k, doub
   constexpr double kRadius = 0.3;  // any
   LayerStack<cplx> stack{.metric = {.radius = kRadius, .along = Way::line, .across = Way::line}, .media = {}};
   double top = 0.0;
-  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-    const double bottom = top - layer->thickness;
+  for (const FlatLayer& layer : layers | std::views::reverse) {
+    const double bottom = top - layer.thickness;
     stack.media.insert(stack.media.begin(), {.inner = bottom,
                                              .outer = std::exchange(top, bottom),
-                                             .mu = layer->mu,
-                                             .b = layer->b,
-                                             .inertia = layer->inertia / std::pow(kRadius, 2)});
+                                             .mu = layer.mu,
+                                             .b = layer.b,
+                                             .inertia = layer.inertia / std::pow(kRadius, 2)});
   }
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const Eigen::Matrix3cd y = surface_compliance(stack, k * kRadius * cosine, k * kRadius * sine);

@@ -17,8 +17,8 @@ std::vector<double> scaled(std::vector<double> orders, double factor) {
   return orders;
 }
 
-/// Bands are made of what has been checked alone.
-const LayeredBody& checked(const LayeredBody& body, double angular_speed) {
+/// Bands are made of what has been checked alone: arguments in braces are evaluated one after another.
+LayeredBody checked(LayeredBody body, double angular_speed) {
   require_rolling(body, angular_speed);
   return body;
 }
@@ -37,8 +37,15 @@ OrderSum order_sum(const LayeredBody& body, double angular_speed, const Mesh& me
 
 CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
                        double inertia_tolerance)
-    : CoatingSum(checked(body, angular_speed), angular_speed, mesh, phi_bands(body, angular_speed, mesh),
-                 theta_bands(body, angular_speed, mesh), threads, watch, {}, inertia_tolerance) {}
+    : CoatingSum{checked(body, angular_speed),
+                 angular_speed,
+                 mesh,
+                 phi_bands(body, angular_speed, mesh),
+                 theta_bands(body, angular_speed, mesh),
+                 threads,
+                 watch,
+                 {},
+                 inertia_tolerance} {}
 
 CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                        std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
@@ -48,8 +55,13 @@ CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh
 
 CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
                        int threads, Watch& watch)
-    : CoatingSum(checked(body, angular_speed), angular_speed, mesh,
+    : CoatingSum{checked(body, angular_speed),
+                 angular_speed,
+                 mesh,
                  phi_bands(body, angular_speed, mesh, metric.exact_degree),
-                 theta_bands(body, angular_speed, mesh, metric.exact_degree), threads, watch, metric) {}
+                 theta_bands(body, angular_speed, mesh, metric.exact_degree),
+                 threads,
+                 watch,
+                 metric} {}
 
 }  // namespace viscoroll::detail

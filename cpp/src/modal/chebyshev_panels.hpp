@@ -67,7 +67,8 @@ template <class Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> to_series(
     const Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes>& values) {
   // Real and imaginary parts, which lie side by side, see the same transform.
-  const auto rows = values.rows() * static_cast<Eigen::Index>(sizeof(Scalar) / sizeof(double));
+  constexpr Eigen::Index kParts = Eigen::NumTraits<Scalar>::IsComplex ? 2 : 1;
+  const Eigen::Index rows = kParts * values.rows();
   Eigen::Matrix<Scalar, Eigen::Dynamic, kPanelNodes> series;
   series.setZero(values.rows(), kPanelNodes);
   add_product(Eigen::Map<const Eigen::MatrixXd>(reinterpret_cast<const double*>(values.data()), rows, kPanelNodes),

@@ -12,6 +12,7 @@ Eigen::ArrayXd drop_of_circle(const Eigen::ArrayXd& x, double curvature) {
 
 std::vector<NamedLayer> named(const std::vector<Layer>& layers) {
   std::vector<NamedLayer> named;
+  named.reserve(layers.size());
   for (const Layer& layer : layers) {
     named.push_back({.name = "layers[" + std::to_string(named.size()) + "]", .layer = layer});
   }
