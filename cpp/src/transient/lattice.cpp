@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contact/contact_extent.hpp"
+#include "contact/lever_arms.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -243,8 +244,8 @@ void Lattice::take(const Touch& touch, const StepEnd& end) {
   now_.angle = end.angle;
   now_.load = end.load;
   take_contact(touch);
-  now_.driving_torque = now_.resisting_torque;
-  if (coating_->tables.components() == 3) take_friction(touch);
+  take_moments(touch);
+  if (has_friction()) take_friction(touch);
   forces_.pressing = touch.contact.forces.pressing / touch.compliance;
   rows_ = touch.place.rows;
   lowest_ = touch.place.nodes.shift();
@@ -261,7 +262,6 @@ void Lattice::take_contact(const Touch& touch) {
            text(now_.load) + " N (it is pressed " + rounded(now_.penetration) + " m into a coating of " +
                text(coating_->thickness) + " m)");
   }
-  now_.resisting_torque = (weights * nodes.x() * forces).sum();
 
   const SurfaceGrid& grid = coating_->grid;
   const double flat_patch = std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing;
@@ -275,20 +275,32 @@ void Lattice::take_contact(const Touch& touch) {
   now_.max_pressure = (forces / weights).maxCoeff() / flat_patch;
 }
 
-/// Forces along the plane act at the height of the center; pressure on undeformed normals does work along the plane.
-void Lattice::take_friction(const Touch& touch) {
-  const StickSlip& contact = touch.contact;
-  if (coating_->compliance == Compliance::vertical) {
-    const MirroredTables& tables = coating_->tables;
-    const HalfField moved = touch.known + contact.displacement.middleCols(tables.reach(), touch.place.rows.count);
-    now_.driving_torque -=
-        along(touch.place.axes[0], moved).cwiseProduct(contact.forces.pressing).sum() / touch.compliance;
-  }
-  if (!has_friction()) return;
+/// About the center. Pressure works along the plane where it moves what it stands on along it.
+void Lattice::take_moments(const Touch& touch) {
+  const SurfaceWindow& nodes = touch.place.nodes;
+  const PlaneForces& forces = touch.contact.forces;
   const ArrayXd weights =
       half_weights(coating_->tables.half_nodes()).matrix().replicate(1, touch.place.rows.count).reshaped();
-  now_.driving_force = -(weights * contact.forces.forward.reshaped().array()).sum() / touch.compliance;
-  now_.driving_torque -= now_.driving_force * (coating_->grid.radius - contact.penetration);
+  const double radius = coating_->grid.radius;
+  LeverArms arms{
+      .x = nodes.x(), .y = ArrayXd::Constant(weights.size(), radius - touch.contact.penetration), .radius = radius};
+  VectorField force = VectorField::Zero(weights.size(), 3);
+  force.col(kDown) = weights * forces.pressing.reshaped().array() / -touch.compliance;
+  now_.resisting_torque = moment(arms, force);
+  if (coating_->compliance == Compliance::vertical) {
+    const HalfField moved =
+        touch.known + touch.contact.displacement.middleCols(coating_->tables.reach(), touch.place.rows.count);
+    arms.x -= along(touch.place.axes[kForward], moved).reshaped().array() / weights;
+  }
+  if (has_friction()) {
+    force.col(kForward) = weights * forces.forward.reshaped().array() / touch.compliance;
+    now_.driving_force = -force.col(kForward).sum();
+  }
+  now_.driving_torque = moment(arms, force);
+}
+
+void Lattice::take_friction(const Touch& touch) {
+  const StickSlip& contact = touch.contact;
   const double lost = slip_work(touch);
   now_.dissipated_energy += lost;
   now_.slip_energy += lost;

@@ -111,6 +111,7 @@ class Lattice {
   [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
   void take(const Touch& touch, const StepEnd& end);
   void take_contact(const Touch& touch);
+  void take_moments(const Touch& touch);
   void take_friction(const Touch& touch);
   [[nodiscard]] double slip_work(const Touch& touch) const;
   void forget_contact();
