@@ -1,0 +1,91 @@
+"""What `roll` refuses, and what it saves and draws."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import coated_ball
+from viscoroll import paper
+
+BALL = paper.ball(density=0.0)
+COARSE = vr.Mesh(nodes_per_revolution=100)
+GOOD = {"time": [0.0, 1.0], "angle": [0.0, 1.0], "load": 100.0, "mesh": COARSE}
+BAD = [
+    ({"time": [1.0, 0.0]}, r"time\[1\] must be >= time\[0\] = 1 s, got 0 s"),
+    ({"time": [0.0, np.nan]}, r"time\[1\] must be finite, got nan"),
+    ({"angle": [0.0, np.inf]}, r"angle\[1\] must be finite, got inf"),
+    ({"angle": [0.0, 1.0, 2.0]}, r"angle must be as long as time \(2\), got 3"),
+    ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
+    ({"load": [100.0, -1.0]}, r"load\[1\] must be >= 0 N, got -1"),
+    ({"load": 1e7}, "load must be small enough for the coating"),
+    ({"time": [0.0], "angle": [0.0]}, "time must hold at least two knots, got 1"),
+    ({"lattices": 0}, r"lattices must be in \[1, 16\], got 0"),
+    ({"steps_per_spacing": 0}, r"steps_per_spacing must be in \[1, 64\], got 0"),
+    ({"curvature": vr.Curvature.EXACT}, "curvature must be SPHERE or PAPER"),
+    ({"friction": -0.3}, "friction must be >= 0, got -0.3"),
+    ({"friction": 5.0}, "friction must be at most 4, .*, got 5"),
+    ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
+    ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
+    ({"contact_times": [2.0]}, r"contact_times must be in \[0, 1\] s, got 2"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_bad_input(change, message):
+    with pytest.raises(ValueError, match=message):
+        vr.roll(BALL, **GOOD | change)
+
+
+def test_kelvin_voigt_cannot_jump():
+    ball = coated_ball(vr.KelvinVoigt(modulus=3e6, viscosity=1e5))
+    with pytest.raises(ValueError, match=r"start must be RELAXED for a coating that does not yield at once"):
+        vr.roll(ball, **GOOD, start=vr.Start.FRESH)
+    jump = {"time": [0, 0.5, 0.5, 1], "angle": [0, 0.1, 0.1, 0.2], "load": [100, 100, 120, 120]}
+    with pytest.raises(ValueError, match=r"time must be after the instant reached, 0.5 s, for a coating"):
+        vr.roll(ball, **GOOD | jump)
+
+
+def test_coatings_that_are_not_for_this():
+    rubber = BALL.layers[0].shear_modulus
+    unlike = vr.CoatedSphere(
+        core_radius=20e-3,
+        layers=[
+            vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)
+            for modulus in (rubber, vr.Elastic(modulus=2e6))
+        ],
+    )
+    with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be a multiple of that of the outermost"):
+        vr.roll(unlike, **GOOD)
+    with pytest.raises(ValueError, match=r"layers\[0\].bulk_modulus must be left out in transient rolling"):
+        vr.roll(coated_ball(rubber, bulk_modulus=1e9), **GOOD)
+    with pytest.raises(ValueError, match=r"angle must be turned so slowly that inertia is negligible, at most"):
+        vr.roll(paper.ball(density=1000.0), **GOOD | {"angle": [0.0, 1000.0]})
+    like = vr.CoatedSphere(
+        core_radius=20e-3,
+        layers=[
+            vr.Layer(thickness=5e-4, shear_modulus=vr.StandardLinearSolid(
+                instantaneous_modulus=s * 6e6, relaxed_modulus=s * 3e6, relaxation_time=0.125), poisson_ratio=0.5)
+            for s in (1.0, 1.0)
+        ],
+    )  # fmt: skip
+    a, b = (vr.roll(ball, **GOOD) for ball in (like, BALL))
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=1e-7, atol=1e-9)
+
+
+def test_results_are_saved_and_drawn(tmp_path):
+    h = vr.roll(BALL, **GOOD, contact_times=[0.5, 1.0])
+    assert [c.time for c in h.contacts] == [0.5, 1.0]
+    assert h.contacts[0].pressure.max() > 1e5
+    data = h.to_xarray()
+    assert data.resisting_torque.attrs["units"] == "N m"
+    assert data.sizes["time"] == len(h.time)
+    for suffix in (".csv", ".nc"):
+        h.save(tmp_path / f"h{suffix}")
+    head = (tmp_path / "h.csv").read_text().splitlines()[0]
+    assert head.startswith("time [s],angle [rad],load [N],resisting_torque [N m]")
+    with pytest.raises(ValueError, match=r"path must end in \.csv or \.nc"):
+        h.save(tmp_path / "h.txt")
+    h.plot().savefig(tmp_path / "h.png")
+    assert "FRESH" not in repr(h)
+    assert "RELAXED start" in repr(h)
