@@ -127,8 +127,9 @@ coverage: $(DEPS)
 	cmake --preset coverage
 	cmake --build --preset coverage --parallel $(JOBS)
 	$(PYTHON) -m venv $(COVERED)/venv
-	$(COVERED)/venv/bin/pip install --quiet '.[test,coverage]' -Cbuild-dir=$(COVERED)/module -Cinstall.strip=false \
-	  -Ccmake.build-type=Debug -Ccmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
+	$(COVERED)/venv/bin/pip install --quiet '.[test,coverage]' --config-settings=build-dir=$(COVERED)/module \
+	  --config-settings=install.strip=false --config-settings=cmake.build-type=Debug \
+	  --config-settings=cmake.define.CMAKE_CXX_FLAGS='--coverage -O1 -fprofile-update=atomic'
 	find $(COVERED) -name '*.gcda' -delete
 	ctest --preset coverage --parallel $(JOBS)
 	$(COVERED)/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal --cov --cov-report= $(TESTS)
@@ -205,9 +206,10 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
-# Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
+# By the long name of its option, which pip 23.0 of Debian 12 knows alone. Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
 # of a plain `pip install .` remembers nothing of it.
-WITH_LIBRARY = -Cbuild-dir=$(1)/module -Ccmake.define.viscoroll_ROOT=$(CURDIR)/$(1)/library
+WITH_LIBRARY = --config-settings=build-dir=$(1)/module \
+  --config-settings=cmake.define.viscoroll_ROOT=$(CURDIR)/$(1)/library
 
 # One environment, in which the package is compiled once, with all that the README uses. Each other stamp says that the
 # extra of its name stands beside it.
