@@ -206,8 +206,8 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
-# By the long name of its option, which pip 23.0 of Debian 12 knows alone. Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
-# of a plain `pip install .` remembers nothing of it.
+# Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
+# of a plain `pip install .` remembers nothing of it. The pip of Debian 12 knows no shorter name of the option.
 WITH_LIBRARY = --config-settings=build-dir=$(1)/module \
   --config-settings=cmake.define.viscoroll_ROOT=$(CURDIR)/$(1)/library
 
