@@ -51,7 +51,7 @@ class HistoryOptions:
     curvature : Curvature or str, default Curvature.SPHERE
         SPHERE or PAPER.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With it a step takes three to six times as
+        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With it a step takes three to eight times as
         long.
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
