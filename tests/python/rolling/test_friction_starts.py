@@ -38,7 +38,7 @@ def solve(row):
 def measured(r):
     """Return what a state is judged by: how far it is from solved, and the largest slip of nodes that stick."""
     speed = np.hypot(*r.slip_velocity)
-    creeping = speed[r.stick].max()
+    creeping = speed.max(initial=0.0, where=r.stick)
     curving = (r.semi_axis_x / r.ball.outer_radius) ** 2 * r.angular_speed * r.ball.outer_radius
     return {
         "contact": r.contact.sum(),
