@@ -12,12 +12,15 @@ namespace {
 using namespace viscoroll;
 using cplx = std::complex<double>;
 
-Tractions make_tractions(const Mesh& mesh, const InputArray<double>& pressure, const InputArray<double>& shear_traction,
-                         bool friction, Compliance compliance, Curvature curvature, PatchLoad patch_load) {
+Tractions make_tractions(const Mesh& mesh, double radius, bool line, const InputArray<double>& pressure,
+                         const InputArray<double>& shear_traction, bool friction, Compliance compliance,
+                         Curvature curvature, PatchLoad patch_load, bool counterpart, double counterpart_curvature) {
   if (pressure.ndim() != 2) throw py::value_error("pressure must have the dimensions phi and theta");
   const auto normal = view(pressure);
   const auto shear = view(shear_traction);
   return {.mesh = mesh,
+          .radius = radius,
+          .line = line,
           .phi_nodes = static_cast<int>(pressure.shape(0)),
           .theta_nodes = static_cast<int>(pressure.shape(1)),
           .pressure = {normal.begin(), normal.end()},
@@ -25,30 +28,34 @@ Tractions make_tractions(const Mesh& mesh, const InputArray<double>& pressure, c
           .friction = friction,
           .compliance = compliance,
           .curvature = curvature,
-          .patch_load = patch_load};
+          .patch_load = patch_load,
+          .counterpart = counterpart,
+          .counterpart_curvature = counterpart_curvature};
 }
 
-/// Places as two arrays: radii, and numbers of layers.
-std::vector<Place> places_from(const InputArray<double>& radius, const InputArray<int>& layer) {
-  if (radius.size() != layer.size()) throw py::value_error("radius and layer must be of one length");
+/// Places as two arrays: positions, and numbers of layers.
+std::vector<Place> places_from(const InputArray<double>& position, const InputArray<int>& layer) {
+  if (position.size() != layer.size()) throw py::value_error("position and layer must be of one length");
   std::vector<Place> places;
-  places.reserve(static_cast<std::size_t>(radius.size()));
-  for (py::ssize_t i = 0; i < radius.size(); ++i) places.push_back({.radius = radius.at(i), .layer = layer.at(i)});
+  places.reserve(static_cast<std::size_t>(position.size()));
+  for (py::ssize_t i = 0; i < position.size(); ++i) {
+    places.push_back({.position = position.at(i), .layer = layer.at(i)});
+  }
   return places;
 }
 
-/// Radii and numbers of layers.
+/// Positions and numbers of layers.
 using PlaceArrays = py::typing::Tuple<py::array_t<double>, py::array_t<int>>;
 
 PlaceArrays to_arrays(const std::vector<Place>& places) {
   const auto count = static_cast<py::ssize_t>(places.size());
-  py::array_t<double> radius(count);
+  py::array_t<double> position(count);
   py::array_t<int> layer(count);
   for (py::ssize_t i = 0; i < count; ++i) {
-    radius.mutable_at(i) = places[static_cast<std::size_t>(i)].radius;
+    position.mutable_at(i) = places[static_cast<std::size_t>(i)].position;
     layer.mutable_at(i) = places[static_cast<std::size_t>(i)].layer;
   }
-  return {py::make_tuple(radius, layer)};
+  return {py::make_tuple(position, layer)};
 }
 
 py::array_t<double> to_array(const std::vector<double>& values, const std::vector<py::ssize_t>& shape) {
@@ -57,91 +64,88 @@ py::array_t<double> to_array(const std::vector<double>& values, const std::vecto
   return array;
 }
 
-py::array_t<cplx> order_fields_array(const CoatedSphere& sphere, const InputArray<int>& m, const InputArray<int>& n,
-                                     const InputArray<double>& radius, const InputArray<int>& layer,
-                                     double angular_speed, Curvature curvature) {
+py::array_t<double> to_line(const std::vector<double>& values) {
+  return to_array(values, {static_cast<py::ssize_t>(values.size())});
+}
+
+py::array_t<cplx> order_fields_array(const LayeredShape& shape, const InputArray<int>& m, const InputArray<int>& n,
+                                     const InputArray<double>& position, const InputArray<int>& layer,
+                                     double angular_speed, double radius, Curvature curvature) {
   const auto orders_m = view(m);
   const auto orders_n = view(n);
-  const auto places = places_from(radius, layer);
+  const auto places = places_from(position, layer);
   std::vector<cplx> values;
   {
     const Observer observer = python_observer(py::none());
     const py::gil_scoped_release release;
-    values = order_fields(sphere, angular_speed, orders_m, orders_n, places, curvature, observer);
+    values = order_fields(shape, angular_speed, orders_m, orders_n, places, radius, curvature, observer);
   }
-  py::array_t<cplx> array({m.size(), radius.size(), static_cast<py::ssize_t>(kFieldComponents), py::ssize_t{3}});
+  py::array_t<cplx> array({m.size(), position.size(), static_cast<py::ssize_t>(kFieldComponents), py::ssize_t{3}});
   std::ranges::copy(values, array.mutable_data());
   return array;
 }
 
-py::array_t<double> interior_fields_array(const CoatedSphere& sphere, const Tractions& tractions,
-                                          const InputArray<double>& radius, const InputArray<int>& layer,
+py::array_t<double> interior_fields_array(const LayeredShape& shape, const Tractions& tractions,
+                                          const InputArray<double>& position, const InputArray<int>& layer,
                                           const InputArray<double>& phi, const InputArray<double>& theta,
                                           double angular_speed, int threads, const py::object& progress) {
-  const auto places = places_from(radius, layer);
+  const auto places = places_from(position, layer);
   const auto rows = view(phi);
   const auto columns = view(theta);
   InteriorFields fields;
   {
     const Observer observer = python_observer(progress);
     const py::gil_scoped_release release;
-    fields = interior_fields(sphere, angular_speed, tractions, places, rows, columns, threads, observer);
+    fields = interior_fields(shape, angular_speed, tractions, places, rows, columns, threads, observer);
   }
-  return to_array(fields.values, {radius.size(), static_cast<py::ssize_t>(kFieldComponents), phi.size(), theta.size()});
+  return to_array(fields.values, {position.size(), static_cast<py::ssize_t>(kFieldComponents), phi.size(), theta.size()});
 }
 
-LossDensity loss_released(const CoatedSphere& sphere, const Tractions& tractions, const InputArray<double>& radius,
+LossDensity loss_released(const LayeredShape& shape, const Tractions& tractions, const InputArray<double>& position,
                           const InputArray<int>& layer, double angular_speed, int max_order, int threads,
                           const py::object& progress) {
-  const auto places = places_from(radius, layer);
+  const auto places = places_from(position, layer);
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return loss_density(sphere, angular_speed, tractions, places, max_order, threads, observer);
+  return loss_density(shape, angular_speed, tractions, places, max_order, threads, observer);
 }
 
 }  // namespace
 
 void bind_interior(py::module_& m) {
   py::classh<Tractions>(m, "Tractions")
-      .def(py::init(&make_tractions), py::kw_only(), py::arg("mesh"), py::arg("pressure").noconvert(),
-           py::arg("shear_traction").noconvert(), py::arg("friction"), py::arg("compliance"), py::arg("curvature"),
-           py::arg("patch_load"));
+      .def(py::init(&make_tractions), py::kw_only(), py::arg("mesh"), py::arg("radius"), py::arg("line"),
+           py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("friction"),
+           py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"), py::arg("counterpart"),
+           py::arg("counterpart_curvature"));
 
   py::classh<LossDensity>(m, "LossDensity")
       .def_property_readonly("places", [](const LossDensity& loss) { return to_arrays(loss.places); })
-      .def_property_readonly("radial_weights",
-                             [](const LossDensity& loss) {
-                               return to_array(loss.radial_weights,
-                                               {static_cast<py::ssize_t>(loss.radial_weights.size())});
-                             })
-      .def_property_readonly(
-          "theta",
-          [](const LossDensity& loss) { return to_array(loss.theta, {static_cast<py::ssize_t>(loss.theta.size())}); })
+      .def_property_readonly("weights", [](const LossDensity& loss) { return to_line(loss.weights); })
+      .def_property_readonly("theta", [](const LossDensity& loss) { return to_line(loss.theta); })
+      .def_property_readonly("orders", [](const LossDensity& loss) { return to_line(loss.orders); })
       .def_property_readonly("density",
                              [](const LossDensity& loss) {
                                return to_array(loss.density, {static_cast<py::ssize_t>(loss.places.size()),
                                                               static_cast<py::ssize_t>(loss.theta.size())});
                              })
-      .def_property_readonly("order_power",
-                             [](const LossDensity& loss) {
-                               return to_array(loss.order_power, {static_cast<py::ssize_t>(loss.order_power.size())});
-                             })
+      .def_property_readonly("order_power", [](const LossDensity& loss) { return to_line(loss.order_power); })
       .def_readonly("volume_power", &LossDensity::volume_power)
       .def_readonly("surface_power", &LossDensity::surface_power);
 
   m.def(
       "places_at",
-      [](const CoatedSphere& sphere, const InputArray<double>& radius) {
-        return to_arrays(places_at(sphere, view(radius)));
+      [](const LayeredShape& shape, const InputArray<double>& position) {
+        return to_arrays(places_at(shape, view(position)));
       },
-      py::arg("sphere"), py::arg("radius").noconvert());
-  m.def("order_fields", &order_fields_array, py::arg("sphere"), py::arg("m").noconvert(), py::arg("n").noconvert(),
-        py::kw_only(), py::arg("radius").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"),
-        py::arg("curvature"));
-  m.def("interior_fields", &interior_fields_array, py::arg("sphere"), py::arg("tractions"), py::kw_only(),
-        py::arg("radius").noconvert(), py::arg("layer").noconvert(), py::arg("phi").noconvert(),
+      py::arg("shape"), py::arg("position").noconvert());
+  m.def("order_fields", &order_fields_array, py::arg("shape"), py::arg("m").noconvert(), py::arg("n").noconvert(),
+        py::kw_only(), py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"),
+        py::arg("radius"), py::arg("curvature"));
+  m.def("interior_fields", &interior_fields_array, py::arg("shape"), py::arg("tractions"), py::kw_only(),
+        py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("phi").noconvert(),
         py::arg("theta").noconvert(), py::arg("angular_speed"), py::arg("threads"), py::arg("progress").none(true));
-  m.def("loss_density", &loss_released, py::arg("sphere"), py::arg("tractions"), py::kw_only(),
-        py::arg("radius").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"), py::arg("max_order"),
+  m.def("loss_density", &loss_released, py::arg("shape"), py::arg("tractions"), py::kw_only(),
+        py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"), py::arg("max_order"),
         py::arg("threads"), py::arg("progress").none(true));
 }

@@ -20,7 +20,7 @@ struct Rolling {
   LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
   Options options{.mesh = Mesh{.nodes_per_revolution = 200}};
   Result result = solve(sphere, load_case, options);
-  Tractions tractions = tractions_of(result, load_case, options);
+  Tractions tractions = tractions_of(sphere, result, load_case, options);
 
   explicit Rolling(CoatedSphere body) : sphere(std::move(body)) {}
 

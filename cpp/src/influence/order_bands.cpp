@@ -103,7 +103,7 @@ double highest_order(int nodes_per_revolution, double finest_order) {
 /// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
 OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution) {
   // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
-  // tables reach 60 degrees to both sides.
+  // x is 120 degrees, as in tables that reach 60 degrees to both sides.
   constexpr double kLogarithmicStride = 0.07;
   constexpr double kLowest = 1e-9;  // per middle: what is left out below is a uniform displacement
   const double stride = kLogarithmicStride / refinement;
@@ -137,6 +137,22 @@ std::vector<OrderBand> octaves_within(double spacing, double top, double largest
   // Images of the load stay out of the window.
   return split(spacing, highest, rough_orders,
                [&](double confined) { return std::max(1.0, 2.0 * pi / (largest_offset + confined)); });
+}
+
+std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset, double refinement) {
+  using std::numbers::pi;
+  const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
+  const Step first{.middle = std::min(kFirstUnboundedOctave, highest)};
+  std::vector<OrderBand> bands{low_orders(first, refinement, static_cast<int>(std::lround(2.0 * pi / spacing)))};
+  append_octaves(
+      first, highest, spacing,
+      [&](double confined) { return 2.0 * pi / (largest_offset + confined) / refinement; }, bands);
+  return bands;
+}
+
+double refinement_of(const std::vector<Layer>& layers) {
+  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
+  return measured_layers(layers).empty() ? 1.0 : kRefinementOfMeasured;
 }
 
 namespace {
@@ -192,12 +208,10 @@ double exact_share(double wave_number, double middle) {
 double exact_end(double middle) { return middle * (1.0 + 3.6 / kSharpness); }
 
 std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh, double rough_orders) {
-  constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
   const int nodes = mesh.nodes_per_revolution;
   if (!body.metric.is_curved()) {
     require_all_orders(mesh);
-    const double refinement = measured_layers(body.layers).empty() ? 1.0 : kRefinementOfMeasured;
-    return unbounded_octaves(nodes, finest_order(body, angular_speed), refinement);
+    return unbounded_octaves(nodes, finest_order(body, angular_speed), refinement_of(body.layers));
   }
   if (mesh.max_order) return whole_orders(*mesh.max_order, nodes);
   return octaves(nodes, finest_order(body, angular_speed),

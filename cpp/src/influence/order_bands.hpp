@@ -50,6 +50,14 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset,
                                                     double rough_orders);
 
+/// @brief The same on an unbounded plane.
+/// @param[in] refinement as of `unbounded_octaves`
+[[nodiscard]] std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset,
+                                                              double refinement = 1.0);
+
+/// @return by how much orders of measured moduli, which have kinks, lie closer than those of smooth ones
+[[nodiscard]] double refinement_of(const std::vector<Layer>& layers);
+
 /// @return orders along phi up to which a measured modulus is taken point by point
 [[nodiscard]] double material_rough_orders(const LayeredBody& body, double angular_speed, const Mesh& mesh);
 

@@ -36,25 +36,26 @@ std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool 
 
 }  // namespace
 
-DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> boundaries, double m, double highest_n,
+DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> boundaries, double m, Range n,
                          std::vector<Entry> entries, double tolerance)
     : pieces_(std::move(pieces)),
       boundaries_(std::move(boundaries)),
       m_(m),
       entries_(std::move(entries)),
       tolerance_(tolerance) {
-  double lowest = m * m;
-  if (m == 0.0) {
-    const std::array zero{0.0};
-    append_constants<cplx>(kZeroOrder, solve(zero).col(0), panels_);
-    lowest = kZeroOrder;
+  double lowest = m * m + n.lowest * n.lowest;
+  const bool one = n.highest == 0.0;
+  if (one || lowest == 0.0) {
+    const std::array square{lowest};
+    lowest = std::max(lowest, kZeroOrder);
+    append_constants<cplx>(lowest, solve(square).col(0), panels_);
   }
-  const double highest = m * m + std::max(highest_n * highest_n, 1.0);
+  const double highest = one ? lowest : m * m + std::max(n.highest * n.highest, 1.0);
   if (lowest < kLowOrders && kLowOrders < highest) {
     append(lowest, kLowOrders);
     lowest = kLowOrders;
   }
-  append(lowest, highest);
+  if (lowest < highest) append(lowest, highest);
   is_real_ = std::ranges::all_of(panels_, [](const Panel<cplx>& panel) { return panel.series.imag().isZero(0.0); });
 }
 
@@ -207,11 +208,13 @@ DepthTransfers::DepthTransfers(const HarmonicBody& body, const LayerCuts& cuts, 
   if (!shares) return;
   auto pieces = cuts_.pieces(body_.layers_at(0));
   for (auto& piece : pieces.media) piece.inertia = 0.0;
-  shared_ = std::make_shared<const DepthSeries>(std::move(pieces), boundaries_, 0.0, highest_k, entries_, tolerance_);
+  const DepthSeries::Range k{.lowest = body_.metric().is_curved() ? 0.0 : body_.orders().front(), .highest = highest_k};
+  shared_ = std::make_shared<const DepthSeries>(std::move(pieces), boundaries_, 0.0, k, entries_, tolerance_);
 }
 
 bool DepthTransfers::can_share(double negligible_inertia) const {
   constexpr double kSame = 1e-12;
+  if (body_.metric().along != body_.metric().across) return false;
   const std::vector<Layer>& layers = body_.body().layers;
   const double speed = body_.angular_speed() * body_.radius();
   for (std::size_t l = 0; l < layers.size(); ++l) {
@@ -230,8 +233,9 @@ bool DepthTransfers::can_share(double negligible_inertia) const {
 DepthTransfer DepthTransfers::at(std::size_t i, const Eigen::ArrayXd& n) const {
   const double m = body_.orders()[i];
   if (shared_) return {shared_, m, n, body_.modulus(0, i) / body_.modulus(0, 0)};
-  return {std::make_shared<const DepthSeries>(cuts_.pieces(body_.layers_at(i)), boundaries_, m, n[n.size() - 1],
-                                              entries_, tolerance_),
+  return {std::make_shared<const DepthSeries>(cuts_.pieces(body_.layers_at(i)), boundaries_, m,
+                                              DepthSeries::Range{.lowest = 0.0, .highest = n[n.size() - 1]}, entries_,
+                                              tolerance_),
           m, n, 0.0};
 }
 

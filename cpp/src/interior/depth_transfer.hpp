@@ -2,8 +2,9 @@
 /// @brief What loads of one order m and many orders n make at places inside the layers.
 ///
 /// At a given m every entry of the states is a smooth function of n^2, times n where it is odd: a few dozen solutions
-/// of the layers give them as Chebyshev series in ln(m^2 + n^2), for all n. Where layers share one relaxation function
-/// and inertia is nothing, the directions along and across k see k alone, whatever m: one set of series serves all.
+/// of the layers give them as Chebyshev series in ln(m^2 + n^2), for all n. Where layers share one relaxation function,
+/// inertia is nothing and the surface is alike in all directions, those along and across k see k alone, whatever m: one
+/// set of series serves all. Under a line there is n = 0 alone, and nothing to be expanded.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,13 +39,19 @@ class DepthSeries {
     [[nodiscard]] bool is_odd() const { return (component % 3 == 2) != (column == 2); }
   };
 
+  /// Orders n.
+  struct Range {
+    double lowest;
+    double highest;
+  };
+
   /// @param[in] pieces at order m
   /// @param[in] boundaries where states are wanted
   /// @param[in] m order
-  /// @param[in] highest_n largest n that is asked for
+  /// @param[in] n smallest and largest n that is asked for; 0 is a place apart, where it is the smallest
   /// @param[in] entries that are not zero
   /// @param[in] tolerance of the series, relative to the load for stresses and to the largest displacement
-  DepthSeries(LayerStack<std::complex<double>> pieces, std::vector<std::size_t> boundaries, double m, double highest_n,
+  DepthSeries(LayerStack<std::complex<double>> pieces, std::vector<std::size_t> boundaries, double m, Range n,
               std::vector<Entry> entries, double tolerance);
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
@@ -109,7 +116,7 @@ class DepthTransfers {
     double inertia;    ///< rho (Omega r)^2 per modulus, where without it series are shared
   };
 
-  /// @param[in] body layers at the orders m, the first of which is 0
+  /// @param[in] body layers at the orders m, ascending; the first is 0 where a way is a ring
   /// @param[in] cuts with the boundaries
   /// @param[in] boundaries where states are wanted
   /// @param[in] highest_k largest order that is asked for, of m and n together

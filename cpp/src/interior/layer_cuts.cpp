@@ -10,27 +10,40 @@
 namespace viscoroll {
 namespace {
 
-/// Radii this close, relatively, are one.
-constexpr double kSameRadius = 1e-12;
+/// Places this close, relatively, are one.
+constexpr double kSamePlace = 1e-12;
 
-bool is_same(double a, double b) { return std::abs(a - b) <= kSameRadius * std::max(a, b); }
+bool is_same(double a, double b) { return std::abs(a - b) <= kSamePlace * std::max(std::abs(a), std::abs(b)); }
+
+/// Where layers begin and end, whatever rolls on them.
+struct Boundaries {
+  std::vector<double> operator()(const CoatedPlane& plane) const { return detail::layered_body(plane, 1.0).boundaries; }
+  template <class Turning>
+  std::vector<double> operator()(const Turning& shape) const {
+    return detail::layered_body(shape).boundaries;
+  }
+};
 
 }  // namespace
 
-std::vector<Place> places_at(const CoatedSphere& sphere, std::span<const double> radii) {
-  const std::vector<double> ends = detail::layered_body(sphere).boundaries;
+std::vector<Place> places_at(const LayeredShape& shape, std::span<const double> positions) {
+  const std::vector<double> ends = std::visit(Boundaries{}, shape);
+  const bool is_plane = std::holds_alternative<CoatedPlane>(shape);
   std::vector<Place> places;
-  for (const double radius : radii) {
+  for (const double position : positions) {
     const auto before = places.size();
-    for (std::size_t layer = sphere.layers.size(); radius > 0.0 && layer-- > 0;) {
+    for (std::size_t layer = ends.size() - 1; (is_plane || position > 0.0) && layer-- > 0;) {
       const double inner = ends[layer];
       const double outer = ends[layer + 1];
-      const double snapped = is_same(radius, outer) ? outer : is_same(radius, inner) ? inner : radius;
-      if (snapped >= inner && snapped <= outer) places.push_back({.radius = snapped, .layer = static_cast<int>(layer)});
+      const double snapped = is_same(position, outer) ? outer : is_same(position, inner) ? inner : position;
+      const bool inside = snapped >= inner && snapped <= outer && std::isfinite(snapped);
+      if (inside) places.push_back({.position = snapped, .layer = static_cast<int>(layer)});
     }
     if (places.size() == before) {
-      detail::reject("radius", "in [" + detail::text(ends.front()) + ", " + detail::text(ends.back()) + "] m and > 0 m",
-                     detail::text(radius) + " m");
+      detail::reject(is_plane ? "height" : "radius",
+                     "in [" + detail::text(ends.front()) + ", " + detail::text(ends.back()) + "] m" +
+                         (is_plane ? "" : " and > 0 m"),
+                     detail::text(position) + " m");
     }
   }
   return places;
@@ -44,18 +57,18 @@ LayerCuts::LayerCuts(const LayeredBody& body, std::span<const Place> places) {
   boundaries_ = ends;
   for (const Place& place : places) {
     const auto layer = static_cast<std::size_t>(place.layer);
-    if (place.layer < 0 || layer >= body.layers.size() || !(place.radius > center) || !(place.radius >= ends[layer]) ||
-        !(place.radius <= ends[layer + 1])) {
-      reject("place", "a radius within its layer", text(place.radius) + " m in layer " + std::to_string(place.layer));
+    if (place.layer < 0 || layer >= body.layers.size() || !(place.position > center) ||
+        !(place.position >= ends[layer]) || !(place.position <= ends[layer + 1])) {
+      reject("place", "within its layer", text(place.position) + " m in layer " + std::to_string(place.layer));
     }
-    boundaries_.push_back(place.radius);
+    boundaries_.push_back(place.position);
   }
   std::ranges::sort(boundaries_);
   const auto repeated = std::ranges::unique(boundaries_);
   boundaries_.erase(repeated.begin(), repeated.end());
   for (const Place& place : places) {
     boundary_.push_back(
-        static_cast<std::size_t>(std::ranges::lower_bound(boundaries_, place.radius) - boundaries_.begin()));
+        static_cast<std::size_t>(std::ranges::lower_bound(boundaries_, place.position) - boundaries_.begin()));
   }
   for (std::size_t piece = 0; piece + 1 < boundaries_.size(); ++piece) {
     layer_.push_back(static_cast<std::size_t>(std::ranges::upper_bound(ends, boundaries_[piece]) - ends.begin() - 1));

@@ -9,8 +9,11 @@
 
 namespace viscoroll {
 
-Tractions tractions_of(const Result& result, const LoadCase& load_case, const Options& options) {
+Tractions tractions_of(const RollingBody& body, const Result& result, const LoadCase& load_case,
+                       const Options& options) {
   return {.mesh = result.mesh,
+          .radius = std::visit([](const auto& shape) { return outer_radius(shape); }, body),
+          .line = std::holds_alternative<CoatedCylinder>(body),
           .phi_nodes = result.phi_nodes,
           .theta_nodes = result.theta_nodes,
           .pressure = result.pressure,
@@ -29,7 +32,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Forces of the plane on the coating along x, y and z.
+/// Forces on what rolls along x, y and z.
 VectorField nodal_forces(const Tractions& tractions, const SurfaceWindow& window) {
   const SurfaceGrid& grid = window.grid();
   ArrayXd area =
@@ -80,12 +83,17 @@ Eigen::MatrixXcd phi_waves(const NodeRange& range, double spacing, const ArrayXd
 
 }  // namespace
 
+SurfaceGrid grid_of(const Tractions& tractions, double radius) {
+  const double turns = tractions.radius / radius;
+  return {.radius = radius,
+          .phi_spacing = phi_spacing(tractions.mesh) * turns,
+          .theta_spacing = tractions.line ? 1.0 / radius : theta_spacing(tractions.mesh) * turns};
+}
+
 SurfaceWindow window_of(const Tractions& tractions, double radius) {
   const int phi = tractions.phi_nodes / 2;
   const int theta = tractions.theta_nodes / 2;
-  return {
-      {.radius = radius, .phi_spacing = phi_spacing(tractions.mesh), .theta_spacing = theta_spacing(tractions.mesh)},
-      {{-phi, phi}, {-theta, theta}}};
+  return {grid_of(tractions, radius), {{-phi, phi}, {-theta, theta}}};
 }
 
 void validate(const Tractions& tractions) {
@@ -99,6 +107,11 @@ void validate(const Tractions& tractions) {
   };
   require_odd("tractions.phi_nodes", tractions.phi_nodes, tractions.mesh.nodes_per_revolution);
   require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh));
+  if (tractions.line && tractions.theta_nodes != 1) {
+    reject("tractions.theta_nodes", "1 under a line", std::to_string(tractions.theta_nodes));
+  }
+  require_positive("tractions.radius", tractions.radius, "m");
+  require_finite("tractions.counterpart_curvature", tractions.counterpart_curvature);
   const auto count = static_cast<std::size_t>(tractions.phi_nodes) * static_cast<std::size_t>(tractions.theta_nodes);
   const auto require_values = [](const char* name, const std::vector<double>& values, std::size_t wanted) {
     if (values.size() != wanted) {
@@ -113,8 +126,11 @@ void validate(const Tractions& tractions) {
 LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, const ArrayXd& m, const ArrayXd& n)
     : count_(n.size()) {
   const SurfaceWindow window = window_of(tractions, metric.radius);
-  const Formulation formulation{
-      .compliance = tractions.compliance, .patch_load = tractions.patch_load, .tangential = tractions.friction};
+  const Formulation formulation{.compliance = tractions.compliance,
+                                .patch_load = tractions.patch_load,
+                                .tangential = tractions.friction,
+                                .is_counterpart = tractions.counterpart,
+                                .counterpart_curvature = tractions.counterpart_curvature};
   const VectorField force = nodal_forces(tractions, window);
   const auto directions = load_directions(formulation, window);
   const auto weights = patch_weights(formulation, window);

@@ -42,7 +42,10 @@ class LoadSpectrum {
   Eigen::Index count_;  // of orders n
 };
 
-/// @return the nodes of the tractions
+/// @return their grid, on a surface whose orders are per this radius [m]
+[[nodiscard]] SurfaceGrid grid_of(const Tractions& tractions, double radius);
+
+/// @return the nodes of the tractions on it
 [[nodiscard]] SurfaceWindow window_of(const Tractions& tractions, double radius);
 
 /// @brief Check tractions.

@@ -11,6 +11,7 @@
 #include "influence/gauss_legendre.hpp"
 #include "influence/order_bands.hpp"
 #include "interior/depth_transfer.hpp"
+#include "interior/inside.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/depth_cut.hpp"
 #include "parallel.hpp"
@@ -41,28 +42,77 @@ struct WeightedPlaces {
   std::vector<double> weights;  // dr [m]
 };
 
-WeightedPlaces volume_nodes(const LayeredBody& body, double max_order) {
+/// @param[in] outer,inner ends of a layer, or of a part of it
+void append_nodes(double outer, double inner, int layer, double exponents, WeightedPlaces& nodes) {
+  const auto [points, weights] = gauss_legendre(radial_nodes(exponents));
+  for (Index i = 0; i < points.size(); ++i) {
+    const double y = 0.5 * (1.0 + points[i]);
+    nodes.places.push_back({.position = outer - (outer - inner) * y * y, .layer = layer});
+    nodes.weights.push_back((outer - inner) * y * weights[i]);
+  }
+}
+
+/// @param[in] lowest,highest orders that reach in
+WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_order) {
   constexpr double kSeen = 12.0;  // exponent of what still matters at the top of a layer: 1e-10 of the loss
   constexpr double kCenter = 6.907755278982137;  // ln(1000): deep enough for that of a solid ball
+  constexpr double kPart = 8.0;  // by how much each part of a half-space is deeper than the one above
   const Metric& metric = body.metric;
   WeightedPlaces nodes;
-  for (std::size_t layer = body.layers.size(); layer-- > 0;) {
-    const double inner = body.boundaries[layer];
-    const double outer = body.boundaries[layer + 1];
+  for (std::size_t j = body.layers.size(); j-- > 0;) {
+    const auto layer = static_cast<int>(j);
+    const double outer = body.boundaries[j + 1];
     const double above = metric.depth(metric.surface(), outer);
     const double highest = above > 0.0 ? std::min(max_order, kSeen / above) : max_order;
-    const double extent = metric.depth(outer, std::max(inner, metric.below(outer, kCenter)));
-    const auto [points, weights] = gauss_legendre(radial_nodes(2.0 * highest * extent));
-    for (Index i = 0; i < points.size(); ++i) {
-      const double y = 0.5 * (1.0 + points[i]);
-      nodes.places.push_back({.radius = outer - (outer - inner) * y * y, .layer = static_cast<int>(layer)});
-      nodes.weights.push_back((outer - inner) * y * weights[i]);
+    if (std::isfinite(body.boundaries[j])) {
+      const double inner = body.boundaries[j];
+      const double extent = metric.depth(outer, std::max(inner, metric.below(outer, kCenter)));
+      append_nodes(outer, inner, layer, 2.0 * highest * extent, nodes);
+      continue;
+    }
+    // Each order falls within its own wave: parts that grow hold all of them, to the lowest.
+    double from = 0.0;
+    for (double to = kPart / highest; from < kSeen / lowest; from = to, to *= kPart) {
+      append_nodes(metric.below(outer, from), metric.below(outer, to), layer, 2.0 * kSeen * kPart, nodes);
     }
   }
   return nodes;
 }
 
 ArrayXd whole_numbers(int highest) { return ArrayXd::LinSpaced(highest + 1, 0.0, highest); }
+
+/// Orders m with the weights of an integral over them: whole numbers around a ring, of which 0 loses nothing; on a plane
+/// Gauss's on panels.
+struct PassingOrders {
+  std::vector<double> orders;
+  std::vector<double> weights;
+
+  PassingOrders(const Metric& metric, int highest) {
+    if (metric.is_curved()) {
+      for (int m = 0; m <= highest; ++m) orders.push_back(m);
+      weights.assign(orders.size(), 1.0);
+      weights.front() = 0.0;
+      return;
+    }
+    constexpr double kLowest = 1e-4;     // waves of 1e4 revolutions: below, no more than that of an order's loss is left
+    constexpr double kPanelRatio = 1.5;  // layers are smooth in the logarithm of m
+    const double widest = 0.05 * highest;  // tractions vary with m r / a, of which there are 40, say
+    const auto [points, gauss] = gauss_legendre(8);
+    for (double low = kLowest; low < highest;) {
+      const double high = std::min({kPanelRatio * low, low + widest, static_cast<double>(highest)});
+      for (Index i = 0; i < points.size(); ++i) {
+        orders.push_back(low + 0.5 * (high - low) * (1.0 + points[i]));
+        weights.push_back(0.5 * (high - low) * gauss[i]);
+      }
+      low = high;
+    }
+  }
+};
+
+/// Orders n across: whole numbers, in a plane, too, as if tracks lay side by side a revolution apart.
+ArrayXd orders_across(const Metric& metric, int highest) {
+  return metric.across == Way::nothing ? whole_numbers(0) : whole_numbers(highest);
+}
 
 /// What some orders m lose.
 struct Losses {
@@ -88,29 +138,31 @@ std::vector<std::size_t> boundaries_of(const LayerCuts& cuts, std::size_t places
 
 class LossSum {
  public:
-  LossSum(const LayeredBody& body, double angular_speed, const Tractions& tractions, std::vector<Place> places,
-          std::vector<double> weights, int max_order)
-      : places_(std::move(places)),
-        weights_(std::move(weights)),
-        cuts_(body, places_),
-        limit_(body, angular_speed),
-        orders_(whole_numbers(max_order)),
-        body_(body, angular_speed, {orders_.begin(), orders_.end()}, measured_order(tractions.mesh)),
-        loads_(tractions, body.metric, orders_, orders_),
+  LossSum(const Inside& inside, const Tractions& tractions, PassingOrders m, WeightedPlaces nodes, int max_order)
+      : places_(std::move(nodes.places)),
+        weights_(std::move(nodes.weights)),
+        cuts_(inside.body, places_),
+        limit_(inside.body, inside.angular_speed),
+        m_(std::move(m)),
+        n_(orders_across(inside.body.metric, max_order)),
+        body_(inside.body, inside.angular_speed, m_.orders,
+              measured_order(tractions.mesh) * inside.body.metric.radius / tractions.radius),
+        loads_(tractions, inside.body.metric, Eigen::Map<const ArrayXd>(m_.orders.data(), std::ssize(m_.orders)), n_),
         transfers_(body_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order, loads_.loaded(),
                    kAccuracy),
-        theta_nodes_(ComplexFft::fast_length(2 * max_order + 2)),
+        theta_nodes_(n_.size() == 1 ? 1 : ComplexFft::fast_length(2 * max_order + 2)),
         transform_(theta_nodes_) {}
 
   [[nodiscard]] LossDensity sum(int threads, Watch& watch) const {
-    const auto count = static_cast<std::size_t>(orders_.size() - 1);
+    const std::size_t count = m_.orders.size();
     std::vector<Losses> blocks((count + kBlock - 1) / kBlock);
     parallel_for(blocks.size(), threads, watch, "loss inside", [&](std::size_t block, const Worker& worker) {
       Losses& losses = blocks[block];
       losses.density.setZero(theta_nodes_, static_cast<Index>(places_.size()));
       losses.by_order.setZero(static_cast<Index>(body_.body().layers.size()), kBlock);
       for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
-        add_order(static_cast<Index>(block * kBlock + i + 1), static_cast<Index>(i), losses);
+        const std::size_t order = block * kBlock + i;
+        if (m_.weights[order] > 0.0) add_order(order, static_cast<Index>(i), losses);
         worker.checkpoint();
       }
     });
@@ -118,31 +170,34 @@ class LossSum {
   }
 
  private:
-  void add_order(Index order, Index in_block, Losses& losses) const {
-    const double m = orders_[order];
-    const DepthTransfer transfer = transfers_.at(static_cast<std::size_t>(order), orders_);
-    const auto layers = body_.layers_at(static_cast<std::size_t>(order));
-    const OrderLoads loads{.same = loads_.loads(Mirror::same, order),
-                           .opposite = loads_.loads(Mirror::opposite, order)};
+  void add_order(std::size_t order, Index in_block, Losses& losses) const {
+    const double m = m_.orders[order];
+    const double weight = m_.weights[order];
+    const DepthTransfer transfer = transfers_.at(order, n_);
+    const auto layers = body_.layers_at(order);
+    const OrderLoads loads{.same = loads_.loads(Mirror::same, static_cast<Index>(order)),
+                           .opposite = loads_.loads(Mirror::opposite, static_cast<Index>(order))};
+    const double once_around = n_.size() == 1 ? 1.0 : 2.0 * pi;
     ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
     for (std::size_t p = 0; p < places_.size(); ++p) {
       const Place& place = places_[p];
-      const double limit = limit_(place.radius, kDeepest);
+      const double limit = limit_(place.position, kDeepest);
       if (m > limit) continue;
-      const double highest = std::min(std::sqrt(limit * limit - m * m), orders_[orders_.size() - 1]);
-      const ArrayXd density = density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
+      const double highest = std::min(std::sqrt(limit * limit - m * m), n_[n_.size() - 1]);
+      const ArrayXd density =
+          weight * density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
       losses.density.col(static_cast<Index>(p)) += density;
-      const double measure = layers.metric.measure(place.radius);
-      losses.by_order(place.layer, in_block) += weights_[p] * measure * density.sum() * 2.0 * pi / theta_nodes_;
+      const double measure = layers.metric.measure(place.position);
+      losses.by_order(place.layer, in_block) += weights_[p] * measure * density.sum() * once_around / theta_nodes_;
     }
-    losses.surface += surface_loss(transfer, places_.size(), m, loads);
+    losses.surface += weight * surface_loss(transfer, places_.size(), m, loads);
   }
 
   /// w of order m at a place, over theta.
   [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t p, const LayerStack<cplx>& layers,
                                    double m, Index count, const OrderLoads& loads, ComplexBuffer& line) const {
     const Medium<cplx>& medium = layers.media[static_cast<std::size_t>(places_[p].layer)];
-    const ArrayXd n = orders_.head(count);
+    const ArrayXd n = n_.head(count);
     std::array<ComponentRows, 2> fields;
     for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
       if (!loads_.has(mirror)) continue;
@@ -188,7 +243,7 @@ class LossSum {
     double sum = 0.0;
     for (const LoadRows* part : {&loads.same, &loads.opposite}) {
       ComponentRows state;
-      transfer.state(boundary, orders_.size(), *part, state);
+      transfer.state(boundary, n_.size(), *part, state);
       // The two kinds do not work on one another; order n = 0 is there once.
       const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
       sum += 2.0 * work.sum() - work[0];
@@ -200,15 +255,16 @@ class LossSum {
     const double speed = body_.angular_speed();
     const auto layers = body_.body().layers.size();
     Eigen::ArrayXXd density = Eigen::ArrayXXd::Zero(theta_nodes_, static_cast<Index>(places_.size()));
-    LossDensity loss{.places = places_, .radial_weights = weights_, .theta = {}, .density = {}, .order_power = {}};
-    loss.order_power.assign(layers * (count + 1), 0.0);
+    LossDensity loss{
+        .places = places_, .weights = weights_, .theta = {}, .density = {}, .orders = m_.orders, .order_power = {}};
+    loss.order_power.assign(layers * count, 0.0);
     for (std::size_t block = 0; block < blocks.size(); ++block) {
       density += blocks[block].density;
       loss.surface_power += speed * blocks[block].surface;
       for (std::size_t layer = 0; layer < layers; ++layer) {
         for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
           const double power = speed * blocks[block].by_order(static_cast<Index>(layer), static_cast<Index>(i));
-          loss.order_power[layer * (count + 1) + block * kBlock + i + 1] = power;
+          loss.order_power[layer * count + block * kBlock + i] = power;
           loss.volume_power += power;
         }
       }
@@ -228,7 +284,8 @@ class LossSum {
   std::vector<double> weights_;
   LayerCuts cuts_;
   DepthLimit limit_;
-  ArrayXd orders_;
+  PassingOrders m_;
+  ArrayXd n_;
   HarmonicBody body_;
   LoadSpectrum loads_;
   DepthTransfers transfers_;
@@ -239,28 +296,28 @@ class LossSum {
 }  // namespace
 }  // namespace detail
 
-LossDensity loss_density(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
+LossDensity loss_density(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                          std::span<const Place> places, int max_order, int threads, const Observer& observer) {
   constexpr int kHighestOrder = 20000;
-  const detail::LayeredBody body = detail::layered_body(sphere, tractions.curvature);
-  detail::require_positive("angular_speed", angular_speed, "rad/s");
-  detail::validate(tractions);
+  const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
+  detail::require_rolling(inside.body, inside.angular_speed);
   detail::require_thread_count(threads);
   if (max_order < 1 || max_order > kHighestOrder) {
     detail::reject("max_order", "in [1, " + std::to_string(kHighestOrder) + "]", std::to_string(max_order));
   }
-  auto nodes = detail::volume_nodes(body, max_order);
+  detail::PassingOrders m(inside.body.metric, max_order);
+  auto nodes = detail::volume_nodes(inside.body, m.orders.front(), max_order);
   const std::size_t integrated = nodes.places.size();
   nodes.places.insert(nodes.places.end(), places.begin(), places.end());
   nodes.weights.resize(nodes.places.size(), 0.0);
 
   detail::Watch watch(observer);
-  const detail::LossSum sum(body, angular_speed, tractions, nodes.places, nodes.weights, max_order);
+  const detail::LossSum sum(inside, tractions, std::move(m), std::move(nodes), max_order);
   LossDensity loss = sum.sum(threads, watch);
   if (!places.empty()) {
     const auto size = static_cast<std::ptrdiff_t>(integrated);
     loss.places.erase(loss.places.begin(), loss.places.begin() + size);
-    loss.radial_weights.erase(loss.radial_weights.begin(), loss.radial_weights.begin() + size);
+    loss.weights.erase(loss.weights.begin(), loss.weights.begin() + size);
     loss.density.erase(loss.density.begin(),
                        loss.density.begin() + size * static_cast<std::ptrdiff_t>(loss.theta.size()));
   }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "interior/field_components.hpp"
+#include "interior/inside.hpp"
 #include "interior/layer_cuts.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
@@ -24,11 +25,10 @@ cplx physical(cplx value, std::size_t component, int load) {
 
 }  // namespace
 
-std::vector<cplx> order_fields(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
-                               std::span<const int> n, std::span<const Place> places, Curvature curvature,
-                               const Observer& observer) {
+std::vector<cplx> order_fields(const LayeredShape& shape, double angular_speed, std::span<const int> m,
+                               std::span<const int> n, std::span<const Place> places, double radius,
+                               Curvature curvature, const Observer& observer) {
   constexpr int kHighestOrder = 1000000;
-  detail::require_orders(curvature);
   if (m.size() != n.size()) {
     detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
   }
@@ -37,7 +37,12 @@ std::vector<cplx> order_fields(const CoatedSphere& sphere, double angular_speed,
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
     magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes);
+  const bool across = !std::holds_alternative<CoatedCylinder>(shape);
+  for (const int order : n) {
+    if (!across && order != 0) detail::reject("n", "0 in a cylinder", std::to_string(order));
+  }
+  const auto inside = detail::inside_of(shape, angular_speed, radius, !across, curvature);
+  const detail::HarmonicBody body(inside.body, inside.angular_speed, magnitudes);
   const detail::LayerCuts cuts(body.body(), places);
 
   detail::Watch watch(observer);

@@ -10,6 +10,7 @@
 #include "dense_products.hpp"
 #include "influence/order_bands.hpp"
 #include "interior/depth_transfer.hpp"
+#include "interior/inside.hpp"
 #include "interior/load_spectrum.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/depth_cut.hpp"
@@ -77,13 +78,30 @@ struct Angles {
   }
 };
 
-std::vector<double> from_lowest_point(const char* name, std::span<const double> angles) {
+/// How far from the lowest point fields may be asked for, in one direction.
+struct Extent {
+  double largest;    // [rad]
+  const char* name;  // in messages
+
+  static Extent of(Way way) {
+    using std::numbers::pi;
+    switch (way) {
+      case Way::ring:
+        return {pi, "within half a revolution of pi/2 rad"};
+      case Way::line:  // as far as low orders of a plane are summed rightly
+        return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};
+      default:
+        return {1e-12, "pi/2 rad under a line"};
+    }
+  }
+};
+
+std::vector<double> from_lowest_point(const char* name, std::span<const double> angles, Way way) {
   constexpr double kLowest = 0.5 * std::numbers::pi;
+  const Extent extent = Extent::of(way);
   std::vector<double> offsets;
   for (const double angle : angles) {
-    if (!(std::abs(angle - kLowest) <= std::numbers::pi)) {
-      reject(name, "within half a revolution of pi/2 rad", text(angle) + " rad");
-    }
+    if (!(std::abs(angle - kLowest) <= extent.largest)) reject(name, extent.name, text(angle) + " rad");
     offsets.push_back(angle - kLowest);
   }
   return offsets;
@@ -97,19 +115,20 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
 
 class WindowSum {
  public:
-  WindowSum(const LayeredBody& body, double angular_speed, const Tractions& tractions, std::span<const Place> places,
+  WindowSum(const Inside& inside, const Tractions& tractions, std::span<const Place> places,
             std::span<const double> phi, std::span<const double> theta)
       : places_(places),
-        cuts_(body, places),
-        limit_(body, angular_speed),
-        phi_(from_lowest_point("phi", phi)),
-        theta_(from_lowest_point("theta", theta)),
+        cuts_(inside.body, places),
+        limit_(inside.body, inside.angular_speed),
+        phi_(from_lowest_point("phi", phi, inside.body.metric.along)),
+        theta_(from_lowest_point("theta", theta, inside.body.metric.across)),
         along_(phi_),
         across_(theta_),
-        m_(phi_bands(body, angular_speed, tractions)),
-        n_(theta_bands(tractions)),
-        body_(body, angular_speed, {m_.orders.begin(), m_.orders.end()}, measured_order(tractions.mesh)),
-        loads_(tractions, body.metric, m_.orders, n_.orders) {}
+        m_(phi_bands(inside, tractions)),
+        n_(theta_bands(inside.body.metric, tractions)),
+        body_(inside.body, inside.angular_speed, {m_.orders.begin(), m_.orders.end()},
+              measured_order(tractions.mesh) * inside.body.metric.radius / tractions.radius),
+        loads_(tractions, inside.body.metric, m_.orders, n_.orders) {}
 
   void sum(double* values, int threads, Watch& watch) const {
     const auto columns = static_cast<double>(kFieldComponents * mirrors().size()) *
@@ -130,7 +149,7 @@ class WindowSum {
  private:
   [[nodiscard]] double highest_order() const {
     double highest = 0.0;
-    for (const Place& place : places_) highest = std::max(highest, limit_(place.radius, kEnd));
+    for (const Place& place : places_) highest = std::max(highest, limit_(place.position, kEnd));
     return highest;
   }
 
@@ -143,16 +162,22 @@ class WindowSum {
     return octaves_within(spacing, highest_order(), largest, rough);
   }
 
-  [[nodiscard]] std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed,
-                                                 const Tractions& tractions) const {
-    const double spacing = phi_spacing(tractions.mesh);
-    return bands(spacing, largest_offset(phi_, tractions.phi_nodes, spacing),
-                 material_rough_orders(body, angular_speed, tractions.mesh), tractions.mesh);
+  [[nodiscard]] std::vector<OrderBand> phi_bands(const Inside& inside, const Tractions& tractions) const {
+    const double spacing = grid_of(tractions, inside.body.metric.radius).phi_spacing;
+    const double largest = largest_offset(phi_, tractions.phi_nodes, spacing);
+    if (!inside.body.metric.is_curved()) {
+      return unbounded_octaves_within(spacing, highest_order(), largest, refinement_of(inside.body.layers));
+    }
+    return bands(spacing, largest, material_rough_orders(inside.body, inside.angular_speed, tractions.mesh),
+                 tractions.mesh);
   }
 
-  [[nodiscard]] std::vector<OrderBand> theta_bands(const Tractions& tractions) const {
-    const double spacing = theta_spacing(tractions.mesh);
-    return bands(spacing, largest_offset(theta_, tractions.theta_nodes, spacing), 0.0, tractions.mesh);
+  [[nodiscard]] std::vector<OrderBand> theta_bands(const Metric& metric, const Tractions& tractions) const {
+    const double spacing = grid_of(tractions, metric.radius).theta_spacing;
+    if (metric.across == Way::nothing) return whole_orders(0, 1);
+    const double largest = largest_offset(theta_, tractions.theta_nodes, spacing);
+    if (metric.across == Way::line) return unbounded_octaves_within(spacing, highest_order(), largest);
+    return bands(spacing, largest, 0.0, tractions.mesh);
   }
 
   [[nodiscard]] std::vector<Mirror> mirrors() const {
@@ -170,7 +195,7 @@ class WindowSum {
     std::vector<RowMajor> sums(last - first);
     double highest = 0.0;
     for (std::size_t place = first; place < last; ++place) {
-      const double limit = limit_(places_[place].radius, kDeepest);
+      const double limit = limit_(places_[place].position, kDeepest);
       highest = std::max(highest, limit);
       sums[place - first].setZero(2 * m_.count_up_to(limit),
                                   static_cast<Index>(mirrors().size()) * kComponents * across_.magnitudes.size());
@@ -210,12 +235,12 @@ class WindowSum {
       const LoadRows loads = loads_.loads(kinds[k], i);
       for (std::size_t p = 0; p < sums.size(); ++p) {
         const Place& place = places_[first + p];
-        const double limit = limit_(place.radius, kDeepest);
+        const double limit = limit_(place.position, kDeepest);
         if (m > limit) continue;
         const Index count = reach(limit);
         transfer.state(p, count, loads, state);
         field_basis(layers.metric, m, n.head(count), state, basis);
-        components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.radius),
+        components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position),
                       sum_over_n(basis, kinds[k], waves), fields);
         const auto width = across_.magnitudes.size();
         for (Index c = 0; c < kComponents; ++c) {
@@ -331,12 +356,10 @@ class WindowSum {
 }  // namespace
 }  // namespace detail
 
-InteriorFields interior_fields(const CoatedSphere& sphere, double angular_speed, const Tractions& tractions,
+InteriorFields interior_fields(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                std::span<const Place> places, std::span<const double> phi,
                                std::span<const double> theta, int threads, const Observer& observer) {
-  const detail::LayeredBody body = detail::layered_body(sphere, tractions.curvature);
-  detail::require_positive("angular_speed", angular_speed, "rad/s");
-  detail::validate(tractions);
+  const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
   detail::require_thread_count(threads);
   InteriorFields fields{.places = {places.begin(), places.end()},
                         .phi = {phi.begin(), phi.end()},
@@ -344,7 +367,7 @@ InteriorFields interior_fields(const CoatedSphere& sphere, double angular_speed,
                         .values = std::vector<double>(places.size() * kFieldComponents * phi.size() * theta.size())};
   if (fields.values.empty()) return fields;
   detail::Watch watch(observer);
-  detail::WindowSum(body, angular_speed, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
+  detail::WindowSum(inside, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
   return fields;
 }
 

@@ -8,15 +8,14 @@ import numpy as np
 
 from .._support.cautions import kept_in_results
 from .._support.pictures import Picture, drawn
-from ..solution.interior_fields import coated_ball
-from ..solution.solution import node_angles
+from ..solution.inside import Inside, Of, boundaries_of, inside_of
+from ..solution.loss import contact_size
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..bodies import CoatedSphere
     from ..rolling import Result
     from .temperature import Temperature
 
@@ -27,45 +26,48 @@ _MPA = 1e-6
 _DEPTHS = 41
 
 
-def plot_section(result: Result) -> Picture:
+def plot_section(result: Result, *, of: Of | None = None) -> Picture:
     """Draw the section θ = π/2 through the contact: von Mises stress, and the pressure above it.
 
-    The coating is unrolled, forward to the right, and stretched in depth to be seen.
+    Layers are unrolled, forward to the right, and stretched in depth to be seen; those of the counterpart, too, lie
+    below their surface.
 
     Parameters
     ----------
     result : Result
         A solution, not with curvature EXACT.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
 
     Returns
     -------
     matplotlib.figure.Figure
         Of no window.
     """
-    ball = coated_ball(result)
-    spacing = ball.outer_radius * result.mesh.spacing
+    body = inside_of(result, of)
+    spacing = result.ball.outer_radius * result.mesh.spacing
     # The surface itself is left to the pressure above: there the patches show.
-    shallowest = min(0.25 * spacing, 0.1 * ball.thickness)
-    deepest = min(ball.thickness, 4.0 * max(result.semi_axis_x, spacing))
+    shallowest = min(0.25 * spacing, 0.1 * body.thickness)
+    deepest = min(body.thickness, 4.0 * max(result.semi_axis_x, spacing))
     depths = np.linspace(shallowest, deepest, _DEPTHS)
-    phi = node_angles(result)[0]
+    phi = body.node_angles()[0]
     with kept_in_results():
-        inside = result.interior(depth=depths, phi=phi, theta=[0.5 * np.pi])
+        inside = result.interior(depth=depths, phi=phi, theta=[0.5 * np.pi], of=body.of)
     inside = inside.isel(theta=0).drop_duplicates("depth")
 
     figure = Picture(figsize=(10.0, 6.0), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[1.0, 2.0])
-    along = ball.outer_radius * (0.5 * np.pi - phi) * _MM
+    along = inside.x * _MM
     middle = result.pressure.shape[1] // 2
     above.fill_between(along, result.pressure[:, middle] * _MPA, color="tab:red", alpha=0.3)
     above.plot(along, result.pressure[:, middle] * _MPA, color="tab:red")
     above.set(ylabel="pressure [MPa]")
     above.set_title(
-        f"$P$ = {result.load:g} N,  $Ω$ = {result.angular_speed:g} rad/s,  {result.compliance.name} compliance",
+        f"$P$ = {result.load:g} {result.unit('load')},  $Ω$ = {result.angular_speed:g} rad/s,  {result.compliance.name} compliance",
         fontsize="medium",
     )
     image = below.contourf(along, inside.depth * _MM, inside.von_mises * _MPA, levels=24, cmap="viridis")
-    _draw_layers(below, ball)
+    _draw_layers(below, body)
     below.set(xlabel="along the surface, rolling to the right [mm]", ylabel="depth [mm]")
     below.set_ylim(deepest * _MM, 0.0)
     figure.colorbar(image, ax=below, label="von Mises stress [MPa]")
@@ -73,20 +75,22 @@ def plot_section(result: Result) -> Picture:
 
 
 @overload
-def plot_loss(result: Result) -> Figure: ...
+def plot_loss(result: Result, *, of: Of | None = None) -> Figure: ...
 
 
 @overload
-def plot_loss(result: Result, *, ax: Axes) -> Axes: ...
+def plot_loss(result: Result, *, ax: Axes, of: Of | None = None) -> Axes: ...
 
 
-def plot_loss(result: Result, *, ax: Axes | None = None) -> Figure | Axes:
-    """Draw the mean power density over the cross-section of the track.
+def plot_loss(result: Result, *, ax: Axes | None = None, of: Of | None = None) -> Figure | Axes:
+    """Draw the energy lost per volume and passage over the cross-section of the track, under a line over the depth.
 
     Parameters
     ----------
     result : Result
         A solution, not with curvature EXACT.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
     ax : matplotlib.axes.Axes, optional
         Where to draw; in a figure of its own without.
 
@@ -95,20 +99,28 @@ def plot_loss(result: Result, *, ax: Axes | None = None) -> Figure | Axes:
     matplotlib.figure.Figure or matplotlib.axes.Axes
         A new figure, or `ax`.
     """
-    ball = coated_ball(result)
-    loss = result.loss(depth=np.linspace(0.0, ball.thickness, _DEPTHS)).drop_duplicates("radius")
-    return drawn(lambda axes: _draw_loss(axes, result, ball, loss), ax, figsize=(10.0, 4.0))
+    inside = inside_of(result, of)
+    reach = min(inside.thickness, 6.0 * contact_size(result))
+    loss = result.loss(depth=np.linspace(0.0, reach, _DEPTHS), of=inside.of).drop_duplicates("depth")
+    return drawn(lambda axes: _draw_loss(axes, inside, loss), ax, figsize=(10.0, 4.0))
 
 
-def _draw_loss(axes: Axes, result: Result, ball: CoatedSphere, loss: xarray.Dataset) -> None:
-    across = ball.outer_radius * (loss.theta - 0.5 * np.pi) * _MM
-    image = axes.contourf(across, loss.depth * _MM, loss.power_density * 1e-3, levels=24, cmap="inferno")
-    _draw_layers(axes, ball)
-    reach = (2.0 * (result.semi_axis_z or 0.0) + 2.0 * ball.thickness) * _MM
-    axes.set(xlim=(-reach, reach), xlabel="across the track [mm]", ylabel="depth [mm]")
-    axes.set_ylim(ball.thickness * _MM, 0.0)
-    axes.set_title(f"{result.rolling_bulk_power:.3g} W are lost in the coating", fontsize="medium")
-    axes.figure.colorbar(image, ax=axes, label="mean power density [kW/m³]")
+def _draw_loss(axes: Axes, inside: Inside, loss: xarray.Dataset) -> None:
+    result = inside.result
+    deepest = float(loss.depth.max())
+    label = "energy lost per passage [kJ/m³]"
+    if inside.line_contact:
+        axes.plot(loss.loss_density.isel(theta=0) * 1e-3, loss.depth * _MM, color="tab:red")
+        axes.set(xlabel=label)
+    else:
+        image = axes.contourf(loss.z * _MM, loss.depth * _MM, loss.loss_density * 1e-3, levels=24, cmap="inferno")
+        reach = (2.0 * (result.semi_axis_z or 0.0) + 2.0 * deepest) * _MM
+        axes.set(xlim=(-reach, reach), xlabel="across the track [mm]")
+        axes.figure.colorbar(image, ax=axes, label=label)
+    _draw_layers(axes, inside)
+    axes.set(ylabel="depth [mm]")
+    axes.set_ylim(deepest * _MM, 0.0)
+    axes.set_title(f"{inside.bulk_power:.3g} {result.unit('bulk_power')} are lost in the layers", fontsize="medium")
 
 
 @overload
@@ -148,10 +160,8 @@ def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")
 
 
-def _draw_layers(axes: Axes, ball: CoatedSphere) -> None:
+def _draw_layers(axes: Axes, inside: Inside) -> None:
     """Outline of the layers."""
-    depth = 0.0
-    for layer in reversed(ball.layers):
-        axes.axhline(depth * _MM, color="k", linewidth=1.0)
-        depth += layer.thickness
-    axes.axhline(depth * _MM, color="k", linewidth=2.0)
+    depths = inside.depth(boundaries_of(inside.body))
+    for depth in depths[np.isfinite(depths)]:
+        axes.axhline(depth * _MM, color="k", linewidth=2.0 if depth == depths[0] else 1.0)

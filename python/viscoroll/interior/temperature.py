@@ -17,7 +17,8 @@ from .._support.progress import ProgressLike
 from .._support.tables import html_table, number_text
 from .._support.text import shown
 from ..rolling import Result
-from ..solution.interior_fields import coated_ball
+from ..bodies import CoatedSphere
+from ..solution.inside import inside_of
 from ..solution.loss import contact_size
 from ..solution.solution import node_angles
 from .conduction import Conduction, legendre_values
@@ -25,8 +26,6 @@ from .conduction import Conduction, legendre_values
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
-
-    from ..bodies import CoatedSphere
 
 __all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
 
@@ -175,7 +174,7 @@ def temperature(
         import xarray
 
     require_type("result", result, Result)
-    ball = coated_ball(result)
+    ball = _coated_ball(result)
     conductivities = _conductivities(ball, conductivity)
     surroundings = as_kelvin("ambient", ambient)
     capacity = _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
@@ -184,7 +183,7 @@ def temperature(
     if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
-    loss = result.loss(max_order=max_order, progress=progress)
+    loss = result.loss(of="ball", max_order=max_order, progress=progress)
     degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
     layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
     source = _source(ball, loss, layers, degrees)
@@ -261,7 +260,7 @@ def plane_cooling(
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
     require_type("result", result, Result)
-    coated_ball(result)
+    _coated_ball(result)
     base = _not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(
         _positive("conductivity", conductivity, "W/(m K)") * _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
@@ -279,6 +278,13 @@ def plane_cooling(
         return values
 
     return coefficient
+
+
+def _coated_ball(result: Result) -> CoatedSphere:
+    body = inside_of(result, "ball").body
+    require_type("result.ball", body, CoatedSphere)
+    assert isinstance(body, CoatedSphere)
+    return body
 
 
 def _boundaries(ball: CoatedSphere) -> list[float]:

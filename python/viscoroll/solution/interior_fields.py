@@ -1,4 +1,4 @@
-"""Displacement, strain and stress inside the coating, from the tractions of a solved contact."""
+"""Displacement, strain and stress inside layers, from the tractions of a solved contact."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ import numpy as np
 
 from .. import _core
 from .._core import Curvature
-from .._support.arguments import as_float, as_float_array, as_int, as_orders, require_type
+from .._support.arguments import as_float, as_int, as_orders, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from .._support.text import shown
-from ..bodies import CoatedSphere
-from .solution import Solution, node_angles
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere
+from .inside import Inside, LayeredBody, Of, finite_line, inside_of, places_of
+from .solution import Solution
 
 if TYPE_CHECKING:
     import xarray
@@ -24,11 +24,8 @@ __all__ = [
     "COMPONENTS",
     "DIRECTIONS",
     "bonds",
-    "coated_ball",
     "interior",
     "order_fields",
-    "places_of",
-    "tractions_of",
 ]
 
 #: Components of vectors and of symmetric tensors, in the order of the arrays.
@@ -47,83 +44,33 @@ _TEXT = {
 }
 
 
-def coated_ball(result: Solution) -> CoatedSphere:
-    """Return the ball of a result, whose coating there is to look into.
-
-    Raises
-    ------
-    TypeError
-        For a roller.
-    ValueError
-        For a rigid ball.
-    """
-    ball = result.ball
-    require_type("result.ball", ball, CoatedSphere)
-    assert isinstance(ball, CoatedSphere)
-    if not ball.layers:
-        raise ValueError("result.ball must have a layer, for there to be an inside, got none")
-    return ball
-
-
-def tractions_of(result: Solution) -> _core.Tractions:
-    """Return the tractions of a result, as the core knows them."""
-    return _core.Tractions(
-        mesh=result.mesh._to_core(),
-        pressure=np.ascontiguousarray(result.pressure),
-        shear_traction=np.ascontiguousarray(result.shear_traction),
-        friction=result.friction > 0.0,
-        compliance=result.compliance,
-        curvature=result.curvature,
-        patch_load=result.patch_load,
-    )
-
-
-def places_of(
-    ball: CoatedSphere, depth: ArrayLike | None, radius: ArrayLike | None
-) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    """Return radii and layers of places given by depth or radius: two where layers meet.
-
-    Raises
-    ------
-    TypeError, ValueError
-        Unless exactly one of the two is given, as real numbers within the layers.
-    """
-    if (depth is None) == (radius is None):
-        raise ValueError("exactly one of depth and radius must be given")
-    if depth is None:
-        assert radius is not None
-        return _core.places_at(ball._to_core(), _line("radius", radius))
-    below = _line("depth", depth)
-    if below.size and not (below.min() >= 0.0 and below.max() <= ball.thickness * (1.0 + 1e-12)):
-        raise ValueError(f"depth must be in [0, {ball.thickness:g}] m, got {below.min():g} to {below.max():g}")
-    # The innermost radius is the core's to the last bit.
-    radii = np.where(below >= ball.thickness * (1.0 - 1e-12), ball.core_radius, ball.outer_radius - below)
-    return _core.places_at(ball._to_core(), np.clip(radii, ball.core_radius, None))
-
-
 def order_fields(
-    ball: CoatedSphere,
+    body: LayeredBody,
     angular_speed: float,
     m: ArrayLike,
     n: ArrayLike,
     *,
-    radius: ArrayLike,
+    depth: ArrayLike | None = None,
+    radius: ArrayLike | None = None,
+    rolling_radius: float | None = None,
     curvature: Curvature = Curvature.SPHERE,
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]]:
     """Fields of single orders (m, n) inside the layers, per unit surface stress.
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Core and layers.
+    body : CoatedSphere or CoatedCylinder or CoatedPlane
+        Layers.
     angular_speed : float
-        Ω [rad/s], > 0.
+        Ω of what rolls [rad/s], > 0.
     m, n : array_like of int
-        Orders of any sign, of one length.
-    radius : array_like
-        r [m]; a radius where layers meet comes twice, the outer layer first.
+        Orders of any sign, of one length; n is 0 in a cylinder.
+    depth, radius : array_like
+        Depth below the surface or, but in a plane, r [m]; where layers meet it comes twice, the outer layer first.
+    rolling_radius : float, optional
+        Of what rolls [m], > 0: in a plane the order m is a wave number m/rolling_radius.
     curvature : Curvature, default Curvature.SPHERE
-        SPHERE or PAPER.
+        SPHERE or PAPER, of a sphere.
 
     Returns
     -------
@@ -145,16 +92,19 @@ def order_fields(
     >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # of the radial stress, what reaches the core
     0.75
     """
-    require_type("ball", ball, CoatedSphere)
+    require_type("body", body, CoatedSphere, CoatedCylinder, CoatedPlane)
     require_type("curvature", curvature, Curvature)
-    places = places_of(ball, None, radius)
+    if isinstance(body, CoatedPlane) == (rolling_radius is None):
+        raise ValueError("rolling_radius must be given with a plane, and with a plane alone")
+    places = places_of(body, depth, radius)
     orders = [np.atleast_1d(as_orders(name, values)).ravel() for name, values in (("m", m), ("n", n))]
     values = _core.order_fields(
-        ball._to_core(),
+        body._to_core(),
         *orders,
-        radius=places[0],
+        position=places[0],
         layer=places[1],
         angular_speed=as_float("angular_speed", angular_speed),
+        radius=as_float("rolling_radius", rolling_radius) if isinstance(body, CoatedPlane) else body.outer_radius,
         curvature=curvature,
     )
     return values[:, :, :3], values[:, :, 3:9], values[:, :, 9:]
@@ -167,21 +117,24 @@ def interior(
     radius: ArrayLike | None = None,
     phi: ArrayLike | None = None,
     theta: ArrayLike | None = None,
+    of: Of | None = None,
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Displacement, strain and stress inside the coating.
+    """Displacement, strain and stress inside the layers of what rolls, or of what it rolls on.
 
     Parameters
     ----------
     depth : array_like
-        Below the surface [m], within the coating; or `radius`. Where layers meet, strains and stresses along the
+        Below the surface [m], within the layers; or `radius`. Where layers meet, strains and stresses along the
         surface jump: such a depth comes twice, the outer layer first, see the coordinate `layer`.
     radius : array_like
-        r [m], in place of `depth`.
+        r [m], in place of `depth`; not in a plane.
     phi, theta : array_like, optional
-        Angles [rad] within half a revolution of the lowest point, π/2; by default those of the nodes.
-        ``theta=[π/2]`` with many depths is the section through the contact.
+        Angles [rad] within half a revolution of the lowest point, π/2, in a plane a third of one; by default those of
+        the nodes. ``theta=[π/2]`` with many depths is the section through the contact; under a line there is no other.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
@@ -193,7 +146,9 @@ def interior(
         Over (depth, phi, theta): `displacement` [m] by `direction`, `stress` [Pa] (tension positive) and `strain`
         [-] by `component`, and of them `von_mises`, `principal_stress` (largest first), `hydrostatic_pressure`,
         and the traction on the surface r = const: `opening_traction`, its tension where there is any, and
-        `shear_traction` [Pa].
+        `shear_traction` [Pa]. Coordinates `x` and `z` are arcs forward and sideways from the middle of the contact [m].
+        In either body r points out of it, φ is the way of its material, backward, and θ points to -z; in a plane φ and
+        θ are arcs per radius of what rolls.
 
     Raises
     ------
@@ -211,6 +166,7 @@ def interior(
     -----
     Stresses are those of the compliance of the solve. With VERTICAL pressure acts along the plane's normal and so
     has a share along the coating, up to p x/r_o, which raises the largest von Mises stress near the surface.
+    Under a line the displacement of a half-plane is not there (NaN): it is infinite.
 
     Examples
     --------
@@ -223,26 +179,28 @@ def interior(
     with extra("files"):
         import xarray
 
-    ball = coated_ball(result)
-    radii, layers = places_of(ball, depth, radius)
+    inside = inside_of(result, of)
+    positions, layers = inside.places(depth, radius)
     on_nodes = phi is None and theta is None
-    angles = [
-        node_angles(result)[axis] if given is None else _line(name, given)
+    phi, theta = (
+        inside.node_angles()[axis] if given is None else finite_line(name, given)
         for axis, (name, given) in enumerate((("phi", phi), ("theta", theta)))
-    ]
+    )
     with reporting(progress) as report:
         values = _core.interior_fields(
-            ball._to_core(),
-            tractions_of(result),
-            radius=radii,
+            inside.body._to_core(),
+            inside.tractions(),
+            position=positions,
             layer=layers,
-            phi=angles[0],
-            theta=angles[1],
+            phi=phi,
+            theta=theta,
             angular_speed=result.angular_speed,
             threads=as_int("threads", threads),
             progress=report,
         )
-    _warn_of_shallow_places(result, radii, on_nodes)
+    _warn_of_shallow_places(inside, inside.depth(positions), on_nodes)
+    if inside.line_contact and not np.isfinite(inside.thickness):
+        values[:, :3] = np.nan
     fields = np.moveaxis(values, 1, 0)
     displacement, stress, strain = fields[:3], fields[3:9], fields[9:]
     where = ("depth", "phi", "theta")
@@ -262,11 +220,12 @@ def interior(
             for name, (dimensions, array) in variables.items()
         },
         {
-            "depth": ("depth", ball.outer_radius - radii, {"units": "m"}),
-            "radius": ("depth", radii, {"units": "m"}),
-            "layer": ("depth", layers, {"long_name": "number of the layer, from the center outwards"}),
-            "phi": ("phi", angles[0], {"units": "rad"}),
-            "theta": ("theta", angles[1], {"units": "rad"}),
+            **place_coordinates(inside, positions),
+            "layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
+            "phi": ("phi", phi, {"units": "rad"}),
+            "theta": ("theta", theta, {"units": "rad"}),
+            "x": ("phi", inside.radius * (0.5 * np.pi - phi), {"units": "m", "long_name": "arc forward"}),
+            "z": ("theta", inside.radius * (0.5 * np.pi - theta), {"units": "m", "long_name": "arc sideways"}),
             "direction": list(DIRECTIONS),
             "component": list(COMPONENTS),
             "principal": [1, 2, 3],
@@ -274,25 +233,36 @@ def interior(
         attrs={
             "load": result.load,
             "angular_speed": result.angular_speed,
-            "outer_radius": ball.outer_radius,
+            "of": inside.of,
+            **({"outer_radius": inside.radius} if inside.turns else {}),
             "compliance": result.compliance.name,
             "curvature": result.curvature.name,
         },
     )
 
 
-def bonds(result: Solution, *, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
-    """Fields where layers are bonded, to the core and to one another: what debonds.
+def place_coordinates(
+    inside: Inside, positions: NDArray[np.float64]
+) -> dict[str, tuple[str, NDArray[np.float64], dict[str, str]]]:
+    """Return coordinates of places along the normal: depth, and but in a plane r."""
+    coordinates = {"depth": ("depth", inside.depth(positions), {"units": "m"})}
+    return coordinates | ({"radius": ("depth", positions, {"units": "m"})} if inside.turns else {})
+
+
+def bonds(
+    result: Solution, *, of: Of | None = None, threads: int = 0, progress: ProgressLike = None
+) -> xarray.Dataset:
+    """Fields where layers are bonded, to a core or a base and to one another: what debonds.
 
     Parameters
     ----------
-    threads, progress
+    of, threads, progress
         As of `interior`.
 
     Returns
     -------
     xarray.Dataset
-        As of `interior`, at the core of a ball with a rigid one, and on both sides of every boundary between
+        As of `interior`, at the rigid core or base where there is one, and on both sides of every boundary between
         layers.
 
     Raises
@@ -300,21 +270,11 @@ def bonds(result: Solution, *, threads: int = 0, progress: ProgressLike = None) 
     ValueError
         Where nothing is bonded to anything.
     """
-    ball = coated_ball(result)
-    radii = ball.core_radius + np.concatenate([[0.0], np.cumsum([layer.thickness for layer in ball.layers])])
-    bonded = radii[:-1] if ball.inner_boundary is _core.InnerBoundary.RIGID else radii[1:-1]
-    if not bonded.size:
+    inside = inside_of(result, of)
+    depths = inside.depth(inside.bonded())
+    if not depths.size:
         raise ValueError("ball must have a rigid core or several layers, for anything to be bonded")
-    return interior(result, radius=bonded, threads=threads, progress=progress)
-
-
-def _line(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    array = np.atleast_1d(as_float_array(name, values))
-    if array.ndim != 1:
-        raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got {shown(array[~np.isfinite(array)][0])}")
-    return np.ascontiguousarray(array)
+    return interior(result, depth=depths, of=inside.of, threads=threads, progress=progress)
 
 
 def _von_mises(stress: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -331,11 +291,12 @@ def _principal(stress: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.moveaxis(np.linalg.eigvalsh(matrices)[..., ::-1], -1, 0)
 
 
-def _warn_of_shallow_places(result: Solution, radii: NDArray[np.float64], on_nodes: bool) -> None:
+def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_nodes: bool) -> None:
     """Near the surface the pressure's steps from patch to patch show, at nodes less than between them."""
-    spacing = result.ball.outer_radius * max(result.mesh.spacing, result.mesh.theta_spacing)
+    result = inside.result
+    sideways = 0.0 if inside.line_contact else result.mesh.theta_spacing
+    spacing = result.ball.outer_radius * max(result.mesh.spacing, sideways)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
-    depths = result.ball.outer_radius - radii
     if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
         warn(
             [

@@ -1,4 +1,4 @@
-"""Energy lost inside the coating, where and in which of the material's mechanisms."""
+"""Energy lost inside layers, where and in which of the material's mechanisms."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from .._support.arguments import as_int
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..materials import Prony, StandardLinearSolid
-from .interior_fields import coated_ball, places_of, tractions_of
+from .inside import Of, inside_of
+from .interior_fields import place_coordinates
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -30,8 +31,10 @@ _BALANCE = 1e-7
 
 
 def contact_size(result: Solution) -> float:
-    """Return the smaller semi-axis of the contact of a ball, or a spacing of the mesh where it has none [m]."""
-    return min(result.semi_axis_x or 0.0, result.semi_axis_z or 0.0) or result.ball.outer_radius * result.mesh.spacing
+    """Return the smaller semi-axis of the contact, or a spacing of the mesh where it has none [m]."""
+    along = result.semi_axis_x or 0.0
+    across = along if result.ball.line_contact else result.semi_axis_z or 0.0
+    return min(along, across) or result.ball.outer_radius * result.mesh.spacing
 
 
 def default_max_order(result: Solution, orders_per_contact: float = _ORDERS_PER_CONTACT) -> int:
@@ -45,16 +48,19 @@ def loss(
     result: Solution,
     *,
     depth: ArrayLike | None = None,
+    of: Of | None = None,
     max_order: int | None = None,
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
-    """Energy lost inside the coating, per volume and revolution.
+    """Energy lost inside the layers of what rolls, or of what it rolls on, per volume and passage of the contact.
 
     Parameters
     ----------
     depth : array_like, optional
         Where the densities are wanted [m]; by default at the nodes of the volume integral.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
     max_order : int, optional
         Orders |m|, |n| up to this one are summed; by default those of the mesh or 40 r_o/a, whichever are fewer, a
         the contact's semi-axis: 0.9999 of the loss, on coarse meshes 0.998.
@@ -66,10 +72,11 @@ def loss(
     Returns
     -------
     xarray.Dataset
-        `loss_density` w [J/m³ per revolution] and `power_density` Ωw/2π [W/m³], its mean over a revolution, over
-        (radius, theta); `layer_power` [W] by `layer`, and `relaxation_power` [W] by `layer` and `term` for layers
-        that are Prony series. Attributes: `power`, the volume integral [W], `surface_power`, what the tractions put
-        into the same orders, and `bulk_power`, that of all orders; each of what rolls alone.
+        `loss_density` w [J/m³ per revolution, of a plane per pass] over (depth, theta), and but of a plane
+        `power_density` Ωw/2π [W/m³], its mean over a revolution; `layer_power` [W] by `layer`, and `relaxation_power`
+        [W] by `layer` and `term` for layers that are Prony series. Attributes: `power`, the volume integral [W],
+        `surface_power`, what the tractions put into the same orders, and `bulk_power`, that of all orders, each of
+        this body alone. Under a line powers are per length [W/m].
 
     Raises
     ------
@@ -80,7 +87,8 @@ def loss(
 
     Notes
     -----
-    The model's volume is r² dr dθ dφ, without sin θ.
+    The model's volume is r² dr dθ dφ, without sin θ. Across its path a plane is taken to bear tracks side by side, a
+    circumference of what rolls apart.
 
     Examples
     --------
@@ -93,14 +101,14 @@ def loss(
     with extra("files"):
         import xarray
 
-    ball = coated_ball(result)
-    radii, layers = (np.empty(0), np.empty(0, np.int32)) if depth is None else places_of(ball, depth, None)
+    inside = inside_of(result, of)
+    positions, layers = (np.empty(0), np.empty(0, np.int32)) if depth is None else inside.places(depth)
     order = default_max_order(result) if max_order is None else as_int("max_order", max_order)
     with reporting(progress) as report:
         lost = _core.loss_density(
-            ball._to_core(),
-            tractions_of(result),
-            radius=radii,
+            inside.body._to_core(),
+            inside.tractions(),
+            position=positions,
             layer=layers,
             angular_speed=result.angular_speed,
             max_order=order,
@@ -108,50 +116,50 @@ def loss(
             progress=report,
         )
     balance = abs(lost.volume_power - lost.surface_power)
-    if balance > _BALANCE * max(lost.surface_power, 1e-6 * abs(result.rolling_bulk_power)):
+    if balance > _BALANCE * max(lost.surface_power, 1e-6 * abs(inside.bulk_power)):
         raise _core.ConvergenceError(
             f"the loss in the volume, {lost.volume_power:.12g} W, is not the power of the tractions, "
             f"{lost.surface_power:.12g} W"
         )
-    radii, layers = lost.places
+    positions, layers = lost.places
     # The half of the torus that the sphere has; order (0, 0) to the last go once around.
     shown = slice(len(lost.theta) // 4, 3 * len(lost.theta) // 4 + 1)
     density = np.maximum(lost.density[:, shown], 0.0)
-    order_power = lost.order_power.reshape(len(ball.layers), order + 1)
-    shares = [_term_shares(layer.shear_modulus, result.angular_speed, order) for layer in ball.layers]
+    # A counterpart's material passes at the speed of the center, which creepage makes another one than it is solved at.
+    as_solved = result.angular_speed * result.ball.outer_radius / inside.radius
+    order_power = lost.order_power.reshape(len(inside.layers), -1) * (inside.passes / as_solved)
+    shares = [_term_shares(layer.shear_modulus, as_solved * lost.orders) for layer in inside.layers]
     terms = max(len(share) for share in shares)
-    relaxation_power = np.full((len(ball.layers), terms), np.nan)
+    relaxation_power = np.full((len(shares), terms), np.nan)
     for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
         row[: len(share)] = share @ power
+    where = ("depth", "theta")
+    densities = {"loss_density": (where, density, {"units": "J m-3", "long_name": "energy lost per volume and passage"})}
+    if inside.turns:
+        mean = {"units": "W m-3", "long_name": "power lost per volume, mean over a revolution"}
+        densities["power_density"] = (where, density * inside.passes / (2.0 * np.pi), mean)
+    watt = "W m-1" if inside.line_contact else "W"
     return xarray.Dataset(
         {
-            "loss_density": (
-                ("radius", "theta"),
-                density,
-                {"units": "J m-3", "long_name": "energy lost per volume and revolution"},
-            ),
-            "power_density": (
-                ("radius", "theta"),
-                density * result.angular_speed / (2.0 * np.pi),
-                {"units": "W m-3", "long_name": "power lost per volume, mean over a revolution"},
-            ),
-            "layer_power": ("layer", order_power.sum(axis=1), {"units": "W", "long_name": "power lost in each layer"}),
+            **densities,
+            "layer_power": ("layer", order_power.sum(axis=1), {"units": watt, "long_name": "power lost in each layer"}),
             "relaxation_power": (
                 ("layer", "term"),
                 relaxation_power,
-                {"units": "W", "long_name": "power lost in each relaxation time of a Prony series"},
+                {"units": watt, "long_name": "power lost in each relaxation time of a Prony series"},
             ),
         },
         {
-            "radius": ("radius", radii, {"units": "m"}),
-            "depth": ("radius", ball.outer_radius - radii, {"units": "m"}),
-            "place_layer": ("radius", layers, {"long_name": "number of the layer, from the center outwards"}),
+            **place_coordinates(inside, positions),
+            "place_layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
             "theta": ("theta", lost.theta[shown], {"units": "rad"}),
+            "z": ("theta", inside.radius * (0.5 * np.pi - lost.theta[shown]), {"units": "m"}),
         },
         attrs={
-            "power": lost.volume_power,
-            "surface_power": lost.surface_power,
-            "bulk_power": result.rolling_bulk_power,
+            "of": inside.of,
+            "power": float(order_power.sum()),
+            "surface_power": lost.surface_power * inside.passes / as_solved,
+            "bulk_power": inside.bulk_power,
             "max_order": order,
             "angular_speed": result.angular_speed,
             "load": result.load,
@@ -161,16 +169,16 @@ def loss(
     )
 
 
-def _term_shares(modulus: ShearModulusLike, angular_speed: float, max_order: int) -> NDArray[np.float64]:
-    """Share of each relaxation time in the loss modulus at every order, a row for each; none without a series."""
+def _term_shares(modulus: ShearModulusLike, frequency: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Share of each relaxation time in the loss modulus at every frequency, a row for each; none without a series."""
     match modulus:
         case StandardLinearSolid():
             times, weights = np.array([modulus.relaxation_time]), np.ones(1)
         case Prony():
             times, weights = np.asarray(modulus.relaxation_times), np.asarray(modulus.weights)
         case _:
-            return np.empty((0, max_order + 1))
-    products = angular_speed * np.arange(max_order + 1) * times[:, None]
+            return np.empty((0, frequency.size))
+    products = frequency * times[:, None]
     loss = weights[:, None] * products / (1.0 + products**2)
     total = loss.sum(axis=0)
     shares: NDArray[np.float64] = np.divide(loss, total, out=np.zeros_like(loss), where=total > 0.0)

@@ -1,4 +1,4 @@
-"""Which harmonics lose the power of a result, and which of them a measured table does not hold."""
+"""Which harmonics lose the power of a body, and which of them a measured table does not hold."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import Curvature, Extrapolation
-from .._support.arguments import Floats, require_type
-from ..bodies import CoatedSphere
-from ..bodies.orders import surface_compliance
+from .._support.arguments import Floats
+from ..bodies import CoatedPlane
 from ..materials import MasterCurve
+from .inside import Inside, Of, inside_of
+from .interior_fields import order_fields
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -26,16 +27,17 @@ _RATIO = 1.05
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class LossSpectrum:
-    """Power lost in the coating, by the harmonics of the rolling speed.
+    """Power lost in one body, by the harmonics of the rolling speed.
 
     Attributes
     ----------
     order : ndarray
         m [-], all up to 32 and some of the rest, each for those around it.
     frequency : ndarray
-        mΩ [rad/s].
+        mΩ [rad/s], Ω of a counterpart its own; of a plane, where m is a wave number per radius of what rolls, of that.
     power : ndarray
-        Lost by the orders around each [W]; their sum is the power lost in the coating, but for the sampling.
+        Lost by the orders around each [W], under a line [W/m]; their sum is the power lost in the body, but for the
+        sampling.
     """
 
     order: Floats
@@ -48,16 +50,19 @@ class LossSpectrum:
         return float(self.power[outside].sum() / self.power.sum())
 
 
-def loss_spectrum(result: Solution) -> LossSpectrum:
-    """Split the power lost in a coating by harmonics.
+def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
+    """Split the power lost in a body by harmonics.
 
-    P_bulk = -Ω (2π r_o)² Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions and the compliance C of a torus
-    (`docs/theory.md`, section 5); on the exact sphere, too.
+    P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface and its area
+    of waves A: (2π r_o)² of a torus, 2π r_o of a roller, per length (`docs/theory.md`, sections 5 and 14); on the exact
+    sphere, too.
 
     Parameters
     ----------
     result : Result
-        Of a coated sphere.
+        A solution.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
 
     Returns
     -------
@@ -66,27 +71,26 @@ def loss_spectrum(result: Solution) -> LossSpectrum:
 
     Raises
     ------
-    TypeError
-        For a result of another body.
+    ValueError
+        For a body that is rigid.
     """
-    require_type("result.ball", result.ball, CoatedSphere)
-    if result.on is not None:
-        raise ValueError(
-            f"result.on must be None, a rigid plane, for a spectrum of the coating's loss, got {result.on!r}"
-        )
-    assert isinstance(result.ball, CoatedSphere)
-    m, m_width = _sampled(result.mesh.nodes_per_revolution)
-    n, n_width = _sampled(result.mesh.theta_nodes_per_revolution or result.mesh.nodes_per_revolution)
-    n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # -n does as n
-    curvature = Curvature.PAPER if result.curvature is Curvature.PAPER else Curvature.SPHERE
-    compliance = surface_compliance(result.ball, result.angular_speed, m[:, None], n[None, :], curvature=curvature)
-    traction = _orders(result, m, n)
+    inside = inside_of(result, of)
+    turns = result.ball.outer_radius / inside.radius
+    m, m_width = _sampled(round(result.mesh.nodes_per_revolution / turns))
+    n, n_width = np.zeros(1, np.int64), np.ones(1)
+    if not inside.line_contact:
+        nodes = result.mesh.theta_nodes_per_revolution or result.mesh.nodes_per_revolution
+        n, n_width = _sampled(round(nodes / turns))
+        n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # -n does as n
+    compliance = _compliance(inside, m, n)
+    traction = _orders(inside, m, n)
     work = np.einsum("pmn,mnpq,qmn->mn", traction.conj(), compliance, traction).imag
-    scale = result.angular_speed * (2.0 * np.pi * result.ball.outer_radius) ** 2
+    waves = 2.0 * np.pi * inside.radius
+    area = waves if inside.line_contact else waves**2
     # Orders m and -m do the same: twice those above 0.
-    power = -2.0 * scale * m * m_width * (work @ n_width)
+    power = -2.0 * inside.passes * area * m * m_width * (work @ n_width)
     orders = m.astype(np.float64)
-    return LossSpectrum(order=orders, frequency=orders * result.angular_speed, power=power)
+    return LossSpectrum(order=orders, frequency=orders * inside.passes, power=power)
 
 
 def extrapolated_loss(result: Solution) -> float | None:
@@ -98,16 +102,31 @@ def extrapolated_loss(result: Solution) -> float | None:
         [-], where the outermost entries of a `MasterCurve` were held; None without such a material, and where two
         bodies deform, of whose losses there is no spectrum.
     """
-    body: object = result.ball if result.on is None else None
+    if result.on is not None:
+        return None
     tables = [
         layer.shear_modulus
-        for layer in (body.layers if isinstance(body, CoatedSphere) else ())
+        for layer in result.ball.layers
         if isinstance(layer.shear_modulus, MasterCurve) and layer.shear_modulus.extrapolation is Extrapolation.HOLD
     ]
     if not tables:
         return None
     ends = [[w for w in table.frequency if w > 0.0] for table in tables]
     return loss_spectrum(result).share_outside(max(e[0] for e in ends), min(e[-1] for e in ends))
+
+
+def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
+    """Return that of the surface at all orders, shape (m, n, 3, 3) [m/Pa]."""
+    grid = [orders.ravel() for orders in np.meshgrid(m, n, indexing="ij")]
+    displacement = order_fields(
+        inside.body,
+        inside.result.angular_speed,
+        *grid,
+        depth=[0.0],
+        rolling_radius=inside.radius if isinstance(inside.body, CoatedPlane) else None,
+        curvature=Curvature.PAPER if inside.result.curvature is Curvature.PAPER else Curvature.SPHERE,
+    )[0]
+    return displacement.reshape(m.size, n.size, 3, 3)
 
 
 def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
@@ -120,13 +139,18 @@ def _sampled(nodes: int) -> tuple[NDArray[np.int64], Floats]:
     return orders, np.diff(edges)
 
 
-def _orders(result: Solution, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
+def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArray[np.complex128]:
     """Return the tractions along r, φ and θ by orders, shape (3, m, n) [Pa]."""
+    result = inside.result
     # φ and θ grow against x and z at the lowest point.
-    fields = np.stack([-result.pressure, -result.shear_traction[0], -result.shear_traction[1]])
-    spacings = (result.mesh.spacing, result.mesh.theta_spacing)
-    phi, theta = (step * (np.arange(k) - k // 2) for step, k in zip(spacings, result.pressure.shape, strict=True))
-    waves_m = np.exp(-1j * m[:, None] * phi) * np.sinc(m * spacings[0] / (2.0 * np.pi))[:, None]
-    waves_n = np.exp(-1j * n[:, None] * theta) * np.sinc(n * spacings[1] / (2.0 * np.pi))[:, None]
-    area = spacings[0] * spacings[1] / (2.0 * np.pi) ** 2
-    return np.asarray(area * np.einsum("mi,pij,nj->pmn", waves_m, fields, waves_n, optimize=True))
+    sense = 1.0 if inside.of == "counterpart" else -1.0
+    fields = np.stack([-result.pressure, sense * result.shear_traction[0], sense * result.shear_traction[1]])
+    angles = [a - 0.5 * np.pi for a in inside.node_angles()]
+    spacing = [step * result.ball.outer_radius / inside.radius for step in (result.mesh.spacing, result.mesh.theta_spacing)]
+    waves = [
+        np.exp(-1j * orders[:, None] * places) * np.sinc(orders * step / (2.0 * np.pi))[:, None] * step / (2.0 * np.pi)
+        for orders, places, step in zip((m, n), angles, spacing, strict=True)
+    ]
+    if inside.line_contact:
+        waves[1] = np.ones((1, 1))
+    return np.asarray(np.einsum("mi,pij,nj->pmn", waves[0], fields, waves[1], optimize=True))

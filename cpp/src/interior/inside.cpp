@@ -1,0 +1,45 @@
+#include "interior/inside.hpp"
+
+#include <utility>
+
+#include "interior/load_spectrum.hpp"
+#include "modal/harmonic_body.hpp"
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+LayeredBody body_under(const CoatedSphere& sphere, double /*radius*/, bool line, Curvature curvature) {
+  require_orders(curvature);
+  if (line) reject("tractions.line", "false with a sphere", "true");
+  return layered_body(sphere, curvature);
+}
+
+LayeredBody body_under(const CoatedCylinder& cylinder, double /*radius*/, bool line, Curvature /*curvature*/) {
+  if (!line) reject("tractions.line", "true with a cylinder", "false");
+  return layered_body(cylinder);
+}
+
+LayeredBody body_under(const CoatedPlane& plane, double radius, bool line, Curvature /*curvature*/) {
+  LayeredBody body = layered_body(plane, radius);
+  if (line) body.metric.across = Way::nothing;
+  return body;
+}
+
+}  // namespace
+
+Inside inside_of(const LayeredShape& shape, double angular_speed, double radius, bool line, Curvature curvature) {
+  require_positive("angular_speed", angular_speed, "rad/s");
+  require_positive("radius", radius, "m");
+  LayeredBody body =
+      std::visit([&](const auto& given) { return body_under(given, radius, line, curvature); }, shape);
+  const double own_speed = angular_speed * (radius / body.metric.radius);
+  return {.body = std::move(body), .angular_speed = own_speed};
+}
+
+Inside inside_of(const LayeredShape& shape, double angular_speed, const Tractions& tractions) {
+  validate(tractions);
+  return inside_of(shape, angular_speed, tractions.radius, tractions.line, tractions.curvature);
+}
+
+}  // namespace viscoroll::detail
