@@ -1,4 +1,4 @@
-"""Fields of one order inside flat layers and inside the layers of a roller to many digits, from Hooke's law as it stands.
+"""Fields of one order inside flat layers and those of a roller to many digits, from Hooke's law as it stands.
 
 Matrix exponentials, multiplied out with digits to spare; shells are those of `interior`. Flat layers lie in 0 > y >=
 -thickness, the outermost up to y = 0.
@@ -11,7 +11,6 @@ import math
 
 import mpmath
 import numpy as np
-
 
 
 class _Flat:
@@ -70,7 +69,7 @@ class _Round:
     def rates(self, state, mu, nu, inertia):
         assert not inertia
         a, b = nu / (1 - nu), (1 - 2 * nu) / (2 * (1 - nu))
-        ur, up, uz, s, t, w = state
+        ur, up, _, s, t, w = state
         hoop, _, twist = self.in_plane(1, state, mu, nu)
         across = a * s + 4 * mu * (1 - b) * hoop
         return [

@@ -13,7 +13,9 @@ namespace {
 /// Places this close, relatively, are one.
 constexpr double kSamePlace = 1e-12;
 
-bool is_same(double a, double b) { return std::abs(a - b) <= kSamePlace * std::max(std::abs(a), std::abs(b)); }
+bool is_same(double place, double end) {
+  return std::isfinite(end) && std::abs(place - end) <= kSamePlace * std::max(std::abs(place), std::abs(end));
+}
 
 /// Where layers begin and end, whatever rolls on them.
 struct Boundaries {

@@ -13,6 +13,7 @@ from ..solution.interior_fields import COMPONENTS
 
 if TYPE_CHECKING:
     import xarray
+    from numpy.typing import NDArray
 
 __all__ = ["save_interior"]
 
@@ -23,10 +24,12 @@ def save_interior(inside: xarray.Dataset, path: str | Path) -> None:
     Parameters
     ----------
     inside : xarray.Dataset
-        From `Result.interior`, with at least two depths, φ and θ each for a volume.
+        From `Result.interior`, with at least two depths, φ and θ each for a volume; under a line, which has one θ, two
+        depths and φ for a section.
     path : path-like
-        ``.nc`` (netCDF) or ``.vtu`` (a volume of hexahedra for ParaView: x forward, y sideways, z up from the ball's
-        center, undeformed, with displacements and tensors in these directions).
+        ``.nc`` (netCDF) or ``.vtu`` (for ParaView hexahedra, of a section quadrilaterals: x forward, y sideways, z up
+        from the center of the body, of a plane from the middle of the contact, undeformed, with displacements and
+        tensors in these directions).
 
     Raises
     ------
@@ -43,36 +46,34 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
         import meshio
 
     shape = tuple(inside.sizes[name] for name in ("depth", "phi", "theta"))
-    if min(shape) < 2:
-        raise ValueError(f"inside must have at least two depths, phi and theta each for a volume, got {shape}")
-    radius, phi, theta = np.meshgrid(inside.radius, inside.phi, inside.theta, indexing="ij")
-    zero = np.zeros_like(phi)
-    # Rows: the directions r, phi and theta by their components forward, sideways and up.
-    axes = np.array(
-        [
-            [np.sin(theta) * np.cos(phi), np.cos(theta), -np.sin(theta) * np.sin(phi)],
-            [-np.sin(phi), zero, -np.cos(phi)],
-            [np.cos(theta) * np.cos(phi), -np.sin(theta), -np.cos(theta) * np.sin(phi)],
-        ]
-    ).reshape(3, 3, -1)
-    points = radius.ravel() * axes[0]
+    section = shape[2] == 1
+    if min(shape[:2]) < 2:
+        raise ValueError(f"inside must have at least two depths and phi, for a volume two theta as well, got {shape}")
+    axes, points = _frame(inside)
     displacement = inside.displacement.to_numpy().reshape(3, -1)
     stress = inside.stress.to_numpy().reshape(len(COMPONENTS), -1)
     rr, pp, tt, rp, rt, pt = stress
     tensor = np.array([[rr, rp, rt], [rp, pp, pt], [rt, pt, tt]])
     turned = np.einsum("ian,ijn,jbn->nab", axes, tensor, axes)
-    number = np.arange(phi.size).reshape(shape)
+    number = np.arange(np.prod(shape)).reshape(shape)
     # Where layers meet, two places lie on one surface: no cells between them.
-    first = np.nonzero(np.diff(inside.radius.to_numpy()) != 0.0)[0]
+    first = np.nonzero(np.diff(inside.depth.to_numpy()) != 0.0)[0]
     near, far = number[first], number[first + 1]
-    corners = [
-        part[:, i : shape[1] - 1 + i, j : shape[2] - 1 + j]
-        for part in (near, far)
-        for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
-    ]
+    if section:
+        cells = (
+            "quad",
+            np.stack([near[:, :-1, 0], near[:, 1:, 0], far[:, 1:, 0], far[:, :-1, 0]], axis=-1).reshape(-1, 4),
+        )
+    else:
+        corners = [
+            part[:, i : shape[1] - 1 + i, j : shape[2] - 1 + j]
+            for part in (near, far)
+            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
+        ]
+        cells = "hexahedron", np.stack(corners, axis=-1).reshape(-1, 8)
     meshio.Mesh(
         points.T,
-        [("hexahedron", np.stack(corners, axis=-1).reshape(-1, 8))],
+        [cells],
         point_data={
             "displacement [m]": np.einsum("ian,in->na", axes, displacement),
             "stress [Pa]": turned.reshape(-1, 9),
@@ -82,3 +83,24 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
             },
         },
     ).write(path)
+
+
+def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return r, φ and θ by their components forward, sideways and up, (3, 3, points), and the points, (3, points)."""
+    depth, phi, theta = np.meshgrid(inside.depth, inside.phi, inside.theta, indexing="ij")
+    x, z = (np.broadcast_to(a, phi.shape) for a in (inside.x.to_numpy()[:, None], inside.z.to_numpy()))
+    zero, one = np.zeros_like(phi), np.ones_like(phi)
+    if "radius" not in inside.coords:
+        axes = [[zero, zero, one], [-one, zero, zero], [zero, -one, zero]]
+        return np.array(axes).reshape(3, 3, -1), np.array([x, z, -depth]).reshape(3, -1)
+    if inside.sizes["theta"] == 1:
+        theta = np.full_like(theta, 0.5 * np.pi)
+    # The counterpart lies below: its contact is its highest point, and its material goes backward there, too.
+    up = 1.0 if inside.attrs["of"] == "counterpart" else -1.0
+    axes = [
+        [np.sin(theta) * np.cos(phi), np.cos(theta), up * np.sin(theta) * np.sin(phi)],
+        [-np.sin(phi), zero, up * np.cos(phi)],
+        [np.cos(theta) * np.cos(phi), -np.sin(theta), up * np.cos(theta) * np.sin(phi)],
+    ]
+    frame = np.array(axes).reshape(3, 3, -1)
+    return frame, (inside.radius.to_numpy()[:, None, None] * one).ravel() * frame[0]

@@ -63,7 +63,8 @@ def plot_section(result: Result, *, of: Of | None = None) -> Picture:
     above.plot(along, result.pressure[:, middle] * _MPA, color="tab:red")
     above.set(ylabel="pressure [MPa]")
     above.set_title(
-        f"$P$ = {result.load:g} {result.unit('load')},  $Ω$ = {result.angular_speed:g} rad/s,  {result.compliance.name} compliance",
+        f"$P$ = {result.load:g} {result.unit('load')},  $Ω$ = {result.angular_speed:g} rad/s,  "
+        f"{result.compliance.name} compliance",
         fontsize="medium",
     )
     image = below.contourf(along, inside.depth * _MM, inside.von_mises * _MPA, levels=24, cmap="viridis")

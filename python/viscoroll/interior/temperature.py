@@ -16,8 +16,8 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.tables import html_table, number_text
 from .._support.text import shown
-from ..rolling import Result
 from ..bodies import CoatedSphere
+from ..rolling import Result
 from ..solution.inside import inside_of
 from ..solution.loss import contact_size
 from ..solution.solution import node_angles

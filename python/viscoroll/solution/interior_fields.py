@@ -62,7 +62,7 @@ def order_fields(
     body : CoatedSphere or CoatedCylinder or CoatedPlane
         Layers.
     angular_speed : float
-        Ω of what rolls [rad/s], > 0.
+        Ω of the body, of a plane that of what rolls [rad/s], > 0.
     m, n : array_like of int
         Orders of any sign, of one length; n is 0 in a cylinder.
     depth, radius : array_like
@@ -249,9 +249,7 @@ def place_coordinates(
     return coordinates | ({"radius": ("depth", positions, {"units": "m"})} if inside.turns else {})
 
 
-def bonds(
-    result: Solution, *, of: Of | None = None, threads: int = 0, progress: ProgressLike = None
-) -> xarray.Dataset:
+def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress: ProgressLike = None) -> xarray.Dataset:
     """Fields where layers are bonded, to a core or a base and to one another: what debonds.
 
     Parameters

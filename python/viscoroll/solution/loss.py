@@ -134,7 +134,9 @@ def loss(
     for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
         row[: len(share)] = share @ power
     where = ("depth", "theta")
-    densities = {"loss_density": (where, density, {"units": "J m-3", "long_name": "energy lost per volume and passage"})}
+    densities = {
+        "loss_density": (where, density, {"units": "J m-3", "long_name": "energy lost per volume and passage"})
+    }
     if inside.turns:
         mean = {"units": "W m-3", "long_name": "power lost per volume, mean over a revolution"}
         densities["power_density"] = (where, density * inside.passes / (2.0 * np.pi), mean)
@@ -151,7 +153,11 @@ def loss(
         },
         {
             **place_coordinates(inside, positions),
-            "place_layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
+            "place_layer": (
+                "depth",
+                layers,
+                {"long_name": "number of the layer, from the center or the base outwards"},
+            ),
             "theta": ("theta", lost.theta[shown], {"units": "rad"}),
             "z": ("theta", inside.radius * (0.5 * np.pi - lost.theta[shown]), {"units": "m"}),
         },

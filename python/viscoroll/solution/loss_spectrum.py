@@ -120,7 +120,7 @@ def _compliance(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> N
     grid = [orders.ravel() for orders in np.meshgrid(m, n, indexing="ij")]
     displacement = order_fields(
         inside.body,
-        inside.result.angular_speed,
+        inside.result.angular_speed * inside.result.ball.outer_radius / inside.radius,
         *grid,
         depth=[0.0],
         rolling_radius=inside.radius if isinstance(inside.body, CoatedPlane) else None,
@@ -146,7 +146,9 @@ def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArr
     sense = 1.0 if inside.of == "counterpart" else -1.0
     fields = np.stack([-result.pressure, sense * result.shear_traction[0], sense * result.shear_traction[1]])
     angles = [a - 0.5 * np.pi for a in inside.node_angles()]
-    spacing = [step * result.ball.outer_radius / inside.radius for step in (result.mesh.spacing, result.mesh.theta_spacing)]
+    spacing = [
+        step * result.ball.outer_radius / inside.radius for step in (result.mesh.spacing, result.mesh.theta_spacing)
+    ]
     waves = [
         np.exp(-1j * orders[:, None] * places) * np.sinc(orders * step / (2.0 * np.pi))[:, None] * step / (2.0 * np.pi)
         for orders, places, step in zip((m, n), angles, spacing, strict=True)

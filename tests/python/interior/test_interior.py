@@ -322,14 +322,17 @@ def test_inside_of_a_ball_on_something_else_than_a_rigid_plane(on):
     assert loss.attrs["power"] == pytest.approx(r.rolling_bulk_power, rel=3e-3)
 
 
-def test_a_rigid_ball_and_a_roller_have_no_inside():
+def test_what_is_rigid_has_no_inside():
     layers = paper.ball().layers
     mesh = vr.Mesh(nodes_per_revolution=500)
     rigid = vr.solve(
         vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=layers), load=100.0, angular_speed=2.5, mesh=mesh
     )
-    with pytest.raises(ValueError, match="must have a layer"):
-        rigid.loss()
-    roller = vr.solve(vr.CoatedCylinder(core_radius=20e-3, layers=layers), load=1e3, angular_speed=2.5, mesh=mesh)
-    with pytest.raises(TypeError, match="CoatedSphere"):
-        roller.interior(depth=[0.5e-3])
+    with pytest.raises(ValueError, match=r"result.ball must have a layer.*it is rigid"):
+        rigid.loss(of="ball")
+    assert rigid.loss(max_order=50).attrs["of"] == "counterpart"
+    soft = vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh)
+    with pytest.raises(ValueError, match=r"result.on must have a layer or a base.*it is rigid"):
+        soft.interior(depth=[0.5e-3], of="counterpart")
+    with pytest.raises(ValueError, match="of must be 'ball' or 'counterpart', got 'plane'"):
+        soft.bonds(of="plane")

@@ -32,23 +32,27 @@ def shells(inner=CORE, outer=SURFACE, density=0.0, bulk=None):
     ]
 
 
-def ball_of(layers, within="rigid"):
+def layers_of(layers, within="rigid"):
     def modulus(prony):
         return vr.Prony(instantaneous_modulus=prony[0], weights=prony[1], relaxation_times=prony[2])
 
+    return [
+        vr.Layer(
+            thickness=shell.outer - (0.0 if within == "solid" and j == 0 else shell.inner),
+            shear_modulus=modulus(shell.prony),
+            poisson_ratio=shell.poisson_ratio,
+            bulk_modulus=shell.bulk_modulus,
+            density=shell.density,
+        )
+        for j, shell in enumerate(layers)
+    ]
+
+
+def ball_of(layers, within="rigid"):
     return vr.CoatedSphere(
         core_radius=0.0 if within == "solid" else layers[0].inner,
         inner_boundary=vr.InnerBoundary[within.upper()],
-        layers=[
-            vr.Layer(
-                thickness=shell.outer - (0.0 if within == "solid" and j == 0 else shell.inner),
-                shear_modulus=modulus(shell.prony),
-                poisson_ratio=shell.poisson_ratio,
-                bulk_modulus=shell.bulk_modulus,
-                density=shell.density,
-            )
-            for j, shell in enumerate(layers)
-        ],
+        layers=layers_of(layers, within),
     )
 
 
