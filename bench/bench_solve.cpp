@@ -190,7 +190,7 @@ struct SolvedExample {
   CoatedSphere sphere = cases::paper_sphere();
   Options options{.mesh = Mesh{.nodes_per_revolution = 1600}};
   Result result = solve(sphere, cases::kRolling, options);
-  Tractions tractions = tractions_of(result, cases::kRolling, options);
+  Tractions tractions = tractions_of(sphere, result, cases::kRolling, options);
 };
 
 /// Fields at ten depths, 0.1 h to h, on all nodes of the window; the error is that of the largest pressure on the core,

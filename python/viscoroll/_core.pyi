@@ -433,12 +433,16 @@ class Tractions:
         self,
         *,
         mesh: Mesh,
+        radius: typing.SupportsFloat | typing.SupportsIndex,
+        line: bool,
         pressure: numpy.typing.NDArray[numpy.float64],
         shear_traction: numpy.typing.NDArray[numpy.float64],
         friction: bool,
         compliance: Compliance,
         curvature: Curvature,
         patch_load: PatchLoad,
+        counterpart: bool,
+        counterpart_curvature: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
 class LossDensity:
@@ -447,15 +451,17 @@ class LossDensity:
     @property
     def order_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
-    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    def orders(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
-    def radial_weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
     @property
     def surface_power(self) -> float: ...
     @property
     def theta(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def volume_power(self) -> float: ...
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
 class Start(enum.Enum):
     """What the coating has gone through before the first instant."""
@@ -611,10 +617,10 @@ def instant_names() -> list[str]:
     """
 
 def interior_fields(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
     tractions: Tractions,
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     phi: numpy.typing.NDArray[numpy.float64],
     theta: numpy.typing.NDArray[numpy.float64],
@@ -623,10 +629,10 @@ def interior_fields(
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def loss_density(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
     tractions: Tractions,
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     max_order: typing.SupportsInt | typing.SupportsIndex,
@@ -634,17 +640,18 @@ def loss_density(
     progress: typing.Any,
 ) -> LossDensity: ...
 def order_fields(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
     m: numpy.typing.NDArray[numpy.int32],
     n: numpy.typing.NDArray[numpy.int32],
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def places_at(
-    sphere: CoatedSphere, radius: numpy.typing.NDArray[numpy.float64]
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """

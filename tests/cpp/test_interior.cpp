@@ -78,8 +78,8 @@ TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
   double sum = 0.0;
   for (std::size_t place = 0; place < loss.places.size(); ++place) {
     for (std::size_t j = 0; j < loss.theta.size(); ++j) {
-      const double radius = loss.places[place].radius;
-      sum += loss.radial_weights[place] * radius * radius * loss.density[place * loss.theta.size() + j];
+      const double radius = loss.places[place].position;
+      sum += loss.weights[place] * radius * radius * loss.density[place * loss.theta.size() + j];
     }
   }
   const double spacing = 2.0 * std::numbers::pi / static_cast<double>(loss.theta.size());

@@ -160,15 +160,14 @@ def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where)
     np.testing.assert_allclose(stress[3], -p / a * n * (m**2 - y**2) / (m**2 + n**2), atol=1e-3 * p)
 
 
-@pytest.mark.filterwarnings("ignore::viscoroll.ResultWarning")  # a load that strains the film by much
 def test_thin_films_lose_by_shear_alone():
     """By lubrication w = 3 w_mean (d/h)^2, where the contact is fifty times as wide as the film is thick."""
-    film = roller(thickness=0.1e-3, modulus=RUBBER)
-    r = vr.solve(film, load=8e7, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=20000))
+    film = roller(thickness=0.1e-3, core_radius=1.0)
+    r = vr.solve(film, load=4e6, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=200000))
     assert r.semi_axis_x > 45 * 0.1e-3
     share = np.array([0.25, 0.5, 0.75, 1.0])
     loss = r.loss(depth=share * 0.1e-3)
-    mean = r.bulk_power / (r.angular_speed * 50.05e-3 * 0.1e-3)
+    mean = r.bulk_power / (r.angular_speed * 1.00005 * 0.1e-3)
     np.testing.assert_allclose(loss.loss_density[:, 0] / mean, 3.0 * share**2, atol=0.015)
 
 
