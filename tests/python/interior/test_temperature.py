@@ -135,7 +135,7 @@ def test_base_case_on_an_insulated_core(base_case):
     t = vr.temperature(base_case, conductivity=0.2, convection=10.0, ambient=293.15)
     assert t.surface_maximum == pytest.approx(1.85, rel=5e-3)
     assert t.maximum == pytest.approx(1.90, rel=5e-3)
-    near_surface = base_case.loss(depth=[0.0]).power_density.isel(radius=0)
+    near_surface = base_case.loss(depth=[0.0]).power_density.isel(depth=0)
     weighted = float((near_surface * t.rise.isel(radius=-1)).sum() / near_surface.sum())
     assert weighted == pytest.approx(1.69, rel=5e-3)
     assert weighted < t.mean < t.maximum
