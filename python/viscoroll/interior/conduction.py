@@ -1,7 +1,8 @@
-"""Steady conduction in the layers, degree by degree of Legendre's polynomials.
+"""Steady conduction in layers, mode by mode of what varies along them.
 
-T = Σ T_l(r) P_l(cos θ), and for every degree by itself -(k r² T_l')' + k l(l+1) T_l = r² q_l. One spectral element for
-each layer or part of one, with Gauss, Lobatto and Legendre's points; the weak form conserves heat to round-off.
+T = Σ T_j(r) Y_j, and for every mode by itself -(k A T_j')' + k A λ_j T_j = A q_j, with A the measure of the surface at
+r and λ_j Y_j = -∇²Y_j along it (`heat_modes`). One spectral element for each layer or part of one, with Gauss, Lobatto
+and Legendre's points; the weak form conserves heat to round-off.
 """
 
 from __future__ import annotations
@@ -14,19 +15,16 @@ import numpy as np
 from numpy.polynomial import legendre
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-__all__ = ["Conduction", "legendre_values"]
+    from .heat_modes import HeatModes
+
+__all__ = ["Conduction"]
 
 _POINTS = 17  # of an element: exact to degree 31
-_LONGEST = 16.0  # e-folds of the highest degree through an element
-
-
-def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return P_l(cosine) for l = 0 … degrees - 1, a row for each."""
-    return np.asarray(legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
+_LONGEST = 16.0  # e-folds of the highest mode through an element
 
 
 def _lobatto(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
@@ -55,100 +53,162 @@ class Conduction:
 
     Parameters
     ----------
-    radii : sequence of float
-        Boundaries of the layers, from the center outwards [m].
+    places : sequence of float
+        Boundaries of the layers, outwards: radii, or of a slab heights [m].
     conductivities : sequence of float
         Of each layer [W/(m K)].
-    convection : float or callable
-        Coefficient h_c [W/(m² K)], maybe as a function of the angles θ [rad].
-    degrees : int
-        How many degrees l = 0, 1, … are summed.
-    core_conductivity : float or None
-        Of a sphere within the layers [W/(m K)], 0 for an insulated one, None for one at a given temperature.
+    modes : HeatModes
+        What the temperature is a sum of along the surface.
+    film : float or ndarray, shape (modes, modes)
+        Coefficient of convection at the outer surface [W/(m² K)], or its matrix where it varies along it.
+    inner : ndarray or None, shape (modes,)
+        The same at the inner surface, of each mode; 0 where it is insulated, None where its temperature is given.
     """
 
     def __init__(
         self,
-        radii: list[float],
-        conductivities: list[float],
-        convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
+        places: Sequence[float],
+        conductivities: Sequence[float],
+        modes: HeatModes,
         *,
-        degrees: int,
-        core_conductivity: float | None,
+        film: float | NDArray[np.float64],
+        inner: NDArray[np.float64] | None,
     ) -> None:
-        self.radii = radii
-        self.core_conductivity = core_conductivity
-        self.degrees = degrees
+        self.modes = modes
+        self._inner = inner
+        self._outermost = places[-1]
         self._points, self._weights, self._derivative = _lobatto(_POINTS)
-        self._elements = _elements(radii, conductivities, degrees)
-        self.radius, self.layer = self._nodes()
-        self._film = _film(convection, degrees)
+        self._elements = _elements(places, conductivities, modes)
+        self.place, self.layer = self._nodes()
+        self._film = film * np.eye(modes.count) if np.ndim(film) == 0 else np.asarray(film)
 
     def _nodes(self) -> tuple[NDArray[np.float64], NDArray[np.int_]]:
-        """Radii and layers of all points; the ends of elements come twice."""
-        radius = [e.inner + 0.5 * (e.outer - e.inner) * (1.0 + self._points) for e in self._elements]
-        return np.concatenate(radius), np.repeat([e.layer for e in self._elements], _POINTS)
+        """Places and layers of all points; the ends of elements come twice."""
+        place = [e.inner + 0.5 * (e.outer - e.inner) * (1.0 + self._points) for e in self._elements]
+        return np.concatenate(place), np.repeat([e.layer for e in self._elements], _POINTS)
 
-    def solve(self, source: NDArray[np.float64], core_rise: float = 0.0) -> NDArray[np.float64]:
-        """Return T_l at every point, a row for each degree [K].
+    @property
+    def has_even_film(self) -> bool:
+        """Whether the coefficient at the outer surface is the same everywhere, so that no mode knows of another."""
+        return bool(np.array_equal(self._film, self._film[0, 0] * np.eye(self.modes.count)))
+
+    def solve(self, source: NDArray[np.float64], inner_rise: float = 0.0) -> NDArray[np.float64]:
+        """Return T_j at every point, a row for each mode [K].
 
         Parameters
         ----------
-        source : ndarray, shape (degrees, points)
-            q_l at the points of `radius` [W/m³].
-        core_rise : float
-            Of a core at a given temperature, over that of the surroundings [K].
+        source : ndarray, shape (modes, points)
+            q_j at the points of `place` [W/m³].
+        inner_rise : float
+            Of an inner surface at a given temperature, over that of the surroundings [K].
         """
         matrices, loads = self._assemble(source)
         surface = matrices.shape[1] - 1
         film = self._film
-        radius2 = self.radii[-1] ** 2
-        fixed = self.core_conductivity is None
+        area = float(self.modes.measure(np.array(self._outermost)))
+        fixed = self._inner is None
+        held = self.modes.unity * inner_rise
         if fixed:
-            loads = loads.copy()
-            loads[0] -= matrices[0, :, 0] * core_rise
+            loads = loads - matrices[:, :, 0] * held[:, None]
             matrices, loads, surface = matrices[:, 1:, 1:], loads[:, 1:], surface - 1
         mean = film[0, 0]
         diagonal = matrices.copy()
-        diagonal[:, surface, surface] += radius2 * mean
+        diagonal[:, surface, surface] += area * mean
         unit = np.zeros(matrices.shape[1])
         unit[surface] = 1.0
         answers = np.linalg.solve(diagonal, np.stack([loads, np.broadcast_to(unit, loads.shape)], axis=-1))
         free, response = answers[..., 0], answers[..., 1]
-        rest = film - mean * np.eye(self.degrees)
+        rest = film - mean * np.eye(self.modes.count)
         rises = free
         if np.abs(rest).max() > 1e-14 * max(mean, 1e-300):
-            system = np.eye(self.degrees) + radius2 * response[:, surface, None] * rest
+            system = np.eye(self.modes.count) + area * response[:, surface, None] * rest
             at_surface = np.linalg.solve(system, free[:, surface])
-            rises = free - response * (radius2 * rest @ at_surface)[:, None]
+            rises = free - response * (area * rest @ at_surface)[:, None]
         if fixed:
-            first = np.zeros((self.degrees, 1))
-            first[0] = core_rise
-            rises = np.concatenate([first, rises], axis=1)
+            rises = np.concatenate([held[:, None], rises], axis=1)
         return np.asarray(rises[:, self._scatter()], dtype=np.float64)
 
-    def volume_weights(self) -> NDArray[np.float64]:
-        """Return r² dr at every point [m³]."""
-        half = np.repeat([0.5 * (e.outer - e.inner) for e in self._elements], _POINTS)
-        weights: NDArray[np.float64] = half * np.tile(self._weights, len(self._elements)) * self.radius**2
-        return weights
+    def approach(
+        self, steady: NDArray[np.float64], start: NDArray[np.float64], times: NDArray[np.float64], capacity: float
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return how the steady state is come to, ρc A T' = what the steady equations leave, by its own modes in time.
 
-    def heat_to_core(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> float:
-        """Return the heat that flows into a core at a given temperature [W]."""
-        if self.core_conductivity is not None:
-            return 0.0
+        Parameters
+        ----------
+        steady, start : ndarray, shape (modes, points)
+            T_j of the steady state, and at time 0 [K].
+        times : ndarray
+            [s], ≥ 0.
+        capacity : float
+            ρc [J/(m³ K)].
+
+        Returns
+        -------
+        rises : ndarray, shape (times, modes, points)
+            T_j [K].
+        slowest : ndarray
+            Times in which what is left falls to 1/e [s], the longest first.
+
+        Raises
+        ------
+        ValueError
+            Where the film varies along the surface, which joins the modes.
+        """
+        if not self.has_even_film:
+            raise ValueError("convection must be a number for temperatures over time, got a function of theta")
+        matrices, _ = self._assemble(np.zeros_like(steady))
+        matrices[:, -1, -1] += float(self.modes.measure(np.array(self._outermost))) * np.diag(self._film)
+        mass = np.zeros(matrices.shape[1])
+        scatter = self._scatter()
+        np.add.at(mass, scatter, capacity * self.volume_weights())
+        keep = np.unique(scatter, return_index=True)[1]
+        free = slice(1 if self._inner is None else 0, None)
+        root = np.sqrt(mass[free])
+        rates, vectors = np.linalg.eigh(matrices[:, free, free] / (root[:, None] * root))
+        left = (start - steady)[:, keep][:, free] * root
+        amplitudes = np.einsum("jpa,jp->ja", vectors, left)
+        faded = np.exp(-rates[None] * times[:, None, None]) * amplitudes
+        rises = np.zeros((times.size, *matrices.shape[:2]))
+        rises[:, :, free] = np.einsum("jpa,tja->tjp", vectors, faded) / root
+        return steady + rises[:, :, scatter], np.sort(1.0 / rates.ravel())[::-1]
+
+    def finely(self, values: NDArray[np.float64], parts: int = 128) -> NDArray[np.float64]:
+        """Return what is given at all points, along the first axis, at many more: each element's own polynomial."""
+        to = np.linspace(-1.0, 1.0, parts + 1)
+        basis = legendre.legvander(to, _POINTS - 1) @ np.linalg.inv(legendre.legvander(self._points, _POINTS - 1))
+        elements = values.reshape(len(self._elements), _POINTS, -1)
+        return np.asarray(np.concatenate([basis @ element for element in elements]))
+
+    def volume_weights(self) -> NDArray[np.float64]:
+        """Return A dr at every point."""
+        half = np.repeat([0.5 * (e.outer - e.inner) for e in self._elements], _POINTS)
+        weights: NDArray[np.float64] = half * np.tile(self._weights, len(self._elements))
+        return weights * self.modes.measure(self.place)
+
+    def heat_inwards(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> float:
+        """Return the heat that leaves by the inner surface [W]."""
+        if self._inner is not None:
+            area = float(self.modes.measure(np.array(self.place[0])))
+            return float(self.modes.area @ (area * self._inner * rises[:, 0]))
         matrices, loads = self._assemble(source)
         keep = np.unique(self._scatter(), return_index=True)[1]
-        reaction = matrices[0, 0] @ rises[0, keep] - loads[0, 0]
-        return float(-4.0 * np.pi * reaction)
+        reaction = np.einsum("jp,jp->j", matrices[:, 0], rises[:, keep]) - loads[:, 0]
+        return float(-self.modes.area @ reaction)
 
-    def heat_to_surroundings(self, rises: NDArray[np.float64]) -> float:
-        """Return the heat that leaves by the surface [W]."""
-        return float(4.0 * np.pi * self.radii[-1] ** 2 * (self._film[0] @ rises[:, -1]))
+    def heat_outwards(self, rises: NDArray[np.float64]) -> float:
+        """Return the heat that leaves by the outer surface [W]."""
+        area = float(self.modes.measure(np.array(self._outermost)))
+        return float(self.modes.area @ (area * self._film @ rises[:, -1]))
+
+    def heat_sideways(self, rises: NDArray[np.float64]) -> float:
+        """Return the heat that leaves by side faces [W]."""
+        conductivity = np.repeat([e.conductivity for e in self._elements], _POINTS)
+        taken = (self.modes.rate(self.place) * rises) @ (conductivity * self.volume_weights())
+        return float(self.modes.area @ taken)
 
     def heat_of(self, source: NDArray[np.float64]) -> float:
         """Return the heat of a source [W]."""
-        return float(4.0 * np.pi * self._assemble(source)[1][0].sum())
+        return float(self.modes.area @ self._assemble(source)[1].sum(axis=1))
 
     def _scatter(self) -> NDArray[np.intp]:
         """Unknown of each point: ends of elements are shared."""
@@ -157,47 +217,31 @@ class Conduction:
 
     def _assemble(self, source: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         unknowns = len(self._elements) * (_POINTS - 1) + 1
-        matrices = np.zeros((self.degrees, unknowns, unknowns))
-        loads = np.zeros((self.degrees, unknowns))
-        degree = np.arange(self.degrees)
+        matrices = np.zeros((self.modes.count, unknowns, unknowns))
+        loads = np.zeros((self.modes.count, unknowns))
         for number, element in enumerate(self._elements):
             half = 0.5 * (element.outer - element.inner)
-            radius = element.inner + half * (1.0 + self._points)
-            weight = half * self._weights
+            place = element.inner + half * (1.0 + self._points)
+            weight = half * self._weights * self.modes.measure(place)
             slope = self._derivative / half
-            stiffness = element.conductivity * slope.T @ ((weight * radius**2)[:, None] * slope)
-            mass = element.conductivity * np.diag(weight)
+            stiffness = element.conductivity * slope.T @ (weight[:, None] * slope)
             first = number * (_POINTS - 1)
             part = slice(first, first + _POINTS)
-            matrices[:, part, part] += stiffness + (degree * (degree + 1.0))[:, None, None] * mass
-            loads[:, part] += weight * radius**2 * source[:, number * _POINTS : (number + 1) * _POINTS]
-        if self.core_conductivity:
-            matrices[:, 0, 0] += self.core_conductivity * self.radii[0] * degree
+            matrices[:, part, part] += stiffness
+            inside = np.arange(first, first + _POINTS)
+            matrices[:, inside, inside] += element.conductivity * weight * self.modes.rate(place)
+            loads[:, part] += weight * source[:, number * _POINTS : (number + 1) * _POINTS]
+        if self._inner is not None:
+            matrices[:, 0, 0] += float(self.modes.measure(np.array(self.place[0]))) * self._inner
         return matrices, loads
 
 
-def _film(
-    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]], degrees: int
-) -> NDArray[np.float64]:
-    """Matrix of convection: h_c T has the components H T with H = (l + ½) ∫ h_c P_l P_l' d cos θ."""
-    if not callable(convection):
-        return convection * np.eye(degrees)
-    cosine, weights = legendre.leggauss(2 * degrees + 2)
-    values = legendre_values(degrees, cosine)
-    coefficient = np.broadcast_to(np.asarray(convection(np.arccos(cosine)), dtype=float), cosine.shape)
-    if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
-        raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
-    film: NDArray[np.float64] = (np.arange(degrees)[:, None] + 0.5) * ((values * (coefficient * weights)) @ values.T)
-    return film
-
-
-def _elements(radii: list[float], conductivities: list[float], degrees: int) -> list[_Element]:
-    """Cut layers so that no element holds more e-folds of the highest degree than it resolves."""
+def _elements(places: Sequence[float], conductivities: Sequence[float], modes: HeatModes) -> list[_Element]:
+    """Cut layers so that no element holds more e-folds of the highest mode than it resolves."""
     elements = []
     for layer, conductivity in enumerate(conductivities):
-        inner, outer = radii[layer], radii[layer + 1]
-        folds = degrees * np.log(outer / max(inner, 1e-2 * outer))
-        count = max(1, int(np.ceil(folds / _LONGEST)))
+        inner, outer = places[layer], places[layer + 1]
+        count = max(1, int(np.ceil(modes.folds(inner, outer) / _LONGEST)))
         cuts = np.linspace(inner, outer, count + 1)
         elements += [_Element(float(a), float(b), conductivity, layer) for a, b in pairwise(cuts)]
     return elements

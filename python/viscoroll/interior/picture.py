@@ -151,12 +151,23 @@ def plot_temperature(temperature: Temperature, *, ax: Axes | None = None) -> Fig
 
 
 def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
-    rise = temperature.rise.drop_duplicates("radius")
-    radius, theta = np.meshgrid(rise.radius, rise.theta, indexing="ij")
-    image = axes.contourf(
-        radius * np.cos(theta) * _MM, radius * np.sin(theta) * _MM, rise.to_numpy(), levels=24, cmap="inferno"
-    )
-    axes.set(aspect="equal", xlabel="along the axis [mm]", ylabel="from the axis [mm]")
+    normal, across = temperature.rise.dims
+    rise = temperature.rise.drop_duplicates(normal)
+    below = "from the axis [mm]" if normal == "radius" else "depth [mm]"
+    if normal == "depth":
+        axes.invert_yaxis()
+    if rise.sizes[across] == 1:
+        axes.plot(rise[:, 0], rise[normal] * _MM, color="tab:red")
+        axes.set(xlabel="temperature rise [K]", ylabel=below)
+        axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
+        return
+    place, along = np.meshgrid(rise[normal], rise[across], indexing="ij")
+    if across == "theta":
+        place, along = place * np.sin(along), place * np.cos(along)
+    image = axes.contourf(along * _MM, place * _MM, rise.to_numpy(), levels=24, cmap="inferno")
+    axes.set(xlabel="along the axis [mm]", ylabel=below)
+    if normal == "radius":
+        axes.set(aspect="equal")
     axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")
 

@@ -1,37 +1,27 @@
-"""How hot the coating gets by what is lost in it: steady conduction, the source spread over a revolution."""
+"""How hot layers get by what is lost in them: steady conduction, the source spread over a revolution or a period."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._core import InnerBoundary
 from .._support.arguments import as_float, as_kelvin, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.tables import html_table, number_text
-from .._support.text import shown
-from ..bodies import CoatedSphere
 from ..rolling import Result
-from ..solution.inside import inside_of
-from ..solution.loss import contact_size
-from ..solution.solution import node_angles
-from .conduction import Conduction, legendre_values
+from ..solution.inside import Of, finite_line, inside_of
+from .heated_body import Core, HeatedBody, Surroundings, heated_body, not_negative, positive
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["QUANTITIES", "Core", "Temperature", "plane_cooling", "temperature"]
-
-#: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
-_DEGREES_PER_CONTACT = 15.0
-_MOST_DEGREES = 400
 
 #: Ripple over a revolution, per largest rise, above which a mean over the revolution does not hold.
 _RIPPLE = 0.2
@@ -43,27 +33,21 @@ QUANTITIES = {
     "surface_maximum": ("K", "largest rise on the surface"),
     "mean": ("K", "rise weighted by the loss"),
     "heat": ("W", "heat"),
-    "heat_to_core": ("W", "of it, to the core"),
+    "heat_to_core": ("W", "of it, to the core, the hub or the base"),
     "heat_to_surroundings": ("W", "of it, to the surroundings"),
-    "ripple": ("K", "swing over a revolution, at most"),
+    "ripple": ("K", "swing over a revolution or a period, at most"),
 }
-
-
-class Core(Enum):
-    """What the core does to heat; a number in its place is its conductivity [W/(m K)]."""
-
-    INSULATED = "insulated"  #: lets none through
-    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Temperature:
-    """Steady temperature of the coating.
+    """Steady temperature of layers.
 
     Attributes
     ----------
     rise : xarray.DataArray
-        Over that of the surroundings [K], over (radius, theta).
+        Over that of the surroundings [K], over (radius, theta) of a ball, (radius, z) of a roller, (depth, z) of a
+        plane.
     maximum, surface_maximum : float
         Largest rise anywhere, and on the surface [K].
     mean : float
@@ -73,11 +57,18 @@ class Temperature:
     ambient : float
         Temperature of the surroundings [K].
     heat : float
-        Power that is lost in the coating [W].
+        Power that is lost in the layers, in `heat_unit`.
     heat_to_core, heat_to_surroundings : float
-        Where it goes [W]; they add up to `heat`.
+        Where it goes, to a core, a hub or a base and by all free faces; they add up to `heat`.
     ripple : float
-        What the temperature of a point swings by over a revolution, at most [K]: the mean over one is wrong by no more.
+        What the temperature of a point swings by over a revolution, or a period, at most [K]: the mean is wrong by no
+        more.
+    heat_unit : str
+        W; of a roller without a width and of a track W/m; of a belt W/m².
+    times : tuple of float
+        The three slowest times in which the state is come to [s], with this heat capacity: what is left falls to 1/e.
+    history : xarray.Dataset or None
+        Over the times that were asked for [s]: `rise` [K] as above, and `maximum`, `surface_maximum`, `mean` [K].
     """
 
     rise: xarray.DataArray
@@ -90,18 +81,26 @@ class Temperature:
     heat_to_core: float
     heat_to_surroundings: float
     ripple: float
+    heat_unit: str = "W"
+    times: tuple[float, ...] = ()
+    history: xarray.Dataset | None = None
+
+    def _unit(self, name: str) -> str:
+        unit = QUANTITIES[name][0]
+        return self.heat_unit if unit == "W" else unit
 
     def _repr_html_(self) -> str:
         """Return the numbers with units, as a table for notebooks."""
-        rows = [(text, number_text(getattr(self, name)), unit) for name, (unit, text) in QUANTITIES.items()]
+        rows = [(text, number_text(getattr(self, name)), self._unit(name)) for name, (_, text) in QUANTITIES.items()]
         return html_table(f"Temperature over {self.ambient:g} K", rows)
 
     def __repr__(self) -> str:
         """Return a summary."""
         return (
             f"Temperature(at most {self.ambient + self.maximum:.2f} K: rise {self.maximum:.3g} K, on the surface "
-            f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K; {self.heat:.3g} W, of which to the core "
-            f"{self.heat_to_core:.3g} W; ripple {self.ripple:.2g} K)"
+            f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K; {self.heat:.3g} {self.heat_unit}, of which "
+            f"to the core {self.heat_to_core:.3g} {self.heat_unit}; ripple {self.ripple:.2g} K; "
+            f"come to in {', '.join(f'{time:.3g}' for time in self.times)} s)"
         )
 
 
@@ -113,11 +112,19 @@ def temperature(
     ambient: float,
     core: Core | float = Core.INSULATED,
     core_temperature: float | None = None,
+    of: Of | None = None,
+    width: float | None = None,
+    side_convection: float | None = None,
+    hub_conductance: float | None = None,
+    base_convection: float | None = None,
+    period: float | None = None,
+    time: ArrayLike | None = None,
+    start: Temperature | None = None,
     heat_capacity: float = 2e6,
     max_order: int | None = None,
     progress: ProgressLike = None,
 ) -> Temperature:
-    """Temperature of a coating that has rolled for long.
+    """Temperature of layers that have rolled, or been rolled on, for long.
 
     Parameters
     ----------
@@ -127,16 +134,34 @@ def temperature(
         Of the layers, or of each [W/(m K)], > 0; by default that of each `Layer`.
     convection : float or callable
         Coefficient at the surface [W/(m² K)], ≥ 0, or a function of an array of angles θ [rad] that returns it:
-        `plane_cooling` makes one that adds the heat that the plane takes.
+        `plane_cooling` makes one that adds the heat that the plane takes; only a ball's may vary with θ.
     ambient : float
         Temperature of the surroundings [K], ≥ 100.
     core : Core or float, default Core.INSULATED
-        Insulated, isothermal, or the conductivity of a solid core [W/(m K)]. Without a core, INSULATED.
+        What the core of a ball or a roller, or the base of a plane, does: insulated, isothermal, or the conductivity of
+        a ball's solid core [W/(m K)]. Without a core, INSULATED.
     core_temperature : float, optional
         Of an isothermal core [K]; by default that of the surroundings.
+    of : "ball" or "counterpart", optional
+        What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+    width : float, optional
+        Of a roller from face to face [m], > 0; without it heat is per length and no face takes any.
+    side_convection : float, optional
+        Coefficient at a roller's side faces [W/(m² K)], ≥ 0, by default 0; layers of one conductivity.
+    hub_conductance : float, optional
+        From a roller's hub to the surroundings [W/K], ≥ 0, by default 0.
+    base_convection : float, optional
+        Coefficient below a plane, such as at a belt's other face [W/(m² K)], ≥ 0.
+    period : float, optional
+        Of a plane, from one pass to the next [s], > 0.
+    time : array_like, optional
+        Times [s], ≥ 0, at which the way to the steady state is wanted as `history`; `convection` is a number then.
+    start : Temperature, optional
+        What was there at time 0, of the same layers: the last of its history, or else its steady state; by default all
+        is as warm as the surroundings.
     heat_capacity : float, default 2e6
-        Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts only in the warning that a mean over a
-        revolution does not hold.
+        Per volume, ρc [J/(m³ K)], > 0, of rubber by default: it counts over time, and in the warning that a mean over
+        a revolution does not hold.
     max_order, progress
         As of `Result.loss`.
 
@@ -160,7 +185,7 @@ def temperature(
     Notes
     -----
     The source is what the model loses in r² dr dθ dφ, put into the sphere's volume. The heat of slip on the plane is
-    not in it.
+    not in it. A track across a plane has others beside it, a circumference of what rolls apart.
 
     Examples
     --------
@@ -174,53 +199,115 @@ def temperature(
         import xarray
 
     require_type("result", result, Result)
-    ball = _coated_ball(result)
-    conductivities = _conductivities(ball, conductivity)
-    surroundings = as_kelvin("ambient", ambient)
-    capacity = _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
-    film = convection if callable(convection) else _not_negative("convection", convection, "W/(m^2 K)")
-    core_conductivity, core_rise = _core(ball, core, core_temperature, surroundings)
-    if core_conductivity is not None and film == 0.0 and result.rolling_bulk_power > 0.0:
-        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
-
-    loss = result.loss(of="ball", max_order=max_order, progress=progress)
-    degrees = min(int(_DEGREES_PER_CONTACT * ball.outer_radius / contact_size(result)) + 2, _MOST_DEGREES)
-    layers = Conduction(_boundaries(ball), conductivities, film, degrees=degrees, core_conductivity=core_conductivity)
-    source = _source(ball, loss, layers, degrees)
-    heat = layers.heat_of(source)
-    if heat > 0.0:
-        source = source * (result.rolling_bulk_power / heat)  # of all orders
-    rises = layers.solve(source, core_rise)
-    means = _means(ball, layers, source, rises)
-    theta = loss.theta.to_numpy()
-    rise = rises.T @ legendre_values(degrees, np.cos(theta))
+    capacity = positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+    given = Surroundings(
+        convection=convection,
+        ambient=as_kelvin("ambient", ambient),
+        core=core,
+        core_temperature=core_temperature,
+        width=width,
+        side_convection=side_convection,
+        hub_conductance=hub_conductance,
+        base_convection=base_convection,
+        period=period,
+    )
+    inside = inside_of(result, of)
+    body = heated_body(inside, given, conductivity)
+    loss = result.loss(of=inside.of, max_order=max_order, progress=progress)
+    source = body.source(loss)
+    rises = body.conduction.solve(source, body.inner_rise)
+    places = body.places_along(loss)
+    values = body.values(places)
+    rise = rises.T @ values
+    means = body.means(source, rises)
+    heat = body.conduction.heat_of(source)
+    to_core = body.conduction.heat_inwards(source, rises)
     ripple = float(loss.loss_density.max()) / capacity
     found = Temperature(
-        rise=xarray.DataArray(
-            rise,
-            dims=("radius", "theta"),
-            coords={"radius": ("radius", layers.radius, {"units": "m"}), "theta": ("theta", theta, {"units": "rad"})},
-            attrs={"units": "K", "long_name": "temperature rise over the surroundings"},
-            name="rise",
-        ),
-        maximum=float(rise.max()),
+        rise=_field(body, places, rise, xarray.DataArray),
+        maximum=float(body.conduction.finely(rise).max()),
         surface_maximum=float(rise[-1].max()),
         mean=means[0],
         layer_means=tuple(means[1:]),
-        ambient=surroundings,
-        heat=layers.heat_of(source),
-        heat_to_core=layers.heat_to_core(source, rises),
-        heat_to_surroundings=layers.heat_to_surroundings(rises),
+        ambient=given.ambient,
+        heat=heat,
+        heat_to_core=to_core,
+        heat_to_surroundings=body.conduction.heat_outwards(rises) + body.conduction.heat_sideways(rises),
         ripple=ripple,
+        heat_unit=body.unit,
+        times=_slowest(body, rises, capacity),
+        history=None if time is None else _history(body, places, source, rises, start, time, capacity),
     )
     if ripple > _RIPPLE * abs(found.maximum):
         warn(
             [
-                f"a point's temperature swings by up to {ripple:.2g} K over a revolution, and the mean rises by "
-                f"{found.maximum:.2g} K: at this speed the peaks are hotter than the mean over a revolution"
+                f"a point's temperature swings by up to {ripple:.2g} K from pass to pass, and the mean rises by "
+                f"{found.maximum:.2g} K: so slowly the peaks are hotter than the mean"
             ]
         )
     return found
+
+
+def _slowest(body: HeatedBody, rises: NDArray[np.float64], capacity: float) -> tuple[float, ...]:
+    if not body.conduction.has_even_film:
+        return ()
+    return tuple(body.conduction.approach(rises, rises, np.zeros(1), capacity)[1][:3].tolist())
+
+
+def _history(
+    body: HeatedBody,
+    places: NDArray[np.float64],
+    source: NDArray[np.float64],
+    steady: NDArray[np.float64],
+    start: Temperature | None,
+    time: ArrayLike,
+    capacity: float,
+) -> xarray.Dataset:
+    import xarray
+
+    times = finite_line("time", time)
+    if not (times >= 0.0).all():
+        raise ValueError(f"time must be >= 0 s, got {times.min():g} s")
+    before = np.zeros_like(steady)
+    if start is not None:
+        require_type("start", start, Temperature)
+        field = start.rise if start.history is None else start.history.rise[-1]
+        expected = (steady.shape[1], places.size)
+        if field.shape != expected:
+            raise ValueError(f"start must be of the same layers and mesh, of shape {expected}, got {field.shape}")
+        before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
+    rises = body.conduction.approach(steady, before, times, capacity)[0]
+    rise = np.einsum("tjp,jz->tpz", rises, body.values(places))
+    kelvin = {"units": "K"}
+    frame = _field(body, places, rise[0], xarray.DataArray)
+    return xarray.Dataset(
+        {
+            "rise": (("time", *frame.dims), rise, frame.attrs),
+            "maximum": ("time", [float(body.conduction.finely(one).max()) for one in rise], kelvin),
+            "surface_maximum": ("time", rise[:, -1].max(axis=1), kelvin),
+            "mean": ("time", [body.means(source, one)[0] for one in rises], kelvin),
+        },
+        {"time": ("time", times, {"units": "s"}), **frame.coords},
+    )
+
+
+def _field(
+    body: HeatedBody, places: NDArray[np.float64], rise: NDArray[np.float64], array: type[xarray.DataArray]
+) -> xarray.DataArray:
+    across, place = body.along, body.conduction.place
+    unit = {"units": "rad" if across == "theta" else "m"}
+    turns = body.inside.turns
+    normal = "radius" if turns else "depth"
+    return array(
+        rise,
+        dims=(normal, across),
+        coords={
+            normal: (normal, place if turns else body.inside.depth(place), {"units": "m"}),
+            across: (across, places, unit),
+        },
+        attrs={"units": "K", "long_name": "temperature rise over the surroundings"},
+        name="rise",
+    )
 
 
 def plane_cooling(
@@ -260,16 +347,16 @@ def plane_cooling(
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
     require_type("result", result, Result)
-    _coated_ball(result)
-    base = _not_negative("convection", convection, "W/(m^2 K)")
+    inside = inside_of(result, "ball")
+    base = not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(
-        _positive("conductivity", conductivity, "W/(m K)") * _positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+        positive("conductivity", conductivity, "W/(m K)") * positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     )
     plane = as_float("plane_effusivity", plane_effusivity)
     if not plane > 0.0:
         raise ValueError(f"plane_effusivity must be > 0 W s^0.5/(m^2 K), got {plane!r}")
     share = 1.0 if np.isinf(plane) else plane / (effusivity + plane)
-    nodes = node_angles(result)[1]
+    nodes = inside.node_angles()[1]
     time = result.contact.sum(axis=0) * result.mesh.spacing / result.angular_speed
     taken = 2.0 * effusivity * share * np.sqrt(time / np.pi) * result.angular_speed / (2.0 * np.pi)
 
@@ -278,99 +365,3 @@ def plane_cooling(
         return values
 
     return coefficient
-
-
-def _coated_ball(result: Result) -> CoatedSphere:
-    body = inside_of(result, "ball").body
-    require_type("result.ball", body, CoatedSphere)
-    assert isinstance(body, CoatedSphere)
-    return body
-
-
-def _boundaries(ball: CoatedSphere) -> list[float]:
-    return [ball.core_radius, *(ball.core_radius + np.cumsum([layer.thickness for layer in ball.layers])).tolist()]
-
-
-def _conductivities(ball: CoatedSphere, given: float | Sequence[float] | None) -> list[float]:
-    if given is None:
-        values = [layer.conductivity for layer in ball.layers]
-        if None in values:
-            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
-        return [value for value in values if value is not None]
-    if np.ndim(given) == 0:
-        return [_positive("conductivity", given, "W/(m K)")] * len(ball.layers)
-    several = [_positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
-    if len(several) != len(ball.layers):
-        raise ValueError(f"conductivity must be one for each of {len(ball.layers)} layers, got {len(several)}")
-    return several
-
-
-def _core(
-    ball: CoatedSphere, core: Core | float, core_temperature: float | None, ambient: float
-) -> tuple[float | None, float]:
-    """Conductivity of the core, None for one at a given temperature, and its rise [K]."""
-    if core is not Core.ISOTHERMAL and core_temperature is not None:
-        raise ValueError(f"core_temperature must be left out unless core is ISOTHERMAL, got {shown(core_temperature)}")
-    if ball.inner_boundary is not InnerBoundary.RIGID and core is not Core.INSULATED:
-        raise ValueError(f"core must be INSULATED in a ball without one, got {shown(core)}")
-    if core is Core.INSULATED:
-        return 0.0, 0.0
-    if core is Core.ISOTHERMAL:
-        held = ambient if core_temperature is None else _positive("core_temperature", core_temperature, "K")
-        return None, held - ambient
-    return _positive("core", core, "W/(m K), or a viscoroll.Core"), 0.0
-
-
-def _source(ball: CoatedSphere, loss: xarray.Dataset, layers: Conduction, degrees: int) -> NDArray[np.float64]:
-    """q_l at the points of the layers, from the loss at its own nodes, which are Gauss's in the root of the depth."""
-    theta = loss.theta.to_numpy()
-    waves = legendre_values(degrees, np.cos(theta)) * (theta[1] - theta[0])
-    by_degree = (np.arange(degrees)[:, None] + 0.5) * (waves @ loss.power_density.to_numpy().T)
-    source = np.empty((degrees, layers.radius.size))
-    bounds = _boundaries(ball)
-    for number in range(len(ball.layers)):
-        nodes = loss.place_layer.to_numpy() == number
-        points = layers.layer == number
-        thickness = bounds[number + 1] - bounds[number]
-        root = np.sqrt(np.clip((bounds[number + 1] - loss.radius.to_numpy()[nodes]) / thickness, 0.0, None))
-        wanted = np.sqrt(np.clip((bounds[number + 1] - layers.radius[points]) / thickness, 0.0, None))
-        source[:, points] = by_degree[:, nodes] @ _interpolation(root, wanted).T
-    return source
-
-
-def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the matrix of polynomial interpolation, by the barycentric formula."""
-    gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
-    weights = 1.0 / np.prod(4.0 * gaps, axis=1)
-    offsets = points[:, None] - nodes[None, :]
-    hits = offsets == 0.0
-    terms = weights / np.where(hits, 1.0, offsets)
-    matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
-    matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
-    return matrix
-
-
-def _means(
-    ball: CoatedSphere, layers: Conduction, source: NDArray[np.float64], rises: NDArray[np.float64]
-) -> list[float]:
-    """Rise weighted by the loss: of all layers, and of each."""
-    degree = np.arange(layers.degrees)[:, None]
-    weights = layers.volume_weights()
-    heated = weights * (rises * source / (degree + 0.5)).sum(axis=0)
-    heat = weights * 2.0 * source[0]
-    groups = [np.ones(layers.layer.size, bool), *(layers.layer == number for number in range(len(ball.layers)))]
-    return [float(heated[group].sum() / heat[group].sum()) if heat[group].sum() > 0.0 else 0.0 for group in groups]
-
-
-def _positive(name: str, value: object, unit: str) -> float:
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
-    return number
-
-
-def _not_negative(name: str, value: object, unit: str) -> float:
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number >= 0.0):
-        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
-    return number

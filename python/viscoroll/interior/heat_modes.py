@@ -1,0 +1,156 @@
+"""What a temperature is a sum of along the surface of a ball, a roller or a slab: T = Σ T_j(r) Y_j."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.polynomial import legendre
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["HeatModes", "film_matrix", "legendre_values", "modes_of_ball", "modes_of_roller", "modes_of_slab"]
+
+_DEEPEST = 1e-2  # of the radius of a ball without a core: below, nothing but the mean is left
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HeatModes:
+    """Orthogonal functions Y_j along a surface.
+
+    Attributes
+    ----------
+    measure : callable
+        Area of the surface at r, but for what `area` and `square` have of it: r² [m²], r [m] or 1.
+    rate : callable
+        λ_j(r), -∇²Y_j = λ_j Y_j [1/m²], a row for each mode.
+    values : callable
+        Y_j at places along the surface, a row for each mode: at the cosine of θ of a ball, at z [m] of the others.
+    unity : ndarray
+        Coefficients of the function 1.
+    area, square : ndarray
+        Integrals of Y_j and of Y_j² over the surface, per `measure`.
+    folds : callable
+        E-folds of the highest mode from one place to another.
+    """
+
+    measure: Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    rate: Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    values: Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    unity: NDArray[np.float64]
+    area: NDArray[np.float64]
+    square: NDArray[np.float64]
+    folds: Callable[[float, float], float]
+
+    @property
+    def count(self) -> int:
+        """Number of modes."""
+        return self.unity.size
+
+
+def legendre_values(degrees: int, cosine: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return P_l(cosine) for l = 0 … degrees - 1, a row for each."""
+    return np.asarray(legendre.legvander(cosine, degrees - 1).T, dtype=np.float64)
+
+
+def modes_of_ball(degrees: int) -> HeatModes:
+    """Return Legendre's polynomials P_l(cos θ), l = 0 … degrees - 1."""
+    degree = np.arange(degrees, dtype=np.float64)
+    first = np.zeros(degrees)
+    first[0] = 1.0
+    return HeatModes(
+        measure=np.square,
+        rate=lambda r: (degree * (degree + 1.0))[:, None] / r**2,
+        values=lambda cosine: legendre_values(degrees, cosine),
+        unity=first,
+        area=4.0 * np.pi * first,
+        square=2.0 * np.pi / (degree + 0.5),
+        folds=lambda inner, outer: degrees * float(np.log(outer / max(inner, _DEEPEST * outer))),
+    )
+
+
+def modes_of_roller(width: float | None, side: float, count: int = 1) -> HeatModes:
+    """Return cos(β_j z) between side faces, β_j tan(β_j L/2) = h_s/k; endless, and between insulated faces, 1.
+
+    Parameters
+    ----------
+    width : float or None
+        L [m]; without it all is per length.
+    side : float
+        Convection at the side faces per conductivity, h_s/k [1/m].
+    count : int
+        How many.
+    """
+    length = 1.0 if width is None else width
+    if width is None or side == 0.0:
+        half = np.zeros(1)
+        square = np.array([length])
+        area = square
+    else:
+        half = _side_roots(0.5 * side * width, count)
+        area = length * np.sinc(half / np.pi)
+        square = 0.5 * length * (1.0 + np.sinc(2.0 * half / np.pi))
+    beta = 2.0 * half / length
+    return HeatModes(
+        measure=lambda r: np.asarray(r, dtype=np.float64),
+        rate=lambda r: np.repeat(beta[:, None] ** 2, np.size(r), axis=1),
+        values=lambda z: np.cos(beta[:, None] * z),
+        unity=area / square,
+        area=2.0 * np.pi * area,
+        square=2.0 * np.pi * square,
+        folds=lambda inner, outer: float(beta[-1]) * (outer - inner),
+    )
+
+
+def modes_of_slab(period: float | None, count: int = 1) -> HeatModes:
+    """Return cos(2π j ζ/L), j = 0, 1, …; per area where nothing varies.
+
+    Parameters
+    ----------
+    period : float or None
+        L [m]: tracks lie side by side, so far apart.
+    count : int
+        How many.
+    """
+    length = 1.0 if period is None else period
+    k = 2.0 * np.pi / length * np.arange(count if period is not None else 1)
+    first = (k == 0.0).astype(np.float64)
+    return HeatModes(
+        measure=np.ones_like,
+        rate=lambda y: np.repeat(k[:, None] ** 2, np.size(y), axis=1),
+        values=lambda z: np.cos(k[:, None] * z),
+        unity=first,
+        area=length * first,
+        square=0.5 * length * (1.0 + first),
+        folds=lambda inner, outer: float(k[-1]) * (outer - inner),
+    )
+
+
+def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], degrees: int) -> NDArray[np.float64]:
+    """Matrix of convection on a ball: h_c T has the components H T with H = (l + ½) ∫ h_c P_l P_l' d cos θ.
+
+    Raises
+    ------
+    ValueError
+        For coefficients below 0 and not finite.
+    """
+    cosine, weights = legendre.leggauss(2 * degrees + 2)
+    values = legendre_values(degrees, cosine)
+    coefficient = np.broadcast_to(np.asarray(convection(np.arccos(cosine)), dtype=float), cosine.shape)
+    if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
+        raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
+    film: NDArray[np.float64] = (np.arange(degrees)[:, None] + 0.5) * ((values * (coefficient * weights)) @ values.T)
+    return film
+
+
+def _side_roots(biot: float, count: int) -> NDArray[np.float64]:
+    """Roots of x tan x = Bi, one in each [jπ, jπ + π/2), by Newton's method on x sin x - Bi cos x."""
+    low = np.pi * np.arange(count)
+    x = low + np.arctan(biot / np.maximum(low, np.sqrt(biot) if biot < 1.0 else 1.0))
+    for _ in range(60):
+        value = (x - low) - np.arctan2(biot, x)
+        x = x - value / (1.0 + biot / (biot**2 + x**2))
+    return np.asarray(x)

@@ -1,0 +1,343 @@
+"""A ball, a roller or a slab as heat sees it: how it conducts, what leaves it, and the source that its loss is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._core import InnerBoundary
+from .._support.arguments import as_float
+from .._support.text import shown
+from ..bodies import CoatedPlane, CoatedSphere
+from ..solution.inside import Inside, boundaries_of
+from ..solution.loss import contact_size
+from .conduction import Conduction
+from .heat_modes import HeatModes, film_matrix, modes_of_ball, modes_of_roller, modes_of_slab
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+__all__ = ["Core", "HeatedBody", "Surroundings", "heated_body", "not_negative", "positive"]
+
+#: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
+_DEGREES_PER_CONTACT = 15.0
+_MOST_DEGREES = 400
+
+#: Functions between side faces: what is left out holds 1e-6 of the heat.
+_SIDE_MODES = 40
+_PLACES_ACROSS = 41
+
+
+class Core(Enum):
+    """What the core or the base does to heat; a number in its place is its conductivity [W/(m K)], of a ball's core."""
+
+    INSULATED = "insulated"  #: lets none through
+    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """Where heat may go: the arguments of `temperature`, as they were given."""
+
+    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    ambient: float
+    core: Core | float = Core.INSULATED
+    core_temperature: float | None = None
+    width: float | None = None
+    side_convection: float | None = None
+    hub_conductance: float | None = None
+    base_convection: float | None = None
+    period: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HeatedBody:
+    """What conducts, and where along it temperatures are told.
+
+    Attributes
+    ----------
+    inside : Inside
+        The body.
+    conduction : Conduction
+        Its layers.
+    inner_rise : float
+        Of an inner surface at a given temperature [K].
+    along : str
+        Name of the coordinate along the surface, theta [rad] or z [m].
+    unit : str
+        Of heat: W, or W per what the body is without end in.
+    power : float
+        Heat of all that is lost in it, in that unit.
+    project : callable
+        Takes the loss density by place [W/m³] over the coordinate of the loss to sources of the modes.
+    places : ndarray, optional
+        Along the surface, where temperatures are told; by default where the loss is.
+    """
+
+    inside: Inside
+    conduction: Conduction
+    inner_rise: float
+    along: str
+    unit: str
+    power: float
+    project: Callable[[xarray.Dataset], NDArray[np.float64]]
+    places: NDArray[np.float64] | None = None
+
+    def places_along(self, loss: xarray.Dataset) -> NDArray[np.float64]:
+        """Return places along the surface, in the coordinate `along`."""
+        return loss[self.along].to_numpy() if self.places is None else self.places
+
+    def values(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the modes there."""
+        return self.conduction.modes.values(np.cos(places) if self.along == "theta" else places)
+
+    def source(self, loss: xarray.Dataset) -> NDArray[np.float64]:
+        """Return q_j at the points of the layers from the loss at its own nodes, Gauss's in the root of the depth."""
+        by_mode = self.project(loss)
+        source = np.empty((by_mode.shape[0], self.conduction.place.size))
+        bounds = boundaries_of(self.inside.body)
+        depths = loss.depth.to_numpy()
+        for number in range(len(bounds) - 1):
+            nodes = loss.place_layer.to_numpy() == number
+            points = self.conduction.layer == number
+            thickness = bounds[number + 1] - bounds[number]
+            top = float(self.inside.depth(bounds[number + 1]))
+            root = np.sqrt(np.clip((depths[nodes] - top) / thickness, 0.0, None))
+            wanted = np.sqrt(np.clip((bounds[number + 1] - self.conduction.place[points]) / thickness, 0.0, None))
+            source[:, points] = by_mode[:, nodes] @ _interpolation(root, wanted).T
+        heat = self.conduction.heat_of(source)
+        return source * (self.power / heat) if heat > 0.0 else source  # of all orders
+
+    def means(self, source: NDArray[np.float64], rises: NDArray[np.float64]) -> list[float]:
+        """Rise weighted by the loss: of all layers, and of each."""
+        modes = self.conduction.modes
+        weights = self.conduction.volume_weights()
+        heated = weights * (modes.square @ (rises * source))
+        heat = weights * (modes.area @ source)
+        layers = self.conduction.layer
+        groups = [np.ones(layers.size, bool), *(layers == number for number in range(layers.max() + 1))]
+        return [float(heated[group].sum() / heat[group].sum()) if heat[group].sum() > 0.0 else 0.0 for group in groups]
+
+
+def heated_body(inside: Inside, given: Surroundings, conductivity: float | Sequence[float] | None) -> HeatedBody:
+    """Return the body of a result as heat sees it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input, for what the body has not, and where nothing takes the heat.
+    """
+    if not np.isfinite(inside.thickness):
+        raise ValueError("result.on must lie on something rigid for its temperature, got a half-space")
+    conductivities = _conductivities(inside, conductivity)
+    if isinstance(inside.body, CoatedSphere):
+        return _ball(inside, given, conductivities)
+    if isinstance(inside.body, CoatedPlane):
+        return _slab(inside, given, conductivities)
+    return _roller(inside, given, conductivities)
+
+
+def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    _refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    ball = inside.body
+    assert isinstance(ball, CoatedSphere)
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
+    if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
+        raise ValueError(f"core must be INSULATED in a ball without one, got {shown(given.core)}")
+    rise = _held(given)
+    inner: NDArray[np.float64] | None
+    if isinstance(given.core, Core):
+        inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
+    else:
+        inner = positive("core", given.core, "W/(m K), or a viscoroll.Core") * np.arange(degrees) / ball.core_radius
+    varying = callable(given.convection)
+    film = film_matrix(given.convection, degrees) if callable(given.convection) else _film(given)
+    if inner is not None and not varying:
+        _require_sink(inside, film, False)
+    modes = modes_of_ball(degrees)
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        theta = loss.theta.to_numpy()
+        waves = modes.values(np.cos(theta)) * (theta[1] - theta[0])
+        degree = np.arange(degrees)[:, None] + 0.5
+        return np.asarray(degree * (waves @ loss.power_density.to_numpy().T))
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(boundaries_of(ball).tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=rise,
+        along="theta",
+        unit="W",
+        power=inside.bulk_power,
+        project=project,
+    )
+
+
+def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    _refuse(given, ("base_convection", "period"), "a roller")
+    width = None if given.width is None else positive("width", given.width, "m")
+    for name in ("side_convection", "hub_conductance"):
+        if width is None and getattr(given, name) is not None:
+            raise ValueError(f"width must be given with {name}, got none")
+    side = not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
+    if side > 0.0 and len(set(conductivities)) > 1:
+        raise ValueError(
+            f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
+        )
+    modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
+    bounds = boundaries_of(inside.body)
+    inner = _inner(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
+    film = _film(given)
+    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    across = np.zeros(1) if width is None else np.linspace(-0.5 * width, 0.5 * width, _PLACES_ACROSS)
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=_held(given),
+        along="z",
+        unit="W/m" if width is None else "W",
+        power=inside.bulk_power * (width or 1.0),
+        project=lambda loss: modes.unity[:, None] * loss.power_density.to_numpy()[:, 0],
+        places=across,
+    )
+
+
+def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    _refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    if given.period is None:
+        raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
+    period = positive("period", given.period, "s")
+    result = inside.result
+    track = None if inside.line_contact else 2.0 * np.pi * inside.radius
+    degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
+    modes = modes_of_slab(track, degrees)
+    base = (
+        None if given.base_convection is None else not_negative("base_convection", given.base_convection, "W/(m^2 K)")
+    )
+    if base is not None and given.core is not Core.INSULATED:
+        raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")
+    inner = _inner(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
+    film = _film(given)
+    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        density = loss.loss_density.to_numpy() / period
+        if track is None:
+            return np.asarray(density[:, 0][None, :])
+        z = loss.z.to_numpy()
+        waves = modes.values(z) * abs(z[1] - z[0])
+        return np.asarray((waves @ density.T) / modes.square[:, None])
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=_held(given),
+        along="z",
+        unit="W/m²" if inside.line_contact else "W/m",
+        power=inside.bulk_power / (inside.passes * inside.radius * period),
+        project=project,
+    )
+
+
+def _inner(given: Surroundings, modes: HeatModes, area: Callable[[], float]) -> NDArray[np.float64] | None:
+    """Coefficients at the inner surface, None where its temperature is given."""
+    if not isinstance(given.core, Core):
+        raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
+    if given.core is Core.ISOTHERMAL:
+        if given.hub_conductance is not None:
+            raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
+        return None
+    conductance = not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
+    return np.full(modes.count, conductance / area())
+
+
+def _held(given: Surroundings) -> float:
+    """Rise of a core at a given temperature [K]."""
+    if given.core is not Core.ISOTHERMAL:
+        if given.core_temperature is not None:
+            wanted = "core_temperature must be left out unless core is ISOTHERMAL"
+            raise ValueError(f"{wanted}, got {shown(given.core_temperature)}")
+        return 0.0
+    return (
+        0.0
+        if given.core_temperature is None
+        else positive("core_temperature", given.core_temperature, "K") - given.ambient
+    )
+
+
+def _film(given: Surroundings) -> float:
+    if callable(given.convection):
+        values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
+        return not_negative("convection", float(values[0]), "W/(m^2 K)")
+    return not_negative("convection", given.convection, "W/(m^2 K)")
+
+
+def _require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
+    if not other and np.ndim(film) == 0 and film == 0.0 and inside.bulk_power > 0.0:
+        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
+
+
+def _refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
+    for name in names:
+        if getattr(given, name) is not None:
+            raise ValueError(f"{name} must be left out with {body}, got {shown(getattr(given, name))}")
+
+
+def _conductivities(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
+    layers = inside.body.layers
+    if given is None:
+        values = [layer.conductivity for layer in layers]
+        if None in values:
+            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
+        return [value for value in values if value is not None]
+    if np.ndim(given) == 0:
+        return [positive("conductivity", given, "W/(m K)")] * len(layers)
+    several = [positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
+    if len(several) != len(layers):
+        raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
+    return several
+
+
+def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the matrix of polynomial interpolation, by the barycentric formula."""
+    gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
+    weights = 1.0 / np.prod(4.0 * gaps, axis=1)
+    offsets = points[:, None] - nodes[None, :]
+    hits = offsets == 0.0
+    terms = weights / np.where(hits, 1.0, offsets)
+    matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
+    matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
+    return matrix
+
+
+def positive(name: str, value: object, unit: str) -> float:
+    """Return a finite number > 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For anything else.
+    """
+    number = as_float(name, value)
+    if not (np.isfinite(number) and number > 0.0):
+        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
+    return number
+
+
+def not_negative(name: str, value: object, unit: str) -> float:
+    """Return a finite number >= 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For anything else.
+    """
+    number = as_float(name, value)
+    if not (np.isfinite(number) and number >= 0.0):
+        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
+    return number
