@@ -154,7 +154,11 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     if isinstance(given.core, Core):
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
     else:
-        inner = positive("core", given.core, "W/(m K), or a viscoroll.Core") * np.arange(degrees) / ball.core_radius
+        inner = (
+            positive("core", given.core, "W/(m K), or a viscoroll.Core")
+            * np.arange(degrees, dtype=np.float64)
+            / ball.core_radius
+        )
     varying = callable(given.convection)
     film = film_matrix(given.convection, degrees) if callable(given.convection) else _film(given)
     if inner is not None and not varying:

@@ -2,14 +2,16 @@
 
 The moduli of layer j are those at T_j, μ*(a_T(T_j) ω). What decides is the mean temperature T̄, weighted by the loss:
 at a given T̄ the moduli are known, and with them torque, loss and the rise ΔT that they make. A steady state is a root
-of excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state.
+of excess(T̄) = ambient + ΔT - T̄; every T̄ has one excess, folds and all, so sweeping T̄ finds every state. At a given T̄
+heat grows with speed and with load, so that it has one speed at a given load and one load at a given speed: where
+either has its maximum over T̄, the cold state ends.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -19,9 +21,9 @@ from .._support.cautions import kept_in_results, warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, counted, reporting
 from .._support.tables import html_table, number_text
-from ..bodies import CoatedSphere
+from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
 from ..materials import Shift
-from ..materials.shift import shift_factor, shifted
+from ..materials.shift import scaled, shift_factor, shifted
 from ..rolling import solve
 from ..solution.loss import default_max_order
 from .temperature import QUANTITIES, Core, Temperature, temperature
@@ -33,11 +35,18 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
 
-__all__ = ["SelfHeating", "SteadyState", "self_heating"]
+__all__ = ["Fold", "SelfHeating", "SteadyState", "self_heating"]
 
 #: 0.999 of the loss, for temperatures found on the way.
 _ORDERS_PER_CONTACT = 12.0
 _PROFILE_STEPS = 4  # of the temperatures of layers around their mean
+
+#: Rises, per that of the limit, among which a maximum of the load or the speed is looked for: first, last and number.
+_FOLD_RISES = (3e-3, 1.0, 16)
+_FOLD_REACH = 12  # doublings of the load or the speed that is asked about: 4000 times
+
+#: The same for any steady state.
+_REACH = 60
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -67,11 +76,37 @@ class SteadyState:
     def __repr__(self) -> str:
         """Return a summary of one line."""
         kind = "stable" if self.stable else "unstable"
+        unit = self.result.unit("resisting_torque")
         return (
             f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
             f"{self.temperature.ambient + self.temperature.maximum:.2f} K, "
-            f"T_r = {self.result.resisting_torque * 1e3:.4g} mN m)"
+            f"T_r = {self.result.resisting_torque * 1e3:.4g} m{unit})"
         )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fold:
+    """Where the cold state of a load, or of a speed, merges with an unstable one, and ends.
+
+    Attributes
+    ----------
+    load : float
+        [N], of a roller [N/m].
+    angular_speed : float
+        Ω [rad/s].
+    mean_temperature : float
+        Of the layers, weighted by the loss [K].
+    maximum : float
+        Largest temperature in them [K].
+    strain : float
+        Penetration per thickness [-], beyond 0.2 of which linear theory is rough.
+    """
+
+    load: float
+    angular_speed: float
+    mean_temperature: float
+    maximum: float
+    strain: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -126,25 +161,69 @@ class SelfHeating:
         ndarray
             Ω [rad/s]; the largest of them is the last that has a state below the hottest of the temperatures.
         """
-        speeds = []
+        return self._at_all(temperatures, self._search.speed_at, progress)
+
+    def loads(self, temperatures: Sequence[float], *, progress: ProgressLike = None) -> NDArray[np.float64]:
+        """Return the loads at which given mean temperatures are steady states, at this speed.
+
+        Parameters
+        ----------
+        temperatures, progress
+            As of `speeds`.
+
+        Returns
+        -------
+        ndarray
+            [N], of a roller [N/m].
+
+        Raises
+        ------
+        ValueError
+            For a temperature that no load makes which the layers bear.
+        """
+        return self._at_all(temperatures, self._search.load_at, progress)
+
+    def largest_load(self) -> Fold | None:
+        """Return the load at which the cold state ends, at this speed: beyond, the layers run away.
+
+        Returns
+        -------
+        Fold or None
+            None where it does not end below the `limit`, or before the contact outgrows the layers.
+        """
+        return self._search.fold("load")
+
+    def largest_speed(self) -> Fold | None:
+        """Return the same of the speed, at this load."""
+        return self._search.fold("speed")
+
+    @staticmethod
+    def _at_all(
+        temperatures: Sequence[float], found_at: Callable[[float], float], progress: ProgressLike
+    ) -> NDArray[np.float64]:
+        found = []
         with counted(progress, total=len(temperatures), unit="temperature") as one_more:
             for value in temperatures:
-                speeds.append(self._search.speed_at(as_float("temperatures", value)))
+                found.append(found_at(as_float("temperatures", value)))
                 one_more()
-        return np.array(speeds)
+        return np.array(found)
 
 
 def self_heating(
-    ball: CoatedSphere,
+    ball: RollingBody,
     *,
     load: float,
     angular_speed: float,
     convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]],
     ambient: float,
     shift: Shift | Sequence[Shift],
+    vertical_shift: Shift | None = None,
     conductivity: float | Sequence[float] | None = None,
     core: Core | float = Core.INSULATED,
     core_temperature: float | None = None,
+    width: float | None = None,
+    side_convection: float | None = None,
+    hub_conductance: float | None = None,
     limit: float | None = None,
     sublayers: int = 1,
     points: int = 24,
@@ -155,14 +234,16 @@ def self_heating(
 
     Parameters
     ----------
-    ball : CoatedSphere
+    ball : CoatedSphere or CoatedCylinder
         Its moduli are those at the reference temperature of `shift`.
     load, angular_speed : float
         As of `solve`.
-    convection, ambient, conductivity, core, core_temperature
+    convection, ambient, conductivity, core, core_temperature, width, side_convection, hub_conductance
         As of `temperature`.
     shift : callable or sequence of callable
         a_T as a function of temperature [K], of all layers or of each: `WilliamsLandelFerry`, `Arrhenius` or any other.
+    vertical_shift : callable, optional
+        b_T as a function of temperature [K], by which all moduli are multiplied; by default 1.
     limit : float, optional
         Highest mean temperature looked at [K], such as what the material bears; by default 150 K above the
         surroundings.
@@ -215,7 +296,7 @@ def self_heating(
     with extra("studies"):  # before the first solve
         from scipy.optimize import brentq
 
-    require_type("ball", ball, CoatedSphere)
+    require_type("ball", ball, CoatedSphere, CoatedCylinder)
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)
@@ -230,7 +311,8 @@ def self_heating(
     search = _Search(
         ball=_cut(ball, parts),
         shifts=[each for each in shifts for _ in range(parts)],
-        load=load,
+        vertical=vertical_shift,
+        load=as_float("load", load),
         angular_speed=as_float("angular_speed", angular_speed),
         thermal={
             "conductivity": _repeated(conductivity, parts),
@@ -238,6 +320,9 @@ def self_heating(
             "ambient": surroundings,
             "core": core,
             "core_temperature": core_temperature,
+            "width": width,
+            "side_convection": side_convection,
+            "hub_conductance": hub_conductance,
         },
         options=options,
         ambient=surroundings,
@@ -269,8 +354,9 @@ class _Point:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class _Search:
-    ball: CoatedSphere
+    ball: RollingBody
     shifts: list[Shift]
+    vertical: Shift | None
     load: float
     angular_speed: float
     thermal: dict[str, Any]
@@ -278,19 +364,22 @@ class _Search:
     ambient: float
     limit: float
     find_root: Callable[..., float]
-    known: dict[tuple[float, float], _Point]
+    known: dict[tuple[float, float, float], _Point]
 
-    def at(self, mean: float, angular_speed: float | None = None) -> _Point:
+    def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
         """Contact and temperature with the moduli of a mean temperature; the layers around it iterated."""
         speed = self.angular_speed if angular_speed is None else angular_speed
-        key = (mean, speed)
+        force = self.load if load is None else load
+        key = (mean, speed, force)
         if key in self.known:
             return self.known[key]
         profile = np.zeros(len(self.ball.layers))
         for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
             temperatures = mean + profile
-            result = solve(self._heated(temperatures), load=self.load, angular_speed=speed, **self.options)
-            found = temperature(result, **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT))
+            result = solve(self._heated(temperatures), load=force, angular_speed=speed, **self.options)
+            found = temperature(
+                result, of="ball", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
+            )
             after = np.array(found.layer_means) - found.mean
             settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
             profile = after
@@ -300,12 +389,13 @@ class _Search:
         self.known[key] = point
         return point
 
-    def _heated(self, temperatures: NDArray[np.float64]) -> CoatedSphere:
-        factors = [shift_factor(shift, float(t)) for shift, t in zip(self.shifts, temperatures, strict=True)]
-        layers = [
-            replace(layer, shear_modulus=shifted(layer.shear_modulus, factor))
-            for layer, factor in zip(self.ball.layers, factors, strict=True)
-        ]
+    def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
+        layers = []
+        for layer, shift, there in zip(self.ball.layers, self.shifts, temperatures.tolist(), strict=True):
+            modulus = shifted(layer.shear_modulus, shift_factor(shift, there))
+            if self.vertical is not None:
+                modulus = scaled(modulus, shift_factor(self.vertical, there, "vertical_shift"))
+            layers.append(replace(layer, shear_modulus=modulus))
         return replace(self.ball, layers=layers)
 
     def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
@@ -354,21 +444,66 @@ class _Search:
             stable=self.at(high).excess <= self.at(low).excess,
         )
 
-    def speed_at(self, mean: float) -> float:
+    def speed_at(self, mean: float, reach: int = _REACH) -> float:
         """Speed at which a mean temperature is steady: heat grows with speed where temperature is held."""
+        return self._where(mean, self.angular_speed, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
+
+    def load_at(self, mean: float, reach: int = _REACH) -> float:
+        """Load at which a mean temperature is steady: heat grows with it, too."""
+        return self._where(mean, self.load, lambda load: self.at(mean, load=load), "load", reach)
+
+    def _where(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
         if not mean > self.ambient:
             raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
 
-        def excess(log_speed: float) -> float:
-            return self.at(mean, float(np.exp(log_speed))).excess
+        def excess(logarithm: float) -> float:
+            return at(float(np.exp(logarithm))).excess
 
-        low = high = float(np.log(self.angular_speed))
+        low = high = float(np.log(first))
         warming = excess(low) > 0.0
-        for _ in range(60):
+        for _ in range(reach):
             low, high = (low - 0.7, low) if warming else (high, high + 0.7)
             if (excess(low if warming else high) > 0.0) != warming:
                 return float(np.exp(self.find_root(excess, low, high, xtol=1e-4)))
-        raise ConvergenceError(f"no speed makes {mean:g} K a steady state")
+        raise ConvergenceError(f"no {name} makes {mean:g} K a steady state")
+
+    def fold(self, name: Literal["load", "speed"]) -> Fold | None:
+        """First maximum, over mean temperatures, of the load or the speed that makes them."""
+        from scipy.optimize import minimize_scalar
+
+        def found_at(mean: float) -> float:
+            return (self.load_at if name == "load" else self.speed_at)(mean, _FOLD_REACH)
+
+        rises: list[float] = []
+        values: list[float] = []
+        with kept_in_results():
+            for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
+                try:
+                    values.append(found_at(self.ambient + rise))
+                except (ValueError, ConvergenceError):  # beyond what the layers bear, or any speed makes
+                    return None
+                rises.append(float(rise))
+                if len(values) > 2 and values[-2] >= max(values[-3], values[-1]):
+                    break
+            else:
+                return None
+            ends = (np.log(rises[-3]), np.log(rises[-1]))
+            best = minimize_scalar(
+                lambda x: -found_at(self.ambient + float(np.exp(x))),
+                bounds=ends,
+                method="bounded",
+                options={"xatol": 3e-3},
+            )
+            mean = self.ambient + float(np.exp(best.x))
+            load, speed = (-float(best.fun), self.angular_speed) if name == "load" else (self.load, -float(best.fun))
+            point = self.at(mean, load=load, angular_speed=speed)
+        return Fold(
+            load=load,
+            angular_speed=speed,
+            mean_temperature=mean,
+            maximum=self.ambient + point.temperature.maximum,
+            strain=point.result.strain or 0.0,
+        )
 
     def refusal(self) -> str:
         """Say that no state was found, and which speed has one."""
@@ -382,7 +517,7 @@ class _Search:
         )
 
 
-def _shifts(ball: CoatedSphere, shift: Shift | Sequence[Shift]) -> list[Shift]:
+def _shifts(ball: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
     if callable(shift):
         return [shift] * len(ball.layers)
     try:
@@ -397,7 +532,7 @@ def _shifts(ball: CoatedSphere, shift: Shift | Sequence[Shift]) -> list[Shift]:
     return several
 
 
-def _cut(ball: CoatedSphere, parts: int) -> CoatedSphere:
+def _cut(ball: RollingBody, parts: int) -> RollingBody:
     if parts == 1:
         return ball
     layers = [replace(layer, thickness=layer.thickness / parts) for layer in ball.layers for _ in range(parts)]

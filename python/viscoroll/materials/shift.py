@@ -25,7 +25,7 @@ from .moduli import (
     as_modulus,
 )
 
-__all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "shift_factor", "shifted"]
+__all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "scaled", "shift_factor", "shifted"]
 
 _GAS_CONSTANT = 8.314462618  # [J/(mol K)], CODATA 2018
 
@@ -109,8 +109,8 @@ class Arrhenius:
 Shift: TypeAlias = WilliamsLandelFerry | Arrhenius | Callable[[float], float]
 
 
-def shift_factor(shift: Shift, temperature: float) -> float:
-    """Return a_T at a temperature [K].
+def shift_factor(shift: Shift, temperature: float, name: str = "shift") -> float:
+    """Return a_T, or b_T by its name, at a temperature [K].
 
     Raises
     ------
@@ -120,14 +120,14 @@ def shift_factor(shift: Shift, temperature: float) -> float:
         Where it returns one that is not finite and > 0.
     """
     if not callable(shift):
-        raise TypeError(f"shift must be a function of temperature [K], got {shown(shift)}")
+        raise TypeError(f"{name} must be a function of temperature [K], got {shown(shift)}")
     if callable(getattr(shift, "shift", None)):
         raise TypeError(
-            f"shift must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
+            f"{name} must be a function of temperature [K]: of a fitted law take its shift(), got {shown(shift)}"
         )
-    factor = as_float("shift(temperature)", shift(temperature))
+    factor = as_float(f"{name}(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):
-        raise ValueError(f"shift(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
+        raise ValueError(f"{name}(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
     return factor
 
 
@@ -164,6 +164,42 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             return lambda omega: evaluate(factor * omega)
         case _:
             return lambda omega: known(factor * omega)
+
+
+def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
+    """Return the modulus that is b_T times another at every frequency.
+
+    Parameters
+    ----------
+    modulus : ShearModulus or callable
+        Any modulus of a layer.
+    factor : float
+        b_T [-], > 0, the vertical shift.
+
+    Examples
+    --------
+    >>> scaled(Elastic(modulus=3e6), 0.5)
+    Elastic(modulus=1500000.0)
+    """
+    known = as_modulus(modulus)
+    match known:
+        case Elastic():
+            return replace(known, modulus=factor * known.modulus)
+        case Prony():
+            return replace(known, instantaneous_modulus=factor * known.instantaneous_modulus)
+        case StandardLinearSolid():
+            return replace(
+                known,
+                instantaneous_modulus=factor * known.instantaneous_modulus,
+                relaxed_modulus=factor * known.relaxed_modulus,
+            )
+        case KelvinVoigt():
+            return replace(known, modulus=factor * known.modulus, viscosity=factor * known.viscosity)
+        case ShearModulus():
+            evaluate = known.complex_modulus
+            return lambda omega: factor * evaluate(omega)
+        case _:
+            return lambda omega: factor * known(omega)
 
 
 def _store_positive(target: object, units: dict[str, str]) -> None:

@@ -107,6 +107,60 @@ def test_sublayers_have_temperatures_of_their_own():
     np.testing.assert_allclose(found.layer_means, [inner - AMBIENT, outer - AMBIENT], rtol=5e-3)
 
 
+@pytest.fixture(scope="module")
+def roller():
+    """Return a roller of 50 + 10 mm at 30 rad/s under 8 kN/m, its moduli shifted by the WLF law of rubber."""
+    shift = vr.WilliamsLandelFerry(c1=8.86, c2=101.6, reference_temperature=AMBIENT)
+    body = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(RUBBER, thickness=10e-3)])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        return vr.self_heating(
+            body,
+            load=8e3,
+            angular_speed=30.0,
+            conductivity=0.25,
+            convection=15.0,
+            ambient=AMBIENT,
+            shift=shift,
+            limit=AMBIENT + 80.0,
+            mesh=vr.Mesh(nodes_per_revolution=4000),
+        )
+
+
+def test_a_roller_has_three_states_and_a_fold_in_load(roller):
+    """Of an independent program in NumPy: rises [K], torques [N], and where cold and middle state merge."""
+    rises = [state.mean_temperature - AMBIENT for state in roller.states]
+    assert rises == pytest.approx([1.9248, 13.1285, 36.432], rel=1e-3)
+    torques = [state.result.resisting_torque for state in roller.states]
+    assert torques == pytest.approx([0.30124, 2.05736, 5.8206], rel=1e-3)
+    assert [state.stable for state in roller.states] == [True, False, True]
+    fold = roller.largest_load()
+    assert fold.load == pytest.approx(10154.4, rel=1e-3)
+    assert fold.mean_temperature - AMBIENT == pytest.approx(5.582, rel=0.02)  # flat there
+    assert 0.0 < fold.strain < 0.1
+    # The cold state goes on to any speed at this load: ΔT a_T has its maximum above the plateau of the torque.
+    assert roller.largest_speed() is None
+    assert roller.loads([AMBIENT + 5.0, AMBIENT + 30.0])[1] < roller.loads([AMBIENT + 5.0])[0]
+
+
+def test_a_vertical_shift_is_a_load_per_modulus():
+    """T(F; b) = b T(F/b; 1), to the last digits of the same mesh."""
+    half = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(RUBBER, thickness=10e-3)])
+    given = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT, "mesh": vr.Mesh(nodes_per_revolution=2000)}
+    hot = vr.self_heating(
+        half,
+        load=4e3,
+        angular_speed=5.0,
+        shift=lambda t: 1.0,
+        vertical_shift=lambda t: 0.5,
+        points=4,
+        limit=AMBIENT + 9.0,
+        **given,
+    )
+    plain = vr.solve(half, load=8e3, angular_speed=5.0, mesh=given["mesh"])
+    assert hot.states[0].result.resisting_torque == pytest.approx(0.5 * plain.resisting_torque, rel=1e-9)
+
+
 def test_shift_factors():
     wlf = vr.WilliamsLandelFerry(c1=17.44, c2=51.6, reference_temperature=200.0)
     assert wlf(200.0) == 1.0
