@@ -149,8 +149,14 @@ class Thermal(StrictTable):
     conductivity: float | list[float] | None = None
     core: Annotated[Core | float, BeforeValidator(_core_of)] = Core.INSULATED
     core_temperature: float | None = None
+    width: float | None = None
+    side_convection: float | None = None
+    hub_conductance: float | None = None
     shift: _Shift | None = None
     limit: float | None = None
+    of: Literal["ball", "counterpart"] | None = None
+    base_convection: float | None = None
+    period: float | None = None
 
     def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
         """Temperature with the moduli as they are."""
@@ -198,7 +204,11 @@ class Case:
         """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""
         if self.thermal is None or self.thermal.shift is None:
             raise ValueError("thermal.shift must be given for self-heating")
-        return self_heating(**self.arguments(), **dict(self.thermal), **options)
+        for name in ("of", "base_convection", "period"):
+            if getattr(self.thermal, name) is not None:
+                raise ValueError(f"thermal.{name} must be left out with thermal.shift: self-heating is of what rolls")
+        cooling = {name: value for name, value in self.thermal if name not in ("of", "base_convection", "period")}
+        return self_heating(**self.arguments(), **cooling, **options)
 
 
 def load_case(path: str | Path) -> Case:

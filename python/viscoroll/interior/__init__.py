@@ -4,13 +4,14 @@ Fields and loss are methods of `viscoroll.Result`: `interior`, `bonds` and `loss
 """
 
 from ..solution.interior_fields import COMPONENTS, DIRECTIONS, order_fields
-from .self_heating import SelfHeating, SteadyState, self_heating
+from .self_heating import Fold, SelfHeating, SteadyState, self_heating
 from .temperature import Core, Temperature, plane_cooling, temperature
 
 __all__ = [
     "COMPONENTS",
     "DIRECTIONS",
     "Core",
+    "Fold",
     "SelfHeating",
     "SteadyState",
     "Temperature",
