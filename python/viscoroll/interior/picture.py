@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
+from .._core import ConvergenceError
 from .._support.cautions import kept_in_results
 from .._support.pictures import Picture, drawn
 from ..solution.inside import Inside, Of, boundaries_of, inside_of
@@ -17,9 +18,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ..rolling import Result
+    from .self_heating import SelfHeating
     from .temperature import Temperature
 
-__all__ = ["plot_loss", "plot_section", "plot_temperature"]
+__all__ = ["plot_folds", "plot_loss", "plot_section", "plot_temperature"]
 
 _MM = 1e3
 _MPA = 1e-6
@@ -170,6 +172,46 @@ def _draw_temperature(axes: Axes, temperature: Temperature) -> None:
         axes.set(aspect="equal")
     axes.set_title(f"at most {temperature.maximum:.3g} K over {temperature.ambient:g} K", fontsize="medium")
     axes.figure.colorbar(image, ax=axes, label="temperature rise [K]")
+
+
+def plot_folds(hot: SelfHeating, *, points: int = 10) -> Picture:
+    """Draw the mean temperatures of steady states over the load and over the speed, with the states of a case.
+
+    Where a curve turns back, the cold state ends.
+
+    Parameters
+    ----------
+    hot : SelfHeating
+        What `self_heating` found.
+    points : int, default 10
+        Of each curve; at every one contacts are solved.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Of no window.
+    """
+    first = hot.states[0].temperature.ambient
+    result = hot.states[0].result
+    rises = (hot.limit - first) * np.geomspace(0.02, 0.98, points)
+    figure = Picture(figsize=(10.0, 4.0), layout="constrained")
+    panels = (
+        ("load", result.load, result.unit("load"), hot.loads),
+        ("angular speed", result.angular_speed, "rad/s", hot.speeds),
+    )
+    for axes, (name, here, unit, found_at) in zip(figure.subplots(1, 2, sharey=True), panels, strict=True):
+        curve = []
+        for rise in rises.tolist():
+            try:
+                curve.append((float(found_at([first + rise])[0]), first + rise))
+            except (ValueError, ConvergenceError):  # beyond what the layers bear, or what any speed makes
+                break
+        axes.plot([value for value, _ in curve], [mean for _, mean in curve], color="tab:red")
+        for state in hot.states:
+            axes.plot(here, state.mean_temperature, "o", color="k", markerfacecolor="k" if state.stable else "none")
+        axes.set(xlabel=f"{name} [{unit}]", xlim=(0.0, 2.5 * here))
+    figure.axes[0].set(ylabel="mean temperature [K]")
+    return figure
 
 
 def _draw_layers(axes: Axes, inside: Inside) -> None:

@@ -76,11 +76,11 @@ class SteadyState:
     def __repr__(self) -> str:
         """Return a summary of one line."""
         kind = "stable" if self.stable else "unstable"
-        unit = self.result.unit("resisting_torque")
+        torque = self.result.resisting_torque
+        shown = f"{torque:.4g} N" if self.result.ball.line_contact else f"{torque * 1e3:.4g} mN m"
         return (
             f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
-            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, "
-            f"T_r = {self.result.resisting_torque * 1e3:.4g} m{unit})"
+            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
         )
 
 

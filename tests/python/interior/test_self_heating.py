@@ -11,6 +11,7 @@ import viscoroll as vr
 from reference.self_heating import steady_rises, torque_curve
 from specimens import RUBBER, coated_ball, one_layer
 from viscoroll import paper
+from viscoroll.interior.picture import plot_folds
 from viscoroll.materials.shift import shift_factor, shifted
 
 AMBIENT = 293.15
@@ -140,6 +141,7 @@ def test_a_roller_has_three_states_and_a_fold_in_load(roller):
     assert 0.0 < fold.strain < 0.1
     # The cold state goes on to any speed at this load: ΔT a_T has its maximum above the plateau of the torque.
     assert roller.largest_speed() is None
+    assert len(plot_folds(roller, points=3).axes) == 2
     assert roller.loads([AMBIENT + 5.0, AMBIENT + 30.0])[1] < roller.loads([AMBIENT + 5.0])[0]
 
 
