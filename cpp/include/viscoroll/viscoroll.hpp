@@ -22,3 +22,4 @@
 #include "viscoroll/solve.hpp"            // IWYU pragma: export
 #include "viscoroll/sphere.hpp"           // IWYU pragma: export
 #include "viscoroll/version.hpp"          // IWYU pragma: export
+#include "viscoroll/wheel.hpp"            // IWYU pragma: export

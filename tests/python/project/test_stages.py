@@ -25,7 +25,7 @@ STAGES = (
 PUBLIC = {
     "shared": {"cores", "errors", "observer"},
     "materials": {"materials"},
-    "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "modal"},
+    "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
     "rolling": {"drive", "load_case", "options", "result", "result_scalars", "solve"},
     "transient": {"rolling_history"},
