@@ -104,7 +104,8 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
       directions[p][axis_of[p]].setConstant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
     }
     if (formulation.tangential && formulation.is_counterpart) {
-      directions[0][kForward] = -formulation.counterpart_curvature * window.x();
+      directions[0][kForward] = -formulation.counterpart_curvatures.along * window.x();
+      directions[0][kSideways] = -formulation.counterpart_curvatures.across * window.z();
     } else if (formulation.tangential) {
       directions[0][kForward] = window.x() / window.grid().radius;
       directions[0][kSideways] = window.z() / window.grid().radius;
