@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from typing import ClassVar, TypeAlias, get_args
 
 from .. import _core
 from .._core import InnerBoundary
@@ -13,7 +13,7 @@ from .._support.tables import ParameterTable
 from .layers import HalfSpace, Layer, as_layers
 from .si_hints import si_hint
 
-__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
+__all__ = ["COUNTERPARTS", "CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
 
 
 class _RoundBody(ParameterTable):
@@ -205,5 +205,8 @@ class Groove(ParameterTable):
 #: What rolls: a ball, or a roller, whose load and results are per length.
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
 
-#: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
-Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove
+#: What it rolls on: a plane, for a ball also a groove, for either also another one of its kind.
+Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder
+
+#: The classes of these.
+COUNTERPARTS: tuple[type, ...] = get_args(Counterpart)
