@@ -48,7 +48,7 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   const HarmonicBody harmonics(layers, speed, all_orders(phi_bands(layers, speed, around)), measured_order(around));
   surface.stiffest_modulus = harmonics.stiffest_modulus();
   if (exact) {
-    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, around), around);
+    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), around);
   } else {
     surface.tables = std::make_unique<const TableStore>(
         std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), around);
@@ -62,15 +62,9 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   return surface;
 }
 
-/// At the same arcs as the nodes of what rolls on it, or the same distances.
+/// The height of what rolls on it, so many times: the gap's slope along the nodes is x over the relative radius.
 Profile profile_of(double radius, const SurfaceWindow& points) {
-  SurfaceGrid grid = points.grid();
-  const double turns = grid.radius / radius;
-  grid.radius = radius;
-  grid.phi_spacing *= turns;
-  grid.theta_spacing *= turns;
-  const SurfaceWindow below(grid, points.window(), points.shift());
-  return {.drop = below.height(), .slope = below.x() / radius};
+  return {.drop = points.grid().radius / radius * points.height(), .slope = points.x() / radius};
 }
 
 Nodes nodes_of(double radius, const Mesh& mesh, bool counterpart_deforms) {

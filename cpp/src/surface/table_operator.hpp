@@ -67,9 +67,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] Bodies bodies() const override {
     return formulation_.is_counterpart ? Bodies::counterpart : Bodies::rolling;
   }
-  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override;
-  /// By differences between nodes.
-  [[nodiscard]] double pushback(const VectorField& force) const override;
+  [[nodiscard]] double row_distance() const override { return grid_.radius * grid_.phi_spacing; }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;

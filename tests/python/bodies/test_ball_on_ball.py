@@ -272,7 +272,6 @@ def test_case_file():
         ({"ball": RIGID, "on": RIGID}, r"layers must be a list of at least one layer.*two rigid bodies"),
         ({"ball": BALL, "on": vr.CoatedCylinder(core_radius=0.1)}, "on must be a CoatedPlane or a Groove or a CoatedS"),
         ({"on": OTHER, "compliance": "vertical"}, "compliance must be RADIAL where the counterpart deforms"),
-        ({"on": OTHER, "curvature": "exact"}, "curvature must be SPHERE or PAPER"),
         ({"on": vr.CoatedSphere(core_radius=0.2e-3)}, "load must be small enough.*over 60 degrees to a side"),
     ],
 )
