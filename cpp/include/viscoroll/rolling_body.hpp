@@ -13,8 +13,8 @@ namespace viscoroll {
 /// @brief What rolls: a sphere, or a roller in line contact, whose loads, forces, torques and powers are per length.
 using RollingBody = std::variant<CoatedSphere, CoatedCylinder>;
 
-/// @brief What it rolls on: a plane, which is rigid without layers and base; for a ball also a groove; for either
-/// also another one of its kind, on an axis of its own, that turns the other way with the same surface speed.
+/// @brief What it rolls on: a plane, which is rigid without layers and base; a groove; or another one of
+/// its kind, on an axis of its own, that turns the other way with the same surface speed.
 using Counterpart = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedSphere>;
 
 }  // namespace viscoroll

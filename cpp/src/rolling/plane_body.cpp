@@ -15,7 +15,7 @@
 namespace viscoroll::detail {
 namespace {
 
-/// Of a ball in a groove, radius by radius: in a closer one contact is no longer shallow.
+/// Of what rolls in a groove, radius by radius: in a closer one contact is no longer shallow.
 constexpr double kClosestFit = 1.0 / 1.02;
 
 BodySurface under_spot(const LayeredBody& layers, const Crossing& crossing) {
@@ -44,8 +44,19 @@ double curvature(const std::optional<double>& hollow_radius) { return hollow_rad
 
 void require_room(std::string_view name, double curvature, double radius) {
   if (-radius * curvature < kClosestFit) return;
-  reject(name, "larger than the ball's radius, " + text(radius) + " m, by 2 % at the least",
+  reject(name, "larger than the radius of what rolls in it, " + text(radius) + " m, by 2 % at the least",
          text(-1.0 / curvature) + " m");
+}
+
+/// The height of what rolls along it, so many times: the gap's slope along the nodes is x over the relative radius.
+Profile under_line(double curvature, const SurfaceWindow& points) {
+  return {.drop = curvature * points.grid().radius * points.height(), .slope = curvature * points.x()};
+}
+
+/// Along a line only the path may be curved.
+void require_straight_across(const Body& body, const std::optional<double>& radius) {
+  if (!radius || !body.form.is_line()) return;
+  reject("on.radius", "left out under a cylinder, which touches along a line", text(*radius) + " m");
 }
 
 }  // namespace
@@ -65,10 +76,13 @@ Body make_body(const Groove& groove) {
   const Curvatures curvatures{.along = curvature(groove.path_radius), .across = curvature(groove.radius)};
   body.type = "Groove";
   body.curvatures = curvatures;
-  body.profile = circles(curvatures);
-  body.require_room_for = [curvatures](const Body& ball) {
-    require_room("on.radius", curvatures.across, ball.radius);
-    require_room("on.path_radius", curvatures.along, ball.radius);
+  body.profile = [curvatures](const SurfaceWindow& points) {
+    return points.window().is_line() ? under_line(curvatures.along, points) : circles(curvatures)(points);
+  };
+  body.require_room_for = [curvatures, across = groove.radius](const Body& rolling) {
+    require_straight_across(rolling, across);
+    require_room("on.radius", curvatures.across, rolling.radius);
+    require_room("on.path_radius", curvatures.along, rolling.radius);
   };
   return body;
 }
