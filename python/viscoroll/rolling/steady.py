@@ -47,8 +47,8 @@ def solve(
         What rolls: rigid core and layers.
     on : CoatedPlane, Groove, CoatedSphere or CoatedCylinder, optional
         What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball, a
-        cylinder on a plane or another cylinder. One of the two may be rigid, without layers. The material of both
-        passes the contact at Ω r_o.
+        cylinder on a plane, in a groove that is curved along its path, or on another cylinder. One of the two may be
+        rigid, without layers. The material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
