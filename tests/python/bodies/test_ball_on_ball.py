@@ -18,6 +18,7 @@ OTHER = vr.CoatedSphere(
     layers=[vr.Layer(thickness=2e-3, shear_modulus=vr.KelvinVoigt(modulus=5e6, viscosity=5e4), poisson_ratio=0.4)],
 )
 RIGID = vr.CoatedSphere(core_radius=33e-3)
+HEAVY = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5, density=2e3)
 MESH = vr.Mesh(nodes_per_revolution=1400)
 MESH_OF_OTHER = vr.Mesh(nodes_per_revolution=2200)  # nodes at the same distances on 33 mm as those of MESH on 21 mm
 
@@ -273,6 +274,10 @@ def test_case_file():
         ({"ball": BALL, "on": vr.CoatedCylinder(core_radius=0.1)}, "on must be a CoatedPlane or a Groove or a CoatedS"),
         ({"on": OTHER, "compliance": "vertical"}, "compliance must be RADIAL where the counterpart deforms"),
         ({"on": vr.CoatedSphere(core_radius=0.2e-3)}, "load must be small enough.*over 60 degrees to a side"),
+        (
+            {"on": vr.CoatedSphere(core_radius=29e-3, layers=[HEAVY]), "angular_speed": 3e3},
+            r"angular_speed must be below.*the coating of radius 0\.03 m radiates waves, got 2100 rad/s",
+        ),
     ],
 )
 def test_refusals(arguments, message):
