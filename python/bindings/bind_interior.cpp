@@ -14,7 +14,8 @@ using cplx = std::complex<double>;
 
 Tractions make_tractions(const Mesh& mesh, double radius, bool line, const InputArray<double>& pressure,
                          const InputArray<double>& shear_traction, bool friction, Compliance compliance,
-                         Curvature curvature, PatchLoad patch_load, bool counterpart, double counterpart_curvature) {
+                         Curvature curvature, PatchLoad patch_load, bool counterpart,
+                         std::array<double, 2> counterpart_curvature) {
   if (pressure.ndim() != 2) throw py::value_error("pressure must have the dimensions phi and theta");
   const auto normal = view(pressure);
   const auto shear = view(shear_traction);

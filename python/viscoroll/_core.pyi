@@ -405,7 +405,7 @@ class RollingModel:
     def __init__(
         self,
         body: CoatedSphere | CoatedCylinder,
-        on: CoatedPlane | CoatedCylinder | Groove,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -660,7 +660,7 @@ def result_scalars() -> list[ScalarDescription]:
 
 def solve(
     body: CoatedSphere | CoatedCylinder,
-    on: CoatedPlane | CoatedCylinder | Groove,
+    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,

@@ -54,7 +54,7 @@ class SphereSumTest : public testing::TestWithParam<CoatedSphere> {
   static constexpr int kHalf = 6;
 
   [[nodiscard]] SphereInfluence influence(double exact_degree, const SphereRequest& request) {
-    return SphereSum(layered_body(GetParam()), 2.5, {.nodes_per_revolution = 200}, exact_degree)
+    return SphereSum(layered_body(GetParam()), 2.5, Mesh{.nodes_per_revolution = 200}, exact_degree)
         .influences({request}, kReach, kHalf, 2, watch_)
         .front();
   }
@@ -193,7 +193,7 @@ TEST_P(SphereSumTest, WidePatchesAreAveragesOfNarrowOnes) {
   for (const bool power : {false, true}) {
     const SphereRequest request{.tangential = true, .power = power, .patch_load = PatchLoad::flat};
     const SphereInfluence fine =
-        SphereSum(layered_body(GetParam()), 2.5, {.nodes_per_revolution = 200, .max_order = 40})
+        SphereSum(layered_body(GetParam()), 2.5, Mesh{.nodes_per_revolution = 200, .max_order = 40})
             .influences({request}, kReach, kHalf, 2, watch_)
             .front();
     const double downstream = power ? 0.0 : 0.3;

@@ -251,5 +251,26 @@ INSTANTIATE_TEST_SUITE_P(Coatings, OctavesTest,
                                          OctaveCase{"UnlikeLayers", cases::unlike_layers(), 2.5, 24, 24}),
                          [](const auto& info) { return info.param.name; });
 
+TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
+  const Mesh own{.nodes_per_revolution = 32, .theta_nodes_per_revolution = 24};
+  const double turns = 1.25;  // of 40 by 30 nodes around what rolls
+  const MeshOnBody of_other({.nodes_per_revolution = 40, .theta_nodes_per_revolution = 30}, turns);
+  const Observer observer;
+  Watch watch(observer);
+  const std::vector<TableRequest> requests{
+      {.entry = Entry::rr}, {.entry = Entry::rphi}, {.entry = Entry::rr, .power = true}};
+  const LayeredBody body = layered_body(cases::unlike_layers());
+  const auto expected = CoatingSum(body, 2.5, own, 1, watch).tables(requests, 8, 8, 1, watch);
+  const auto tables = CoatingSum(body, 2.5, of_other, 1, watch).tables(requests, 8, 8, 1, watch);
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    const double per_radian = requests[k].power ? turns : 1.0;
+    for (int j = -8; j <= 8; ++j) {
+      for (int l = 0; l <= 8; ++l) {
+        EXPECT_NEAR(tables[k](j, l), per_radian * expected[k](j, l), 1e-12 * std::abs(expected[k](0, 1)));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace viscoroll::detail

@@ -77,7 +77,8 @@ struct Tractions {
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
   PatchLoad patch_load = PatchLoad::flat;      ///< how a patch is loaded
   bool counterpart = false;                    ///< whether it is what the other rolls on that they are to act on
-  double counterpart_curvature = 0.0;          ///< of that along the path, > 0 where it bulges [1/m]
+  /// Of that, along the path and across, > 0 where it bulges [1/m].
+  std::array<double, 2> counterpart_curvature{};
 };
 
 /// @return the tractions of a solution, on what rolls

@@ -25,8 +25,8 @@ struct CoatedPlane {
   std::optional<HalfSpace> base;  ///< none: rigid
 };
 
-/// @brief What a ball rolls in or along: a surface with radii of curvature, > 0 where it is hollow, < 0 where it
-/// bulges. Its layers and its base are taken to be flat, as good as they are thin beside the radii.
+/// @brief What a ball rolls in or along, and a roller along: with radii of curvature, > 0 where it is hollow, < 0 where
+/// it bulges. Its layers and its base are taken to be flat, as good as they are thin beside the radii.
 struct Groove {
   std::optional<double> radius;       ///< across the path [m], larger than the ball's where > 0; none: straight
   std::optional<double> path_radius;  ///< along the path, in its plane [m], likewise: a dish, or the race of a bearing

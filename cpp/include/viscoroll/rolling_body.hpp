@@ -15,9 +15,8 @@ namespace viscoroll {
 /// length.
 using RollingBody = std::variant<CoatedSphere, CoatedCylinder, CoatedWheel>;
 
-/// @brief What it rolls on: a plane, which is rigid without layers and base; for a ball or a wheel also a groove, or a
-/// rail; for a roller or a wheel also another one, on an axis of its own, that turns the other way with the same
-/// surface speed.
-using Counterpart = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedWheel>;
+/// @brief What it rolls on: a plane, which is rigid without layers and base; a groove, or a rail; or another one of its
+/// kind, a wheel's also a roller, on an axis of its own, that turns the other way with the same surface speed.
+using Counterpart = std::variant<CoatedPlane, CoatedCylinder, Groove, CoatedSphere, CoatedWheel>;
 
 }  // namespace viscoroll

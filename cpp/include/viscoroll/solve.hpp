@@ -26,7 +26,7 @@ namespace viscoroll {
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
 /// @brief The same on something that deforms or is curved: on a coated plane, a half-space, in a groove or on another
-/// roller (theory.md sections 14 and 15).
+/// ball or roller (theory.md sections 14 and 15).
 /// @param[in] body what rolls, rigid if it has no layers, unless `on` is a rigid plane
 /// @param[in] on what it rolls on; not both may be rigid
 /// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the

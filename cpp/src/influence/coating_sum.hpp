@@ -17,28 +17,25 @@ class CoatingSum : public TableSum {
  public:
   /// @param[in] body layers
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] mesh spacings, and truncation, which a plane cannot have
+  /// @param[in] mesh spacings, and truncation, which a plane cannot have; the work of power tables is done per radian
+  /// of what it is the mesh of
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   /// @param[in] inertia_tolerance relative error of the compliance that may be left of inertia
   /// @throws std::invalid_argument for bad input and critical speeds
-  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
+  CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, int threads, Watch& watch,
              double inertia_tolerance = kInertiaTolerance);
 
-  /// @brief The same with patches that are no whole part of a revolution.
-  /// @param[in] patches on the body; `mesh` is then the nearest one of its own, which orders are chosen for
-  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches, int threads,
-             Watch& watch, double inertia_tolerance = kInertiaTolerance);
-
   /// @brief The same with other orders than those of the mesh.
-  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-             const std::vector<OrderBand>& theta_bands, int threads, Watch& watch);
+  CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, std::vector<OrderBand> phi_bands,
+             const std::vector<OrderBand>& theta_bands, int threads, Watch& watch, const LocalMetric& metric = {},
+             double inertia_tolerance = kInertiaTolerance);
 
   /// @brief The high orders of a sphere in another metric. Forces are per area of the equator's metric.
-  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const LocalMetric& metric, int threads,
-             Watch& watch);
+  CoatingSum(const LayeredBody& body, double angular_speed, const MeshOnBody& mesh, const LocalMetric& metric,
+             int threads, Watch& watch);
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Mesh& mesh() const { return sum_.mesh(); }
 
   /// @brief As `OrderSum::tables`.
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
@@ -47,11 +44,6 @@ class CoatingSum : public TableSum {
   }
 
  private:
-  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches,
-             std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads, Watch& watch,
-             const LocalMetric& metric, double inertia_tolerance);
-
-  Mesh mesh_;
   OrderSum sum_;
 };
 

@@ -47,20 +47,16 @@ std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int thread
 
 }  // namespace
 
-LineSum::LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, double spacing, double turning_radius,
-                 int threads, Watch& watch)
-    : bands_(std::move(bands)),
-      spectrum_(line_spectrum(body, threads, watch)),
-      radius_(body.radius()),
-      spacing_(spacing),
-      turning_radius_(turning_radius) {}
+LineSum::LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads,
+                 Watch& watch)
+    : bands_(std::move(bands)), spectrum_(line_spectrum(body, threads, watch)), radius_(body.radius()), mesh_(mesh) {}
 
 std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int /*theta_reach*/,
                                    int threads, Watch& watch) const {
   std::vector<Waves> waves;
   waves.reserve(bands_.size());
   for (const OrderBand& band : bands_) {
-    waves.push_back(make_waves(band.orders, spacing_, std::min(band.reach, phi_reach)));
+    waves.push_back(make_waves(band.orders, mesh_.phi_spacing(), std::min(band.reach, phi_reach)));
   }
   std::vector<Table> tables(requests.size(), Table(phi_reach, 0, false));
   parallel_for(requests.size(), threads, watch, "summing tables",
@@ -70,7 +66,7 @@ std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, in
 
 Table LineSum::table(const TableRequest& request, int phi_reach, const std::vector<Waves>& waves) const {
   const double scale = 1.0 / (2.0 * std::numbers::pi * radius_);
-  const double turns = turning_radius_ / radius_;
+  const double spacing = mesh_.phi_spacing();
   Eigen::VectorXd even = Eigen::VectorXd::Zero(phi_reach + 1);
   Eigen::VectorXd odd = Eigen::VectorXd::Zero(phi_reach + 1);
   std::size_t order = 0;
@@ -79,9 +75,9 @@ Table LineSum::table(const TableRequest& request, int phi_reach, const std::vect
     Eigen::VectorXcd summand(band.orders.size());
     for (Index i = 0; i < band.orders.size(); ++i, ++order) {
       const double m = band.orders[i];
-      const double patch = sinc(0.5 * m * spacing_);
+      const double patch = sinc(0.5 * m * spacing);
       const cplx received =
-          request.power ? cplx(0.0, turns * m) * patch : std::polar(1.0, m * spacing_ * request.phi_shift);
+          request.power ? cplx(0.0, mesh_.turns() * m) * patch : std::polar(1.0, m * spacing * request.phi_shift);
       summand[i] = scale * band.weights[i] * patch * received * value(spectrum_[order], request.entry);
     }
     // Re[(cos + i sin)(a + i b)]

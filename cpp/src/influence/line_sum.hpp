@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "influence/mesh_on_body.hpp"
 #include "influence/order_bands.hpp"
 #include "influence/table_sum.hpp"
 #include "influence/waves.hpp"
@@ -18,12 +19,10 @@ class LineSum : public TableSum {
  public:
   /// @param[in] bands of orders, see `order_bands.hpp`
   /// @param[in] body at the orders of all bands, one band after the other
-  /// @param[in] spacing of the nodes [rad]
-  /// @param[in] turning_radius of the body per whose radian the work of power tables is done [m]
+  /// @param[in] mesh spacing; the work of power tables is done per radian of what it is the mesh of
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, double spacing, double turning_radius, int threads,
-          Watch& watch);
+  LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads, Watch& watch);
 
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override;
@@ -34,8 +33,7 @@ class LineSum : public TableSum {
   std::vector<OrderBand> bands_;
   std::vector<Eigen::Matrix3cd> spectrum_;  // compliance of every order [m/Pa]
   double radius_;
-  double spacing_;
-  double turning_radius_;
+  MeshOnBody mesh_;
 };
 
 }  // namespace viscoroll::detail

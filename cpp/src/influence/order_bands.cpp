@@ -59,11 +59,6 @@ OrderBand make_band(double stride, double highest, int reach, const Weight& weig
 
 }  // namespace
 
-Patches patches_of(const Mesh& mesh) {
-  constexpr double kBothSides = 2.0 / 3.0 * std::numbers::pi;  // to 60 degrees
-  return {.phi = phi_spacing(mesh), .theta = theta_spacing(mesh), .widest = kBothSides};
-}
-
 std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
   return {make_band(1.0, max_order, nodes_per_revolution / 2, [](double) { return 1.0; })};
 }

@@ -17,17 +17,6 @@
 
 namespace viscoroll::detail {
 
-/// @brief The patches of a mesh as the orders of a body see them. Angles are those of its metric.
-struct Patches {
-  double phi;          ///< spacing along [rad]
-  double theta;        ///< spacing across [rad]
-  double widest;       ///< largest offset across that is asked for [rad]
-  double turns = 1.0;  ///< radians of the body per radian of what rolls
-};
-
-/// @return those of a mesh, on what rolls
-[[nodiscard]] Patches patches_of(const Mesh& mesh);
-
 /// @brief Orders of one octave.
 struct OrderBand {
   Eigen::ArrayXd orders;   ///< ascending from 0, not necessarily whole

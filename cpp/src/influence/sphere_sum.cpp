@@ -71,12 +71,12 @@ void share(const SphericalOrder& from, HarmonicsOf which, HarmonicsOf as, Spheri
 
 }  // namespace
 
-SphereSum::SphereSum(LayeredBody sphere, double angular_speed, const Mesh& mesh, double exact_degree)
+SphereSum::SphereSum(LayeredBody sphere, double angular_speed, const MeshOnBody& mesh, double exact_degree)
     : sphere_(std::move(sphere)),
       angular_speed_(angular_speed),
       mesh_(mesh),
-      exact_degree_(mesh.max_order ? std::numeric_limits<double>::infinity() : exact_degree),
-      highest_degree_(mesh.max_order ? *mesh.max_order : static_cast<int>(std::ceil(exact_end(exact_degree)))) {}
+      exact_degree_(mesh.rounded().max_order ? std::numeric_limits<double>::infinity() : exact_degree),
+      highest_degree_(mesh.rounded().max_order.value_or(static_cast<int>(std::ceil(exact_end(exact_degree))))) {}
 
 double SphereSum::values(const SphereRequest& request, int half_theta) const {
   const double degrees = 0.5 * (highest_degree_ + 1.0) * (highest_degree_ + 2.0);
@@ -86,13 +86,13 @@ double SphereSum::values(const SphereRequest& request, int half_theta) const {
 std::vector<SphereInfluence> SphereSum::influences(const std::vector<SphereRequest>& requests, int phi_reach,
                                                    int half_theta, int threads, Watch& watch) const {
   const Eigen::ArrayXd offsets =
-      theta_spacing(mesh_) * Eigen::ArrayXd::LinSpaced(2 * half_theta + 1, -half_theta, half_theta);
+      mesh_.theta_spacing() * Eigen::ArrayXd::LinSpaced(2 * half_theta + 1, -half_theta, half_theta);
   std::vector<SphereInfluence> influences;
   influences.reserve(requests.size());
   for (const SphereRequest& request : requests) {
     influences.push_back({.orders = std::vector<SphericalOrder>(static_cast<std::size_t>(highest_degree_ + 1)),
                           .tangential = request.tangential,
-                          .phi_spacing = phi_spacing(mesh_),
+                          .phi_spacing = mesh_.phi_spacing(),
                           .phi_reach = phi_reach,
                           .local = {},
                           .powers = 0,
@@ -107,15 +107,15 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
                             int threads, Watch& watch) const {
   const std::size_t count = influences.front().orders.size();
   const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(static_cast<Index>(count), 0.0, highest_degree_);
-  const HarmonicBody body(sphere_, angular_speed_, {orders.begin(), orders.end()}, measured_order(mesh_));
+  const HarmonicBody body(sphere_, angular_speed_, {orders.begin(), orders.end()}, measured_order(mesh_.rounded()));
   const auto spectrum = make_spectrum(body, highest_degree_ + 1.0, threads, watch);
   const int half_theta = influences.front().half_theta();
   const Eigen::ArrayXd thetas =
-      0.5 * std::numbers::pi + theta_spacing(mesh_) * Eigen::ArrayXd::LinSpaced(half_theta + 1, 0.0, half_theta);
+      0.5 * std::numbers::pi + mesh_.theta_spacing() * Eigen::ArrayXd::LinSpaced(half_theta + 1, 0.0, half_theta);
   std::vector<ThetaPatches> patches;
   patches.reserve(requests.size());
   for (const SphereRequest& request : requests) {
-    patches.emplace_back(half_theta + 1, theta_spacing(mesh_), request.patch_load, highest_degree_);
+    patches.emplace_back(half_theta + 1, mesh_.theta_spacing(), request.patch_load, highest_degree_);
   }
   const double scale = 1.0 / (2.0 * std::numbers::pi * body.radius() * body.radius());
 
@@ -123,12 +123,12 @@ void SphereSum::add_degrees(const std::vector<SphereRequest>& requests, std::vec
     const int m = static_cast<int>(i);
     const auto compliances = degree_compliances(body, *spectrum, i, highest_degree_);
     worker.checkpoint();
-    const double patch = sinc(0.5 * m * phi_spacing(mesh_));
+    const double patch = sinc(0.5 * m * mesh_.phi_spacing());
     for (std::size_t r = 0; r < requests.size(); ++r) {
       const SphereRequest& request = requests[r];
       // Derivatives are averages over patches, displacements are taken somewhat downstream of the nodes.
-      const cplx seen_from =
-          request.power ? cplx(0.0, m) * patch : std::polar(1.0, m * request.collocation * phi_spacing(mesh_));
+      const cplx seen_from = request.power ? cplx(0.0, mesh_.turns() * m) * patch
+                                           : std::polar(1.0, m * request.collocation * mesh_.phi_spacing());
       const cplx factor = scale * (m == 0 ? 1.0 : 2.0) * patch * seen_from;
       SphericalOrder& order = influences[r].orders[i];
       for (std::size_t side = 0; side < order.size(); ++side) order[side] = every_other(compliances, m, side, factor);

@@ -67,9 +67,10 @@ class SphereSum {
  public:
   /// @param[in] sphere its layers, without inertia
   /// @param[in] angular_speed Omega [rad/s], > 0
-  /// @param[in] mesh spacings, and the highest degree as its truncation
+  /// @param[in] mesh spacings, and the highest degree as its truncation; work is done per radian of what it is the mesh
+  /// of
   /// @param[in] exact_degree middle of the step between degrees summed one by one and those of the local metric
-  SphereSum(LayeredBody sphere, double angular_speed, const Mesh& mesh, double exact_degree = kExactDegree);
+  SphereSum(LayeredBody sphere, double angular_speed, const MeshOnBody& mesh, double exact_degree = kExactDegree);
 
   /// @brief Sum all degrees and orders.
   /// @param[in] requests what to sum; the local metric serves all of them at once
@@ -97,7 +98,7 @@ class SphereSum {
 
   LayeredBody sphere_;
   double angular_speed_;
-  Mesh mesh_;
+  MeshOnBody mesh_;
   double exact_degree_;  // infinite where the mesh truncates
   int highest_degree_;
 };

@@ -44,13 +44,14 @@ Eigen::ArrayXd theta_weights(const Kernel& kernel, const OrderBand& band, double
 }
 
 /// Weights of a kernel along phi, and the scale of the whole sum.
-Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const Patches& patches, double radius) {
+Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const MeshOnBody& mesh, double radius) {
+  const double spacing = mesh.phi_spacing();
   const double circumference = 2.0 * std::numbers::pi * radius;
   const cplx scale = kernel.phase / (circumference * circumference);
   return band.weights * band.orders.unaryExpr([&](double m) {
-    const double patch = sinc(0.5 * m * patches.phi);
-    const cplx shift = std::polar(1.0, m * patches.phi * kernel.request.phi_shift);
-    return scale * (kernel.request.power ? cplx(0.0, patches.turns * m) * patch * patch : patch * shift);
+    const double patch = sinc(0.5 * m * spacing);
+    const cplx shift = std::polar(1.0, m * spacing * kernel.request.phi_shift);
+    return scale * (kernel.request.power ? cplx(0.0, mesh.turns() * m) * patch * patch : patch * shift);
   });
 }
 
@@ -118,28 +119,28 @@ class BandWaves {
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
-            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Patches& patches, double radius,
+            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const MeshOnBody& mesh, double radius,
             int phi_reach, int theta_reach)
       : phi_bands_(phi_bands),
         theta_bands_(theta_bands),
         metric_(metric),
         theta_reach_(theta_reach),
         orders_(all_orders(phi_bands)),
-        theta_waves_(theta_bands, patches.theta, theta_reach),
-        phi_waves_(phi_bands, patches.phi, phi_reach) {
+        theta_waves_(theta_bands, mesh.theta_spacing(), theta_reach),
+        phi_waves_(phi_bands, mesh.phi_spacing(), phi_reach) {
     const auto count = static_cast<Index>(orders_.size());
     for (const TableRequest& request : requests) {
       kernels_.push_back(make_kernel(request));
       Eigen::ArrayXcd weights(count);
       Index first = 0;
       for (const OrderBand& band : phi_bands) {
-        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, patches, radius);
+        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, mesh, radius);
         first += band.orders.size();
       }
       phi_weights_.push_back(std::move(weights));
       theta_weights_.emplace_back();
       for (const OrderBand& band : theta_bands) {
-        theta_weights_.back().push_back(theta_weights(kernels_.back(), band, patches.theta));
+        theta_weights_.back().push_back(theta_weights(kernels_.back(), band, mesh.theta_spacing()));
       }
       sums_.emplace_back(2 * count, theta_reach + 1);
     }
@@ -263,7 +264,7 @@ class Synthesis {
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
-  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, patches_, radius_, phi_reach, theta_reach);
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, radius_, phi_reach, theta_reach);
   parallel_for(synthesis.blocks(), threads, watch, "summing orders",
                [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
 

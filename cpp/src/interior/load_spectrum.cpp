@@ -111,7 +111,9 @@ void validate(const Tractions& tractions) {
     reject("tractions.theta_nodes", "1 under a line", std::to_string(tractions.theta_nodes));
   }
   require_positive("tractions.radius", tractions.radius, "m");
-  require_finite("tractions.counterpart_curvature", tractions.counterpart_curvature);
+  for (const double curvature : tractions.counterpart_curvature) {
+    require_finite("tractions.counterpart_curvature", curvature);
+  }
   const auto count = static_cast<std::size_t>(tractions.phi_nodes) * static_cast<std::size_t>(tractions.theta_nodes);
   const auto require_values = [](const char* name, const std::vector<double>& values, std::size_t wanted) {
     if (values.size() != wanted) {
@@ -130,7 +132,8 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
                                 .patch_load = tractions.patch_load,
                                 .tangential = tractions.friction,
                                 .is_counterpart = tractions.counterpart,
-                                .counterpart_curvature = tractions.counterpart_curvature};
+                                .counterpart_curvatures = {.along = tractions.counterpart_curvature[0],
+                                                           .across = tractions.counterpart_curvature[1]}};
   const VectorField force = nodal_forces(tractions, window);
   const auto directions = load_directions(formulation, window);
   const auto weights = patch_weights(formulation, window);

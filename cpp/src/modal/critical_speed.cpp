@@ -146,12 +146,13 @@ void require_subcritical(const LayeredBody& body, double angular_speed, double h
   if (stack.media.empty() || angular_speed < 0.1 * slowest_shear_wave(stack)) return;
   if (all_subcritical(stack, angular_speed)) return;
   const double critical = critical_speed(stack);
+  const double radius = body.metric.radius;
   if (body.metric.is_curved()) {
     reject("angular_speed",
-           "below the critical speed " + text(critical) + " rad/s, above which the coating radiates waves",
+           "below the critical speed " + text(critical) + " rad/s, above which the coating of radius " +
+               rounded(radius) + " m radiates waves",
            text(angular_speed) + " rad/s");
   }
-  const double radius = body.metric.radius;
   reject("angular_speed",
          "such that the plane's material passes at less than the critical speed " + text(critical * radius) +
              " m/s, above which the plane radiates waves",

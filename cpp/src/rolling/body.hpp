@@ -12,8 +12,10 @@
 #include <string_view>
 #include <vector>
 
+#include "influence/mesh_on_body.hpp"
 #include "rolling/contact_form.hpp"
 #include "rolling/surface_tables.hpp"
+#include "surface/curvatures.hpp"
 #include "viscoroll/options.hpp"
 #include "viscoroll/result.hpp"
 #include "viscoroll/rolling_body.hpp"
@@ -24,12 +26,6 @@ namespace viscoroll::detail {
 struct NamedLayer {
   std::string name;
   Layer layer;
-};
-
-/// @brief Of a surface, > 0 where it bulges, < 0 where it is hollow [1/m].
-struct Curvatures {
-  double along = 0.0;   ///< the path
-  double across = 0.0;  ///< the path
 };
 
 /// @brief An undeformed surface at the nodes of what rolls on it.
@@ -62,8 +58,13 @@ struct Crossing {
   ContactForm form;
   Execution execution;
 
-  [[nodiscard]] double speed() const { return angular_speed * radius; }    ///< @return V [m/s]
-  [[nodiscard]] double arc() const { return radius * phi_spacing(mesh); }  ///< @return between neighbors [m]
+  /// @return Omega of a body of another radius, whose surface is as fast [rad/s]
+  [[nodiscard]] double angular_speed_at(double other) const { return angular_speed * (radius / other); }
+  /// @return the mesh as a body of another radius has it
+  [[nodiscard]] MeshOnBody mesh_at(double other) const {
+    return form.is_line() ? MeshOnBody(mesh, radius / other)
+                          : MeshOnBody(mesh, radius / other, theta_spacing, widest);
+  }
 };
 
 /// @brief What the surface of a body does in a contact.

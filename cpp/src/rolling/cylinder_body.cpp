@@ -65,7 +65,7 @@ Body make_body(const CoatedCylinder& cylinder) {
           .surface = [cylinder](const Crossing& crossing) { return surface_of(cylinder, crossing); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "roller",
-          .counterparts = {"CoatedPlane", "CoatedCylinder"},
+          .counterparts = {"CoatedPlane", "CoatedCylinder", "Groove"},
           .radius = radius,
           .form = kLineContact,
           .nodes = [radius](const Mesh& mesh, const Body&) { return nodes_of(radius, mesh); },

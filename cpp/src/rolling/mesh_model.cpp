@@ -20,12 +20,6 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
   return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
 }
 
-/// What the surface of a counterpart is made for.
-void require_flat_curvature(const Body& on, Curvature curvature) {
-  if (on.is_rigid() || curvature != Curvature::exact) return;
-  reject("curvature", "SPHERE or PAPER where what the ball rolls on deforms", "EXACT");
-}
-
 }  // namespace
 
 MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
@@ -42,7 +36,6 @@ MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& 
                           .form = pair.body.form,
                           .execution = execution};
   BodySurface own = pair.body.surface(crossing);
-  require_flat_curvature(pair.on, curvature);
   BodySurface counterpart = pair.on.surface(crossing);
   return {.pair = pair,
           .angular_speed = angular_speed,

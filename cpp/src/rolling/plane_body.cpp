@@ -31,6 +31,17 @@ void require_room(std::string_view name, double curvature, const Body& body, dou
   reject(name, room, text(-1.0 / curvature) + " m");
 }
 
+/// The height of what rolls along it, so many times: the gap's slope along the nodes is x over the relative radius.
+Profile under_line(double curvature, const SurfaceWindow& points) {
+  return {.drop = curvature * points.grid().radius * points.height(), .slope = curvature * points.x()};
+}
+
+/// Along a line only the path may be curved.
+void require_straight_across(const Body& body, const std::optional<double>& radius) {
+  if (!radius || !body.form.is_line()) return;
+  reject("on.radius", "left out under a cylinder, which touches along a line", text(*radius) + " m");
+}
+
 }  // namespace
 
 Body make_body(const CoatedPlane& plane) {
@@ -48,8 +59,11 @@ Body make_body(const Groove& groove) {
   const Curvatures curvatures{.along = curvature(groove.path_radius), .across = curvature(groove.radius)};
   body.type = "Groove";
   body.curvatures = curvatures;
-  body.profile = circles(curvatures);
-  body.require_room_for = [curvatures](const Body& rolling) {
+  body.profile = [curvatures](const SurfaceWindow& points) {
+    return points.window().is_line() ? under_line(curvatures.along, points) : circles(curvatures)(points);
+  };
+  body.require_room_for = [curvatures, across = groove.radius](const Body& rolling) {
+    require_straight_across(rolling, across);
     require_room("on.radius", curvatures.across, rolling, rolling.curvatures.across);
     require_room("on.path_radius", curvatures.along, rolling, rolling.curvatures.along);
   };

@@ -1,4 +1,5 @@
-// A ball, touching in a spot: translation-invariant tables of the orders (m, n), or those of the exact sphere.
+// A ball, or another one that it rolls on, touching in a spot: translation-invariant tables of the orders (m, n), or
+// those of the exact sphere.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -37,26 +38,33 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   BodySurface surface;
   if (sphere.layers.empty()) return surface;
   const auto& [threads, watch] = crossing.execution;
-  const double speed = crossing.angular_speed;
-  const Mesh& mesh = crossing.mesh;
+  const double radius = outer_radius(sphere);
+  const double speed = crossing.angular_speed_at(radius);
+  const MeshOnBody mesh = crossing.mesh_at(radius);
+  const Mesh& around = mesh.rounded();
   const bool exact = crossing.curvature == Curvature::exact;
   const LayeredBody layers =
       layered_body(exact ? without_inertia(sphere, speed) : sphere, exact ? Curvature::sphere : crossing.curvature);
-  const HarmonicBody harmonics(layers, speed, all_orders(phi_bands(layers, speed, mesh)), measured_order(mesh));
+  const HarmonicBody harmonics(layers, speed, all_orders(phi_bands(layers, speed, around)), measured_order(around));
   surface.stiffest_modulus = harmonics.stiffest_modulus();
   if (exact) {
-    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh);
+    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), around);
   } else {
     surface.tables = std::make_unique<const TableStore>(
-        std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), mesh);
+        std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), around);
   }
   surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
-  const int highest_order = mesh.nodes_per_revolution / 2;
+  const int highest_order = around.nodes_per_revolution / 2;
   const HarmonicBody alternating(layers, speed, {static_cast<double>(highest_order)});
   const Eigen::Matrix3cd compliance = alternating.compliance({.i = 0, .n = 0.0});
   surface.normal = compliance(0, 0);
   surface.along = compliance(1, 1);
   return surface;
+}
+
+/// The height of what rolls on it, so many times: the gap's slope along the nodes is x over the relative radius.
+Profile profile_of(double radius, const SurfaceWindow& points) {
+  return {.drop = points.grid().radius / radius * points.height(), .slope = points.x() / radius};
 }
 
 Nodes nodes_of(double radius, const Mesh& mesh, bool counterpart_deforms) {
@@ -73,14 +81,13 @@ Nodes nodes_of(double radius, const Mesh& mesh, bool counterpart_deforms) {
 
 Body make_body(const CoatedSphere& sphere) {
   const double radius = outer_radius(sphere);
-  const Curvatures curvatures{.along = 1.0 / radius, .across = 1.0 / radius};
   return {.type = "CoatedSphere",
           .layers = named(sphere.layers),
-          .curvatures = curvatures,
+          .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius},
           .surface = [sphere](const Crossing& crossing) { return surface_of(sphere, crossing); },
-          .profile = circles(curvatures),
+          .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "sphere",
-          .counterparts = {"CoatedPlane", "Groove"},
+          .counterparts = {"CoatedPlane", "Groove", "CoatedSphere"},
           .radius = radius,
           .form = kSpotContact,
           .nodes = [radius](const Mesh& mesh, const Body& on) { return nodes_of(radius, mesh, !on.is_rigid()); }};

@@ -62,7 +62,7 @@ Losses SphereOperator::dissipation(const VectorField& force) const {
   const Influence influence = dissipation_source_(shape().phi_nodes - 1, half_theta);
   const FactoredSphereProduct product(shape(), window().theta.first, influence, execution().threads, execution().watch);
   const Eigen::ArrayXXd loads = this->loads(force);
-  return {.rolling = (loads * product.apply(loads, execution().threads, execution().watch)).sum()};
+  return losses((loads * product.apply(loads, execution().threads, execution().watch)).sum());
 }
 
 }  // namespace viscoroll::detail

@@ -12,8 +12,9 @@
 
 namespace viscoroll::detail {
 
-/// @brief Displacements on the exact sphere, whose influence depends on both thetas. Translation-invariant tables of
-/// the same coating with the membrane stiffness of a sphere stand for it in scales and preconditioners.
+/// @brief Displacements on the exact sphere, of what rolls or of what it rolls on, whose influence depends on both
+/// thetas. Translation-invariant tables of the same coating with the membrane stiffness of a sphere stand for it in
+/// scales and preconditioners.
 class SphereOperator : public SurfaceOperator {
  public:
   using Influence = std::shared_ptr<const SphereInfluence>;
@@ -32,6 +33,8 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] double operations() const override { return product_->operations(); }
   [[nodiscard]] const LocalCompliance& local() const override { return nearby_->local(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
+  [[nodiscard]] Bodies bodies() const override { return nearby_->bodies(); }
+  [[nodiscard]] double row_distance() const override { return nearby_->row_distance(); }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;

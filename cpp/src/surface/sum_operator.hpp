@@ -26,6 +26,7 @@ class SumOperator : public SurfaceOperator {
   [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override {
     return rolling_->displacement(force);
   }
+  [[nodiscard]] double row_distance() const override { return rolling_->row_distance(); }
   [[nodiscard]] double pushback(const VectorField& force) const override { return counterpart_->pushback(force); }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,

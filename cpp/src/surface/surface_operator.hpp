@@ -81,13 +81,17 @@ class SurfaceOperator {
 
   /// @param[in] force on every node [N]
   /// @return displacement of every node of the body that rolls by itself [m]
-  [[nodiscard]] virtual VectorField rolling_displacement(const VectorField& force) const { return displacement(force); }
+  [[nodiscard]] virtual VectorField rolling_displacement(const VectorField& force) const;
+
+  /// @return way of the material from a node to the next one downstream [m]
+  [[nodiscard]] virtual double row_distance() const = 0;
 
   /// @brief The force with which pressure pushes the rolling body back along the deformed surface of what it rolls on:
-  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 15).
+  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 15), by differences
+  /// between nodes.
   /// @param[in] force on every node [N]
   /// @return [N]
-  [[nodiscard]] virtual double pushback(const VectorField& /*force*/) const { return 0.0; }
+  [[nodiscard]] virtual double pushback(const VectorField& force) const;
 
   /// @return the same surface with every other node, each of whose patches is twice as wide and long
   [[nodiscard]] virtual std::shared_ptr<const SurfaceOperator> coarsened() const = 0;
@@ -113,6 +117,10 @@ class SurfaceOperator {
   [[nodiscard]] double normal_stiffness() const;
   /// @return force along the plane per displacement of a node relative to its upstream neighbor [N/m]
   [[nodiscard]] double slip_stiffness() const;
+
+ protected:
+  /// @param[in] lost by the one body that this is the surface of [N m]
+  [[nodiscard]] Losses losses(double lost) const;
 };
 
 }  // namespace viscoroll::detail

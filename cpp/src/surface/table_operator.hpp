@@ -10,6 +10,7 @@
 
 #include "influence/convolution.hpp"
 #include "influence/synthesis.hpp"
+#include "surface/curvatures.hpp"
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
@@ -23,9 +24,9 @@ struct Formulation {
   bool tangential;           ///< whether forces along the plane occur
   double collocation = 0.0;  ///< see `SurfaceOperator::collocation` [spacings]
   /// Of what a body rolls on. Its frame is the mirror image of the body's, so that forces and displacements
-  /// along it keep their signs; its normals turn with its curvature alone. Radial compliance and flat patches.
+  /// along it keep their signs; its normals turn with its curvatures alone. Radial compliance and flat patches.
   bool is_counterpart = false;
-  double counterpart_curvature = 0.0;  ///< along the path [1/m]: > 0 of a roller, 0 of a plane
+  Curvatures counterpart_curvatures = {};
 
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
@@ -66,9 +67,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] Bodies bodies() const override {
     return formulation_.is_counterpart ? Bodies::counterpart : Bodies::rolling;
   }
-  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override;
-  /// By differences between nodes.
-  [[nodiscard]] double pushback(const VectorField& force) const override;
+  [[nodiscard]] double row_distance() const override { return grid_.radius * grid_.phi_spacing; }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;

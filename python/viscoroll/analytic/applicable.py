@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._core import InnerBoundary
-from .._support.arguments import require_type
-from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
+from .._support.arguments import as_float_array, require_type
+from ..bodies import CoatedCylinder, CoatedSphere, Layer, RollingBody
 from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
 from ._inputs import Floats, plain, positives
 from .applicable_roller import forms_of_roller
@@ -23,13 +25,25 @@ if TYPE_CHECKING:
 __all__ = ["ClosedForm", "applicable"]
 
 
-def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Coating:
+    """Layers between a ball and a plane, or two balls, whose gap is that of a ball of the outer radius on a plane."""
+
+    layers: Sequence[Layer]
+    thickness: float
+    outer_radius: float
+    inner_boundary: InnerBoundary
+
+
+def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
     """Find the closed forms of the resisting torque that suit the materials and layers of a ball or roller.
 
     Parameters
     ----------
     ball : CoatedSphere or CoatedCylinder
         Rigid core and layers.
+    on : CoatedSphere, optional
+        Another ball that a ball rolls on; without it a rigid plane.
 
     Returns
     -------
@@ -37,13 +51,14 @@ def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
         ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
         material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
         one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Of a
-        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``. Empty where none
-        suits. Ask each form's `holds` about loads and speeds.
+        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``. Of two balls those
+        of the coated one where the other is rigid, with 1/R = 1/R₁ + 1/R₂, and those on the plane between two alike.
+        Empty where none suits. Ask each form's `holds` about loads and speeds.
 
     Raises
     ------
     TypeError
-        For something else than a ball.
+        For something else than a ball, and for a roller on one.
     ValueError
         For materials that are not known at rest.
 
@@ -57,13 +72,44 @@ def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
     >>> f"{forms['low_speed'](0.01, 0.1) * 1e9:.1f} nN m"
     '20.0 nN m'
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_type("on", on, CoatedSphere, optional=True)
+    require_type("ball", ball, *((CoatedSphere, CoatedCylinder) if on is None else (CoatedSphere,)))
     if isinstance(ball, CoatedCylinder):
         return forms_of_roller(ball)
-    return _low_speed(ball) | (_half_space(ball) | _thin(ball) if is_homogeneous(ball.layers) else {})
+    if on is None or on == ball:
+        return _forms(_coating(ball, ball.outer_radius))
+    if ball.layers and on.layers:
+        return {}
+    radius = ball.outer_radius * on.outer_radius / (ball.outer_radius + on.outer_radius)
+    forms = _forms(_coating(ball if ball.layers else on, radius))
+    return {name: _faster(form, ball.outer_radius / radius) for name, form in forms.items()}
 
 
-def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
+def _coating(ball: CoatedSphere, radius: float) -> _Coating:
+    return _Coating(
+        layers=ball.layers, thickness=ball.thickness, outer_radius=radius, inner_boundary=ball.inner_boundary
+    )
+
+
+def _forms(coating: _Coating) -> dict[str, ClosedForm]:
+    if not coating.layers:
+        return {}
+    return _low_speed(coating) | (_half_space(coating) | _thin(coating) if is_homogeneous(coating.layers) else {})
+
+
+def _faster(form: ClosedForm, turns: float) -> ClosedForm:
+    """Return a form of a ball that turns so many times as fast, for its surface to be as fast."""
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return form.torque(load, turns * as_float_array("angular_speed", angular_speed))
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        return form.holds(load, turns * as_float_array("angular_speed", angular_speed))
+
+    return ClosedForm(torque=torque, holds=holds, validity=form.validity)
+
+
+def _low_speed(ball: _Coating) -> dict[str, ClosedForm]:
     time = _loss_time(ball)
     if time is None:
         return {}
@@ -81,7 +127,7 @@ def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
     return {"low_speed": ClosedForm(torque=torque, holds=holds, validity=moves)}
 
 
-def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
+def _half_space(ball: _Coating) -> dict[str, ClosedForm]:
     layer, radius = ball.layers[0], ball.outer_radius
     modulus, nu = at_rest(layer)
 
@@ -111,7 +157,7 @@ def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
     return forms
 
 
-def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
+def _thin(ball: _Coating) -> dict[str, ClosedForm]:
     layer, h = ball.layers[0], ball.thickness
     modulus, nu = at_rest(layer)
     material = layer.shear_modulus
@@ -145,7 +191,7 @@ def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
     return {"winkler": ClosedForm(torque=torque, holds=holds, validity=wide)}
 
 
-def _loss_time(ball: CoatedSphere) -> float | None:
+def _loss_time(ball: _Coating) -> float | None:
     """Return t of a compliance C(0) (1 - iωt), if the ball has one."""
     time = shared_loss_time(ball.layers)
     if time is None or is_real(ball.layers):
@@ -156,7 +202,7 @@ def _loss_time(ball: CoatedSphere) -> float | None:
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
-def _contact_radius(ball: CoatedSphere, load: ArrayLike) -> NDArray[np.float64]:
+def _contact_radius(ball: _Coating, load: ArrayLike) -> NDArray[np.float64]:
     """Estimate the contact radius at rest [m], of layers as if mixed: the lesser of the thick and the thin limit.
 
     Of the thin limits the larger one counts, since a thin layer gives way in both manners at once.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias
+from typing import ClassVar, TypeAlias, get_args
 
 from .. import _core
 from .._core import InnerBoundary
@@ -13,7 +13,7 @@ from .._support.tables import ParameterTable
 from .layers import HalfSpace, Layer, as_layers
 from .si_hints import si_hint
 
-__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
+__all__ = ["COUNTERPARTS", "CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
 
 
 class _RoundBody(ParameterTable):
@@ -165,13 +165,15 @@ class CoatedPlane(ParameterTable):
 class Groove(ParameterTable):
     """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
 
+    A roller rolls along it, in a ring or on a drum: there it is straight across.
+
     Layers and base are taken to be flat, which is as good as they are thin beside the radii.
 
     Parameters
     ----------
     radius : float, optional
         Of curvature across the path [m]: at least 1.02 times the ball's where it is hollow, < 0 where it bulges;
-        straight without it.
+        straight without it, as under a roller.
     path_radius : float, optional
         The same along the path: a dish, or the race of a bearing.
     layers : sequence of Layer
@@ -205,5 +207,8 @@ class Groove(ParameterTable):
 #: What rolls: a ball, or a roller, whose load and results are per length.
 RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
 
-#: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
-Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove
+#: What it rolls on: a plane, a groove, or another one of its kind.
+Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder
+
+#: The classes of these.
+COUNTERPARTS: tuple[type, ...] = get_args(Counterpart)

@@ -34,7 +34,17 @@ from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in
 with extra("cli"):
     from pydantic import BeforeValidator, Field, ValidationInfo
 
-__all__ = ["BallTable", "Case", "MeshTable", "Thermal", "build_case", "example_text", "load_case"]
+__all__ = [
+    "BODIES",
+    "COUNTERPARTS",
+    "BallTable",
+    "Case",
+    "MeshTable",
+    "Thermal",
+    "build_case",
+    "example_text",
+    "load_case",
+]
 
 
 def _measured(
@@ -103,6 +113,13 @@ _Base: TypeAlias = Annotated[HalfSpace, Table(shear_modulus=_Modulus)]
 #: The table `ball`.
 BallTable: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
 
+_CylinderTable: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
+
+
+#: Tables of what rolls, and of what it rolls on.
+BODIES = ("ball", "cylinder")
+COUNTERPARTS = ("plane", "groove", "other_ball", "other_cylinder")
+
 
 class _Rolling(StrictTable):
     load: float
@@ -166,9 +183,11 @@ class Thermal(StrictTable):
 
 class _File(StrictTable):
     ball: BallTable | None = None
-    cylinder: Annotated[CoatedCylinder, Table(layers=_Layers)] | None = None
+    cylinder: _CylinderTable | None = None
     plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
+    other_ball: BallTable | None = None
+    other_cylinder: _CylinderTable | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: Thermal | None = None
@@ -252,18 +271,18 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
         Where the content is not valid.
     """
     file = checked(_File, document, folder)
-    bodies = [body for body in (file.ball, file.cylinder) if body is not None]
-    surfaces = [surface for surface in (file.plane, file.groove) if surface is not None]
+    bodies = [body for name in BODIES if (body := getattr(file, name)) is not None]
+    counterparts = {name: on for name in COUNTERPARTS if (on := getattr(file, name)) is not None}
     if len(bodies) != 1:
         raise ValueError(f"ball or cylinder must be given, and not both, got {'both' if bodies else 'none'}")
-    if len(surfaces) > 1:
-        raise ValueError("plane or groove must be given, and not both, got both")
+    if len(counterparts) > 1:
+        raise ValueError(f"one of {', '.join(COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}")
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise ValueError("numerics.accuracy must be left out where a mesh is given")
     return Case(
         ball=bodies[0],
-        on=surfaces[0] if surfaces else None,
+        on=next(iter(counterparts.values()), None),
         thermal=file.thermal,
         **dict(file.rolling),
         **numerics,

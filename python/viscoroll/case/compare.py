@@ -13,8 +13,8 @@ from .._support.arguments import Floats
 from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
-from ..analytic import applicable
-from ..bodies import Drive
+from ..analytic import ClosedForm, applicable
+from ..bodies import CoatedSphere, Drive
 from ..bodies.orders import critical_speed
 from ..solution.scalars import scalar_units
 from ..studies.runner import run_all
@@ -125,6 +125,13 @@ class Comparison:
         write_csv(columns, path)
 
 
+def _forms(case: Case) -> dict[str, ClosedForm]:
+    """Return the closed forms of a ball or roller on a rigid plane, or of two balls."""
+    if case.on is None:
+        return applicable(case.ball)
+    return applicable(case.ball, on=case.on) if isinstance(case.on, CoatedSphere) else {}
+
+
 def parse_speeds(text: str) -> tuple[float, float]:
     """Read a range of speeds, as 0.05..25 [rad/s].
 
@@ -183,7 +190,7 @@ def compare_torques(
     results = run_all(point, omega.tolist(), progress=progress)
     forms = {
         name: (np.asarray(form(case.load, omega)), np.asarray(form.holds(case.load, omega)))
-        for name, form in (applicable(case.ball) if case.on is None else {}).items()
+        for name, form in _forms(case).items()
     }
     return Comparison(
         case=case,

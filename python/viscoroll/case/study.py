@@ -14,10 +14,10 @@ import numpy as np
 from .._support.extras import extra
 from .._support.text import shown
 from .._support.units import UNITS
-from ..bodies import RollingBody
+from ..bodies import Counterpart, RollingBody
 from ..studies.dimensions import Dimension
 from ..studies.plan import LoadCase, Plan
-from .case import Case, build_case
+from .case import BODIES, COUNTERPARTS, Case, build_case
 from .tables import StrictTable, checked, errors_in, read_toml
 
 with extra("cli"):
@@ -92,7 +92,8 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
 
 def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension]) -> Plan:
     cases: list[LoadCase | str] = []
-    balls: dict[tuple[Any, ...], RollingBody] = {}
+    balls: dict[tuple[float, ...], RollingBody] = {}
+    counterparts: dict[tuple[float, ...], Counterpart | None] = {}
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(places, point, strict=True))
         try:
@@ -100,14 +101,19 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
-        of_ball = tuple(number for place, number in chosen.items() if place[0] in ("ball", "cylinder"))
-        ball = balls.setdefault(of_ball, case.ball)
-        cases.append(LoadCase(ball=ball, arguments=_arguments(case)))
+        # Points of the same bodies share them, and with them their tables.
+        ball = balls.setdefault(_numbers_in(BODIES, chosen), case.ball)
+        on = counterparts.setdefault(_numbers_in(COUNTERPARTS, chosen), case.on)
+        cases.append(LoadCase(ball=ball, arguments=_arguments(case) | {"on": on}))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other[k] == v for other in every)}
     fixed = {name: value for name, value in same.items() if name not in names}
     return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases))
+
+
+def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_Place, float]) -> tuple[float, ...]:
+    return tuple(number for place, number in chosen.items() if place[0] in tables)
 
 
 def _arguments(case: Case) -> dict[str, Any]:

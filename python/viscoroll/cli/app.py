@@ -44,7 +44,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     help="Rolling resistance of balls and rollers with soft viscoelastic layers: on a plane or in a groove, rigid or "
-    "as soft, or on another roller; steady, or starting, stopping and turning back. SI units throughout.",
+    "as soft, or on another of their kind; steady, or starting, stopping and turning back. SI units throughout.",
 )
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130

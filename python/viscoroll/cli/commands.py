@@ -183,12 +183,6 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     case = load_case(path)
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
-    names = ("friction", "drive", "mesh", "accuracy", "compliance", "curvature", "patch_load", "slip_kinematics")
-    study = sweep(
-        case.ball,
-        load=case.load * factors,
-        angular_speed=case.angular_speed * factors,
-        progress=sys.stderr.isatty(),
-        **{name: getattr(case, name) for name in names},
-    )
+    varied = {"load": case.load * factors, "angular_speed": case.angular_speed * factors}
+    study = sweep(**case.arguments() | varied, progress=sys.stderr.isatty())
     return study, case.load * factors[2], case.angular_speed * factors[2]

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
 
 def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG001  (contacts are rigid)
-    """Non-smooth contacts: the rolling torque is limited to ρ F_n, with ρ a length.
+    """Non-smooth contacts: the rolling torque is limited to ρ F_n, with ρ a length, on both balls of two.
 
     Of two materials the smaller value counts, so both need it. Source: ChContactNSCrolling.cpp (the cone of Rx with
     SetRollingFrictionCoefficient), ChContactMaterialNSC.h (rolling friction in units of length); Tasora and Anitescu,
@@ -17,7 +19,8 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
     rho = point.torque / point.load
     return Written(
         lines=(
-            "auto material = chrono_types::make_shared<ChContactMaterialNSC>();  // ball and floor: the smaller counts",
+            "auto material = chrono_types::make_shared<ChContactMaterialNSC>();  "
+            f"// {'both balls' if point.balls.are_two else 'ball and floor'}: the smaller counts",
             f"material->SetRollingFriction({rho!r}f);  // m",
         ),
         parameters={"rolling_friction": rho},
@@ -28,12 +31,18 @@ def _nsc(point: OperatingPoint, stiffness: Stiffness) -> Written:  # noqa: ARG00
 
 
 def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Smooth contacts of Chrono::Multicore: T = muRoll P R at once, at any speed.
+    """Smooth contacts of Chrono::Multicore: T = muRoll P R at once, at any speed; not of two balls.
 
-    Not in a contact younger than a collision takes, nor below min_roll_vel; of two materials the smaller value counts.
-    Source: ChIterativeSolverMulticoreSMC.cpp (m_roll = muRoll_eff F_n r × v_rot / |v_rot|), after Schwartz, Richardson
-    and Michel, Granular Matter 14 (2012) 363.
+    There v_rot = ω₂ × r₂ - ω₁ × r₁ is how fast their turning makes them slide: 0 where they roll on each other. Not in
+    a contact younger than a collision takes, nor below min_roll_vel; of two materials the smaller value counts. Source:
+    ChIterativeSolverMulticoreSMC.cpp (m_roll = muRoll_eff F_n r × v_rot / |v_rot|), after Schwartz, Richardson and
+    Michel, Granular Matter 14 (2012) 363.
     """
+    if point.balls.are_two:
+        raise ValueError(
+            "style of chrono must be nsc or dem for two balls, got multicore, "
+            "whose torque is 0 where they roll on each other"
+        )
     mu = point.coefficient
     return Written(
         lines=(
@@ -50,20 +59,26 @@ def _multicore(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _dem(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Chrono::DEM: T = μ_r P R at once, at any speed above a threshold.
+    """Chrono::DEM: T = μ_r P R at once, at any speed above a threshold, R the one radius that all balls have.
 
     Source: src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc, mode SCHWARTZ: torque = (rolling_coeff |F_n| /
-    |v_rot|) r_contact × v_rot.
+    |v_rot|) r_contact × v_rot, v_rot = (ω₂ - ω₁) × r_contact; ChDem_SMC.cuh: the force is K_n δ √(δ/2R_eff) on a ball,
+    K_n δ √(δ/R) on a wall.
     """
-    mu = point.coefficient
+    radius = point.balls.radii[0]
+    if len(set(point.balls.radii)) > 1:
+        raise ValueError(
+            "style of chrono must be nsc for two balls of unlike radii, got dem, where all have one radius"
+        )
+    mu, contact = point.torque / (point.load * radius), "SPH" if point.balls.are_two else "WALL"
     return Written(
         lines=(
             "dem_sys.SetRollingMode(CHDEM_ROLLING_MODE::SCHWARTZ);",
-            f"dem_sys.SetKn_SPH2WALL({stiffness.hertz * point.radius!r}f);",
-            f"dem_sys.SetRollingCoeff_SPH2WALL({mu!r}f);",
+            f"dem_sys.SetKn_SPH2{contact}({stiffness.hertz * math.sqrt(point.radius * radius)!r}f);",
+            f"dem_sys.SetRollingCoeff_SPH2{contact}({mu!r}f);",
         ),
         parameters={"rolling_coeff": mu},
-        law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
+        law=lambda load, speed: mu * load * radius + 0.0 * speed,
         torque_law="T = rolling_coeff P R, R from the center to the point of contact",
         source="Chrono src/chrono_dem/cuda/ChDemHelpers.cuh, computeRollingAngAcc",
     )

@@ -12,7 +12,7 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.text import shown
 from ..rolling import Result
-from ..studies.rolling_resistance import radius_of
+from .balls import Balls, balls_of_result, balls_of_study
 
 if TYPE_CHECKING:
     import xarray
@@ -22,27 +22,41 @@ __all__ = ["OperatingPoint", "Stiffness", "Style", "Written", "operating_points"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperatingPoint:
-    """A ball on a plane, rolling steadily.
+    """A ball on a plane, or on another one, rolling steadily.
+
+    Two balls turn in opposite senses, at Ω_rel = V/R relative to each other; on a plane that is Ω. Codes let equal
+    torques act on both, in opposite senses: the power lost is right, and how the two share it is left to the force
+    between them.
 
     Attributes
     ----------
+    balls : Balls
+        Their radii.
     load : float
         P [N].
     angular_speed : float
-        Ω [rad/s].
-    radius : float
-        R = r_o, undeformed [m].
+        Ω of the first one [rad/s].
     torque : float
-        T, power lost per Ω [N m].
+        T, power lost per Ω_rel [N m].
     penetration : float
         δ [m].
     """
 
+    balls: Balls
     load: float
     angular_speed: float
-    radius: float
     torque: float
     penetration: float
+
+    @property
+    def radius(self) -> float:
+        """R, that of the ball, or R₁R₂/(R₁+R₂) [m]."""
+        return self.balls.radius
+
+    @property
+    def relative_speed(self) -> float:
+        """Ω_rel [rad/s]."""
+        return self.angular_speed * (self.balls.radii[0] / self.radius)
 
     @property
     def coefficient(self) -> float:
@@ -99,7 +113,7 @@ class Written:
     parameters : dict of str to float
         The numbers in them, by that code's names.
     law : callable
-        T(P, Ω) [N m] that the code makes of them, for loads [N] and speeds [rad/s] as arrays.
+        T(P, Ω_rel) [N m] that the code makes of them, for loads [N] and relative speeds [rad/s] as arrays.
     torque_law : str
         The same in words, with the reference radius.
     source : str
@@ -125,33 +139,27 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
     TypeError
         For neither of them.
     ValueError
-        For a study without points.
+        For rollers, grooves, and studies without points or over something else than load and speed.
     """
     if not isinstance(source, Result) and not hasattr(source, "data_vars"):
         raise TypeError(f"source must be a viscoroll.Result or a study of viscoroll.sweep, got {shown(source)}")
     if isinstance(source, Result):
-        if source.penetration is None:
-            raise ValueError("result must have a penetration: a roller on a half-plane has none")
-        return [
-            OperatingPoint(
-                load=source.load,
-                angular_speed=source.angular_speed,
-                radius=source.ball.outer_radius,
-                torque=source.dissipated_power / source.angular_speed,
-                penetration=source.penetration,
-            )
-        ]
-    radius = radius_of(source)
-    names = ("load", "angular_speed", "dissipated_power", "penetration")
-    columns = np.broadcast_arrays(*(_over_all(source, name) for name in names))
-    load, speed, power, depth = (column.ravel() for column in columns)
+        balls = balls_of_result(source)
+        assert source.penetration is not None
+        columns = [[source.load], [source.angular_speed], [source.dissipated_power], [source.penetration]]
+    else:
+        balls = balls_of_study(source)
+        names = ("load", "angular_speed", "dissipated_power", "penetration")
+        arrays = np.broadcast_arrays(*(_over_all(source, name) for name in names))
+        columns = [array.ravel().tolist() for array in arrays]
+    turns = balls.radii[0] / balls.radius  # Ω_rel / Ω
     points = [
-        OperatingPoint(load=p, angular_speed=w, radius=radius, torque=q / w, penetration=d)
-        for p, w, q, d in zip(load.tolist(), speed.tolist(), power.tolist(), depth.tolist(), strict=True)
+        OperatingPoint(balls=balls, load=p, angular_speed=w, torque=q / (w * turns), penetration=d)
+        for p, w, q, d in zip(*columns, strict=True)
         if q > 0.0
     ]
     if not points:
-        raise ValueError("study must have a point that lost power, got none")
+        raise ValueError("source must have a point that lost power, got none")
     return points
 
 

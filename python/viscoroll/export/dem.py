@@ -92,12 +92,19 @@ class DemInput:
         """Return the text."""
         return self.text
 
+    def _pair(self) -> str:
+        if not self.point.balls.are_two:
+            return "a ball on a plane"
+        first, other = self.point.balls.radii
+        return f"two balls, R1 = {first:g} m at Omega, R2 = {other:g} m, 1/R = 1/R1 + 1/R2,"
+
     def _comment(self) -> list[str]:
         p, k = self.point, self.stiffness
         lines = [
-            f"viscoroll: rolling resistance of a ball on a plane for {self.code}, {self.style}",
+            f"viscoroll: rolling resistance of {self._pair()} for {self.code}, {self.style}",
             f"exact at load P = {p.load:g} N, speed Omega = {p.angular_speed:g} rad/s, radius R = {p.radius:g} m: "
-            f"torque T = {p.torque:.6g} N m (power lost per speed), T/(P R) = {p.coefficient:.6g}",
+            f"torque T = {p.torque:.6g} N m (power lost per {'relative ' * p.balls.are_two}speed), "
+            f"T/(P R) = {p.coefficient:.6g}",
             f"law: {self.written.torque_law}",
             f"source: {self.written.source}",
         ]
@@ -128,13 +135,14 @@ def dem(
     """Write rolling friction as a discrete-element code takes it.
 
     Every code means something else by its coefficient; the docstrings of the modules of `viscoroll.export` cite where
-    each defines it. The torque is the power lost per speed.
+    each defines it. The torque is the power lost per speed, of two balls relative to each other, where both take it in
+    opposite senses.
 
     Parameters
     ----------
     source : Result or xarray.Dataset
-        One result, or a study of `viscoroll.sweep` over load, angular speed, or both: then the error that the code's
-        law commits over it is known, and the stiffness is fitted.
+        Of a ball on a plane, or on another one: one result, or a study of `viscoroll.sweep` over load, angular speed,
+        or both: then the error that the code's law commits over it is known, and the stiffness is fitted.
     code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "lethe"}
         Which.
     style : str, optional
@@ -151,7 +159,8 @@ def dem(
     Raises
     ------
     ValueError
-        For an unknown code or style, and a load or speed that the study does not have.
+        For an unknown code or style, and a load or speed that the study does not have; for rollers, grooves, studies
+        over more than load and speed, and balls on balls where a code's law is none for them.
 
     Examples
     --------
@@ -171,7 +180,7 @@ def dem(
     point = _nearest(points, load, angular_speed)
     stiffness = Stiffness.fitted([q for q in points if q.angular_speed == point.angular_speed])
     written = styles[chosen](point, stiffness)
-    loads, speeds = np.array([p.load for p in points]), np.array([p.angular_speed for p in points])
+    loads, speeds = np.array([p.load for p in points]), np.array([p.relative_speed for p in points])
     ratio = written.law(loads, speeds) / np.array([p.torque for p in points])
     return DemInput(
         code=code,

@@ -13,40 +13,44 @@ _TURN = 1e-3
 def _sds(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Spring, dashpot and slider: past a small turn T = μ P R.
 
-    The rolling "pseudo-force" is a spring on R∫Ω dt, limited to μ F_n, and the torque R_eff times it; on a wall R_eff
-    is the radius. Source: LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp.
+    The rolling "pseudo-force" is a spring on R_eff∫Ω_rel dt, limited to μ F_n, and the torque R_eff times it, on both
+    balls in opposite senses; on a wall R_eff is the radius, of two balls R₁R₂/(R₁+R₂). Source: LAMMPS manual,
+    pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp, granular_model.cpp (Reff, relrot).
     """
     mu = point.coefficient
     spring = mu * point.load / (point.radius * _TURN)
     return Written(
-        lines=(_wall(stiffness, f"rolling sds {spring!r} 0.0 {mu!r}"),),
+        lines=_command(point, stiffness, f"rolling sds {spring!r} 0.0 {mu!r}"),
         parameters={"k_roll": spring, "gamma_roll": 0.0, "mu_roll": mu},
         law=lambda load, speed: mu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = mu_roll P R once the ball has turned by {_TURN:g} rad; R the radius (two balls: R_eff)",
+        torque_law=f"T = mu_roll P R once the ball has turned by {_TURN:g} rad; R the radius, of two balls R_eff",
         source="LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp",
     )
 
 
 def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """Dashpot alone: T = γ R² Ω, as long as that is below P R.
+    """Dashpot alone: T = γ R² Ω_rel, as long as that is below P R.
 
     Without a spring, and with a slider that is not reached, the pseudo-force is -γ R Ω. It does not know the load.
     Source: as of `_sds`.
     """
-    gamma = point.torque / (point.radius**2 * point.angular_speed)
+    gamma = point.torque / (point.radius**2 * point.relative_speed)
     return Written(
-        lines=(_wall(stiffness, f"rolling sds 0.0 {gamma!r} 1.0"),),
+        lines=_command(point, stiffness, f"rolling sds 0.0 {gamma!r} 1.0"),
         parameters={"k_roll": 0.0, "gamma_roll": gamma, "mu_roll": 1.0},
         law=lambda load, speed: gamma * point.radius**2 * speed + 0.0 * load,
-        torque_law="T = gamma_roll R^2 Omega, at any load, up to T = P R",
+        torque_law="T = gamma_roll R^2 Omega, of two balls Omega_rel, at any load, up to T = P R",
         source="LAMMPS manual, pair_style granular, rolling sds; src/GRANULAR/gran_sub_mod_rolling.cpp",
     )
 
 
-def _wall(stiffness: Stiffness, rolling: str) -> str:
+def _command(point: OperatingPoint, stiffness: Stiffness, rolling: str) -> tuple[str, ...]:
     normal = f"hertz {stiffness.hertz!r} ${{gamma_n}}"
-    tangential = "tangential linear_history ${k_t} ${gamma_t} ${mu_t}"
-    return f"fix floor all wall/gran granular {normal} {tangential} {rolling} zplane 0.0 NULL"
+    model = f"{normal} tangential linear_history ${{k_t}} ${{gamma_t}} ${{mu_t}} {rolling}"
+    if point.balls.are_two:
+        types = "1 1" if point.balls.alike else "1 2"
+        return ("pair_style granular", f"pair_coeff {types} {model}")
+    return (f"fix floor all wall/gran granular {model} zplane 0.0 NULL",)
 
 
 STYLES: dict[str, Style] = {"sds": _sds, "viscous": _viscous}

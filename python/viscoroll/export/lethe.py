@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .balls import Balls
 from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
@@ -12,8 +13,8 @@ _SOURCE = "Lethe include/dem/particle_particle_contact_force.h and its rolling r
 def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """T = μ_r P R, at once and at any speed.
 
-    M_r = -μ_r R_eff |F_n| ω̂; the value of a pair is the harmonic mean 2 μ₁μ₂/(μ₁+μ₂), so particle and wall get the
-    same. Source: Lethe's `constant_rolling_resistance_torque`.
+    M_r = -μ_r R_eff |F_n| ω̂_rel, R_eff that of the ball on a wall, of two balls R₁R₂/(R₁+R₂); the value of a pair is
+    the harmonic mean 2 μ₁μ₂/(μ₁+μ₂), so both get the same. Source: Lethe's `constant_rolling_resistance_torque`.
     """
     mu = point.coefficient
     return _written(
@@ -22,10 +23,16 @@ def _constant(point: OperatingPoint, stiffness: Stiffness) -> Written:
 
 
 def _viscous(point: OperatingPoint, stiffness: Stiffness) -> Written:
-    """T = μ_r P R² Ω: the low-speed law of a coated ball, T = P Ω R Σ g_k τ_k / g_∞, in form.
+    """T = μ_r P R² Ω: the low-speed law of a coated ball, T = P Ω R Σ g_k τ_k / g_∞, in form; not of two balls.
 
-    M_r = -μ_r R_eff |F_n| |V_ω| ω̂ with V_ω = ω × R n: μ_r in s/m. Source: Lethe's `viscous_rolling_resistance_torque`.
+    M_r = -μ_r R_eff |F_n| |V_ω| ω̂ with V_ω = ω₁ × R₁n + ω₂ × R₂n: μ_r in s/m. V_ω is 0 where two balls roll on each
+    other. Source: Lethe's `viscous_rolling_resistance_torque`.
     """
+    if point.balls.are_two:
+        raise ValueError(
+            "style of lethe must be constant for two balls, got viscous, "
+            "whose torque is 0 where they roll on each other"
+        )
     mu = point.torque / (point.load * point.radius**2 * point.angular_speed)
     return _written(
         point,
@@ -41,27 +48,41 @@ def _written(
     point: OperatingPoint, stiffness: Stiffness, method: str, mu: float, law: object, torque_law: str
 ) -> Written:
     young = 2.0 * (1.0 - 0.3**2) * stiffness.effective_modulus
+    wall = (
+        f"  set young modulus wall    = {young!r}",
+        "  set poisson ratio wall    = 0.3",
+        f"  set rolling friction wall = {mu!r}",
+    )
     return Written(
         lines=(
             "subsection model parameters",
             f"  set rolling resistance torque method = {method}  # {method}_resistance in older versions",
             "end",
             "subsection lagrangian physical properties",
-            "  subsection particle type 0",
-            f"    set diameter                   = {2.0 * point.radius!r}",
-            f"    set young modulus particles    = {young!r}",
-            "    set poisson ratio particles    = 0.3",
-            f"    set rolling friction particles = {mu!r}",
-            "  end",
-            f"  set young modulus wall    = {young!r}",
-            "  set poisson ratio wall    = 0.3",
-            f"  set rolling friction wall = {mu!r}",
+            *(line for number, radius in enumerate(_types(point.balls)) for line in _type(number, radius, young, mu)),
+            *(() if point.balls.are_two else wall),
             "end",
         ),
         parameters={"rolling friction": mu, "young modulus": young},
         law=law,  # type: ignore[arg-type]
         torque_law=torque_law,
         source=_SOURCE,
+    )
+
+
+def _types(balls: Balls) -> tuple[float, ...]:
+    """Radii of the types of particles."""
+    return balls.radii[:1] if balls.alike else balls.radii
+
+
+def _type(number: int, radius: float, young: float, mu: float) -> tuple[str, ...]:
+    return (
+        f"  subsection particle type {number}",
+        f"    set diameter                   = {2.0 * radius!r}",
+        f"    set young modulus particles    = {young!r}",
+        "    set poisson ratio particles    = 0.3",
+        f"    set rolling friction particles = {mu!r}",
+        "  end",
     )
 
 

@@ -14,7 +14,7 @@ def _cdt(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Constant directional torque: T = rmu |F_n| R, at once and at any speed.
 
     Source: rolling_model_cdt.h (r_torque = rmu Fn wr/|wr| cri). cri, on paper R - δ/2, is R on a wall: a ball run in
-    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`).
+    LIGGGHTS 3.8 has the torque of R to 1e-6 (`tests/python/export/test_dem.py`). Two balls take reff = R₁R₂/(R₁+R₂).
     """
     return _written(point, stiffness, "cdt", "at once")
 
@@ -23,7 +23,8 @@ def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Elastic-plastic spring-dashpot: T = rmu |F_n| R once its spring, 2.25 k_n rmu² R², has turned far enough.
 
     That takes a turn of δ / (2.25 rmu R), in which the ball meets less; there is no damping beyond it. Source:
-    rolling_model_epsd.h (kr = 2.25 kn rmu² reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall).
+    rolling_model_epsd.h (kr = 2.25 kn rmu² reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall,
+    else R₁R₂/(R₁+R₂)).
     """
     return _limited(point, stiffness, "epsd", turn=point.penetration / (2.25 * point.coefficient * point.radius))
 
@@ -31,7 +32,8 @@ def _epsd(point: OperatingPoint, stiffness: Stiffness) -> Written:
 def _epsd2(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Spring k_t R² without a dashpot: T = rmu |F_n| R once it has turned by rmu P / (k_t R).
 
-    Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall).
+    Source: rolling_model_epsd2.h (kr = kt reff², r_torque_max = |Fn| reff rmu; reff is the radius on a wall,
+    else R₁R₂/(R₁+R₂)).
     """
     secant = point.load / point.penetration  # k_t is 2/7 to 1 of it
     return _limited(point, stiffness, "epsd2", turn=point.coefficient * point.load / (secant * point.radius))
@@ -43,19 +45,30 @@ def _limited(point: OperatingPoint, stiffness: Stiffness, style: str, *, turn: f
 
 def _written(point: OperatingPoint, stiffness: Stiffness, style: str, when: str) -> Written:
     rmu, young = point.coefficient, _young(stiffness)
+    # Of two unlike balls what they do among their own kind is the user's.
+    types = 2 if point.balls.are_two and not point.balls.alike else 1
+    friction = f"${{rmu_11}} {rmu!r} {rmu!r} ${{rmu_22}}" if types == 2 else f"{rmu!r}"
     properties = [
-        f"fix ym all property/global youngsModulus peratomtype {young!r}",
-        f"fix pr all property/global poissonsRatio peratomtype {_POISSON!r}",
-        f"fix rf all property/global coefficientRollingFriction peratomtypepair 1 {rmu!r}",
+        f"fix ym all property/global youngsModulus peratomtype {' '.join(types * [repr(young)])}",
+        f"fix pr all property/global poissonsRatio peratomtype {' '.join(types * [repr(_POISSON)])}",
+        f"fix rf all property/global coefficientRollingFriction peratomtypepair {types} {friction}",
     ]
     if style == "epsd":
-        properties.append("fix rv all property/global coefficientRollingViscousDamping peratomtypepair 1 0.3")
-    wall = f"model hertz tangential history rolling_friction {style} primitive type 1 zplane 0.0"
+        damping = " ".join(types**2 * ["0.3"])
+        properties.append(
+            f"fix rv all property/global coefficientRollingViscousDamping peratomtypepair {types} {damping}"
+        )
+    model = f"model hertz tangential history rolling_friction {style}"
+    command = (
+        [f"pair_style gran {model}", "pair_coeff * *"]
+        if point.balls.are_two
+        else [f"fix floor all wall/gran {model} primitive type 1 zplane 0.0"]
+    )
     return Written(
-        lines=(*properties, f"fix floor all wall/gran {wall}"),
+        lines=(*properties, *command),
         parameters={"coefficientRollingFriction": rmu, "youngsModulus": young},
         law=lambda load, speed: rmu * load * point.radius + 0.0 * speed,
-        torque_law=f"T = rmu P R {when}; R the radius (two balls: R_eff)",
+        torque_law=f"T = rmu P R {when}; R the radius, of two balls R_eff",
         source=f"LIGGGHTS-PUBLIC src/rolling_model_{style}.h",
     )
 

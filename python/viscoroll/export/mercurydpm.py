@@ -6,26 +6,29 @@ from .contact import OperatingPoint, Stiffness, Style, Written
 
 __all__ = ["STYLES"]
 
+#: Of two balls.
+_WHICH = "  // of both balls; of unlike ones that of both species, getMixedObject"
+
 
 def _friction(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Write a rolling spring and slider on the *diameter*: T = μ P · 2R past a small turn.
 
     The rolling force is limited to μ F_n and its lever is the effective diameter, twice the effective radius, which is
-    the radius on a wall: half of what other codes take. Without a rolling stiffness the program stops. Source:
-    Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc (effectiveDiameter = 2 getEffectiveRadius(),
-    addTorque(effectiveDiameter n × rollingForce)).
+    the radius on a wall, of two balls R₁R₂/(R₁+R₂): half of what other codes take. Without a rolling stiffness the
+    program stops. Source: Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc (effectiveDiameter = 2
+    getEffectiveRadius(), addTorque(effectiveDiameter n × rollingForce)).
     """
     mu = point.torque / (2.0 * point.load * point.radius)
     return Written(
         lines=(
-            "LinearViscoelasticFrictionSpecies species;",
+            f"LinearViscoelasticFrictionSpecies species;{_WHICH if point.balls.are_two else ''}",
             f"species.setStiffness({stiffness.hooke!r});",
             f"species.setRollingStiffness(2.0 / 5.0 * {stiffness.hooke!r});",
             f"species.setRollingFrictionCoefficient({mu!r});",
         ),
         parameters={"rollingFrictionCoefficient": mu, "stiffness": stiffness.hooke},
         law=lambda load, speed: 2.0 * mu * load * point.radius + 0.0 * speed,
-        torque_law="T = 2 mu P R past a small turn: the lever is the effective diameter, 2 R on a wall",
+        torque_law="T = 2 mu P R past a small turn: the lever is the effective diameter, 2 R",
         source="MercuryDPM Kernel/Interactions/FrictionForceInteractions/FrictionInteraction.cc",
     )
 

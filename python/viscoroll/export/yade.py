@@ -10,16 +10,23 @@ __all__ = ["STYLES"]
 def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
     """Law of moments with a plastic limit: T = etaRoll P R once its spring has turned far enough.
 
-    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value; a Box counts as a ball of the same
-    radius (a Wall has no moments: there is no Ig2_Wall_Sphere_ScGeom6D). It acts with momentRotationLaw on both
-    materials, always_use_moment_law where there is no cohesion, and useIncrementalForm: the total form forgets what was
-    plastic. The spring is k_r = alphaKr k_n R₁ R₂. Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax =
-    maxRollPl |F_n|), Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2
+    The limit is min(etaRoll₁ R₁, etaRoll₂ R₂) F_n, so both materials need the value, and of two balls the smaller
+    radius counts; a Box counts as a ball of the same radius (a Wall has no moments: there is no
+    Ig2_Wall_Sphere_ScGeom6D). It acts with momentRotationLaw on both materials, always_use_moment_law where there is no
+    cohesion, and useIncrementalForm: the total form forgets what was plastic. The spring is k_r = alphaKr k_n R₁ R₂.
+    Source: pkg/dem/CohesiveFrictionalContactLaw.cpp (RollMax = maxRollPl |F_n|),
+    Ip2_CohFrictMat_CohFrictMat_CohFrictPhys (maxRollPl = min(etaRoll₁ R₁, etaRoll₂ R₂); k_n = 2
     E₁R₁E₂R₂/(E₁R₁+E₂R₂)).
     """
-    eta = point.coefficient
-    young = stiffness.hooke / point.radius
-    turn = eta * point.penetration / point.radius  # etaRoll P R / k_r
+    first, other = (*point.balls.radii, point.radius)[:2]
+    least = min(first, other)
+    eta = point.torque / (point.load * least)
+    young = stiffness.hooke * (first + other) / (2.0 * first * other)
+    turn = eta * least * point.penetration / (first * other)  # etaRoll P R / k_r
+    geometry = (
+        "Ig2_Sphere_Sphere_ScGeom6D()" if point.balls.are_two else "Ig2_Box_Sphere_ScGeom6D()  # the floor is a Box"
+    )
+    floor = "other" if point.balls.are_two else "floor"
     material = (
         f"CohFrictMat(young={young!r}, poisson=0.3, frictionAngle=friction_angle, density=density, isCohesive=False, "
         f"momentRotationLaw=True, alphaKr=1.0, alphaKtw=0.0, etaRoll={eta!r}, etaTwist=0.0, label="
@@ -27,13 +34,13 @@ def _moment(point: OperatingPoint, stiffness: Stiffness) -> Written:
     return Written(
         lines=(
             f"O.materials.append({material}'ball'))",
-            f"O.materials.append({material}'floor'))  # the same value: the smaller of etaRoll R counts",
-            "geometry = Ig2_Box_Sphere_ScGeom6D()  # the floor is a Box",
+            f"O.materials.append({material}'{floor}'))  # the same value: the smaller of etaRoll R counts",
+            f"geometry = {geometry}",
             "law = Law2_ScGeom6D_CohFrictPhys_CohesionMoment(always_use_moment_law=True, useIncrementalForm=True)",
         ),
         parameters={"etaRoll": eta, "young": young},
-        law=lambda load, speed: eta * load * point.radius + 0.0 * speed,
-        torque_law=f"T = etaRoll P R once the ball has turned by about {turn:.2g} rad; R the radius",
+        law=lambda load, speed: eta * load * least + 0.0 * speed,
+        torque_law=f"T = etaRoll P R once the ball has turned by about {turn:.2g} rad; R the smaller radius",
         source="YADE pkg/dem/CohesiveFrictionalContactLaw.cpp, Ip2_CohFrictMat_CohFrictMat_CohFrictPhys",
     )
 

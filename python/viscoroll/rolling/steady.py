@@ -12,7 +12,7 @@ from .._support.cautions import warn
 from .._support.keywords import explained
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Drive, Groove, Mesh, RollingBody
+from ..bodies import COUNTERPARTS, CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hints
 from .result import Result
 
@@ -45,14 +45,15 @@ def solve(
     ----------
     ball : CoatedSphere or CoatedCylinder
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove or CoatedCylinder, optional
-        What it rolls on; without it the rigid plane. A ball rolls on a plane or in a groove, a cylinder on a plane or
-        another cylinder. One of the two may be rigid, without layers. The
-        material of both passes the contact at Ω r_o.
+    on : CoatedPlane, Groove, CoatedSphere or CoatedCylinder, optional
+        What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball, a
+        cylinder on a plane, in a groove that is curved along its path, or on another cylinder. One of the two may be
+        rigid, without layers. The material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
-        Ω [rad/s], > 0 and below `critical_speed(ball)`.
+        Ω [rad/s], > 0 and below `critical_speed(ball)`; of two bodies on axes of their own relative to the line of
+        their centers.
     mesh : Mesh, optional
         Surface mesh. Without it, meshes are refined until the error estimate is below `accuracy`.
     accuracy : float, default 0.01
@@ -153,7 +154,7 @@ class RollingModel:
     ----------
     ball : CoatedSphere or CoatedCylinder
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove or CoatedCylinder, optional
+    on : CoatedPlane, Groove, CoatedSphere or CoatedCylinder, optional
         As of `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
@@ -242,9 +243,11 @@ class RollingModel:
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 
 
-def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:
+def _counterpart(
+    on: Counterpart | None,
+) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder:
     """Return what the core knows it as; without any, the rigid plane."""
-    require_type("on", on, CoatedPlane, CoatedCylinder, Groove, optional=True)
+    require_type("on", on, *COUNTERPARTS, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()
 
 

@@ -93,7 +93,6 @@ class Inside:
         """Return what acts on it, as the core knows it."""
         result = self.result
         counterpart = self.of == "counterpart"
-        curvature = 1.0 / self.radius if counterpart and self.turns else 0.0
         return _core.Tractions(
             mesh=result.mesh._to_core(),
             radius=result.ball.outer_radius,
@@ -105,8 +104,19 @@ class Inside:
             curvature=result.curvature,
             patch_load=result.patch_load,
             counterpart=counterpart,
-            counterpart_curvature=curvature,
+            counterpart_curvature=self._curvatures() if counterpart else (0.0, 0.0),
         )
+
+    def _curvatures(self) -> tuple[float, float]:
+        """Return how the counterpart bends along the path and across [1/m]."""
+        match self.result.on:
+            case CoatedSphere(outer_radius=radius):
+                return 1.0 / radius, 1.0 / radius
+            case CoatedCylinder(outer_radius=radius):
+                return 1.0 / radius, 0.0
+            case Groove(path_radius=along, radius=across):
+                return (0.0 if along is None else -1.0 / along), (0.0 if across is None else -1.0 / across)
+        return 0.0, 0.0
 
     def places(
         self, depth: ArrayLike | None, radius: ArrayLike | None = None
@@ -144,7 +154,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
         if not result.ball.layers:
             raise ValueError("result.ball must have a layer, for there to be an inside, got none (it is rigid)")
         return Inside(result, of, result.ball, radius)
-    if isinstance(on, CoatedCylinder) and on.layers:
+    if isinstance(on, CoatedCylinder | CoatedSphere) and on.layers:
         return Inside(result, of, on, on.outer_radius)
     if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):
         return Inside(result, of, CoatedPlane(layers=on.layers, base=on.base), radius)

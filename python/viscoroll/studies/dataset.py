@@ -14,6 +14,7 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import UNITS
+from ..bodies import CoatedSphere, RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
 from ..solution.scalars import PER_LENGTH, SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
@@ -150,13 +151,19 @@ def _provenance(plan: Plan) -> dict[str, str]:
         "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "mesh": _mesh_text(plan),
         "material": _joined(list(materials)),
-        "ball": _joined([f"core_radius={ball.core_radius!r}, layers={_clean(ball.layers)}" for ball in balls]),
+        "ball": _joined([_ball_text(ball) for ball in balls]),
     }
+    if isinstance(other := plan.fixed.get("on"), CoatedSphere):
+        attributes |= {"other_ball": _ball_text(other), "other_radius": repr(other.outer_radius)}
     varied = {dimension.name for dimension in plan.dimensions}
     for name in sorted(LOAD_CASE - {"mesh"} - varied):
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
             attributes[name] = label(plan.fixed[name])
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
+
+
+def _ball_text(ball: RollingBody) -> str:
+    return f"core_radius={ball.core_radius!r}, layers={_clean(ball.layers)}"
 
 
 def _mesh_text(plan: Plan) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import CoatedCylinder, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
@@ -79,7 +79,7 @@ def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
 
 def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> str:
     """Text of what a body rolls on."""
-    if isinstance(on, CoatedCylinder):
+    if isinstance(on, CoatedSphere | CoatedCylinder):
         return _ball_text(on, surface_speed / on.outer_radius, highest)
     frequencies = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
     kind = f"groove {on.radius!r} {on.path_radius!r}" if isinstance(on, Groove) else "plane"

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .._support.keywords import meant
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, RollingBody
+from ..bodies import COUNTERPARTS, CoatedCylinder, CoatedSphere, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
 
@@ -139,7 +139,7 @@ class Plan:
 
 def _mark(argument: object) -> object:
     """Return what tells arguments apart: bodies by what they are, for their layers may hold lists."""
-    return id(argument) if isinstance(argument, CoatedPlane | Groove | CoatedCylinder) else argument
+    return id(argument) if isinstance(argument, COUNTERPARTS) else argument
 
 
 def plan_sweep(

@@ -463,3 +463,22 @@ def test_everything_public_is_documented_with_an_example():
         assert doc, name
         if inspect.isfunction(getattr(analytic, name)):
             assert all(section in doc for section in ("Parameters", "Returns", "Raises", "Examples")), name
+
+
+def test_balls_on_balls_have_the_forms_of_their_relative_radius():
+    # Both forms are within some percent of their own here, as on the plane.
+    soft = vr.KelvinVoigt(modulus=2e4, viscosity=20.0)
+    gel = vr.Layer(thickness=18e-3, shear_modulus=soft, poisson_ratio=0.5)
+    ball, rigid = vr.CoatedSphere(core_radius=2e-3, layers=[gel]), vr.CoatedSphere(core_radius=30e-3)
+    load, speed = 2e-3, 0.2  # the surface moves by 4 % of the contact radius in the loss time
+    for first, other, omega in ((ball, rigid, speed), (rigid, ball, speed * 20.0 / 30.0), (ball, ball, speed)):
+        forms = analytic.applicable(first, on=other)
+        mesh = vr.Mesh(nodes_per_revolution=round(4000 * first.outer_radius / 20e-3))
+        found = vr.solve(first, on=other, load=load, angular_speed=omega, mesh=mesh, threads=1).resisting_torque
+        assert set(forms) == {"low_speed", "greenwood_tabor", "persson"}
+        for name in ("low_speed", "persson"):
+            assert forms[name].holds(load, omega), name
+            assert forms[name](load, omega) == pytest.approx(found, rel=0.1), name
+    assert analytic.applicable(ball, on=vr.CoatedSphere(core_radius=10e-3, layers=[gel])) == {}
+    with pytest.raises(TypeError, match=r"ball must be a viscoroll\.CoatedSphere, got"):
+        analytic.applicable(vr.CoatedCylinder(core_radius=0.1, layers=[gel]), on=rigid)

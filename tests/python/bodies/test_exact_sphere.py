@@ -288,3 +288,63 @@ def test_shell_that_rests_on_a_rim():
     assert r.status is vr.Status.CONVERGED
     assert not r.contact[r.contact.shape[0] // 2, r.contact.shape[1] // 2]
     assert (r.pressure * r.ball.outer_radius**2 * (2 * math.pi / 502) ** 2).sum() == pytest.approx(21.228, rel=2e-2)
+
+
+def rolled_exactly(ball, on, *, load=10.0, nodes=600, **options):
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    return vr.solve(ball, on=on, load=load, angular_speed=2.5, mesh=mesh, curvature=EXACT, threads=1, **options)
+
+
+@pytest.mark.parametrize("thickness", [1e-3, 10e-3])
+def test_exact_ball_on_what_deforms(thickness):
+    """The sum of both operators; on a plane that hardly deforms (a/R)² = 1e-2 is the nodes' alone."""
+    ball = paper_ball(thickness)
+    bare = rolled_exactly(ball, None)
+    stiff = vr.Layer(thickness=1e-3, shear_modulus=vr.Elastic(modulus=1e14), poisson_ratio=0.3)
+    hard = rolled_exactly(ball, vr.CoatedPlane(layers=[stiff]))
+    assert hard.resisting_torque == pytest.approx(bare.resisting_torque, rel=2e-3)
+    assert hard.penetration == pytest.approx(bare.penetration, rel=1e-3)
+    pair = rolled_exactly(ball, ball)
+    assert pair.resisting_torque == pytest.approx(hard.resisting_torque, rel=1e-6)
+    assert pair.penetration == pytest.approx(2.0 * hard.penetration, rel=1e-6)
+    assert pair.counterpart_bulk_power == pytest.approx(pair.rolling_bulk_power, rel=1e-9)
+    mat = vr.CoatedPlane(layers=paper.ball().layers)
+    soft = rolled_exactly(ball, mat, nodes=1200)
+    assert soft.driving_torque * 2.5 == pytest.approx(soft.rolling_bulk_power, rel=5e-3)  # the mesh's
+    assert soft.driving_force * 2.5 * OUTER == pytest.approx(soft.counterpart_bulk_power, rel=5e-3)
+    rubbing = rolled_exactly(ball, mat, nodes=1200, friction=0.3)
+    assert rubbing.slip_power > 0.0
+    assert rubbing.power_balance_error < 5e-3
+
+
+def test_which_exact_ball_is_called_the_first_does_not_matter():
+    ball, small = paper_ball(5e-3), paper.ball(thickness=5e-3, core_radius=8e-3, density=0.0)
+    first = rolled_exactly(ball, small, nodes=840)
+    other = vr.solve(
+        small,
+        on=ball,
+        load=10.0,
+        angular_speed=2.5 * 21.0 / 13.0,
+        mesh=vr.Mesh(nodes_per_revolution=520),
+        curvature=EXACT,
+        threads=1,
+    )
+    for name in ("penetration", "resisting_torque"):
+        assert getattr(first, name) == pytest.approx(getattr(other, name), rel=1e-5), name
+    assert first.rolling_bulk_power == pytest.approx(other.counterpart_bulk_power, rel=1e-5)
+    assert first.counterpart_bulk_power == pytest.approx(other.rolling_bulk_power, rel=1e-5)
+
+
+def test_two_solid_balls_are_hertzian():
+    solid = {"inner_boundary": vr.InnerBoundary.SOLID, "poisson_ratio": 0.3}
+    first = elastic_ball(20e-3, modulus=5e6, radius=20e-3, **solid)
+    other = elastic_ball(50e-3, modulus=2e6, radius=50e-3, **solid)
+    radius = 1.0 / (1.0 / 20e-3 + 1.0 / 50e-3)
+    modulus = 1.0 / (0.7 / (2.0 * 5e6) + 0.7 / (2.0 * 2e6))
+    a = 0.4e-3
+    load = 4.0 / 3.0 * modulus * a**3 / radius
+    r = rolled_exactly(first, other, load=load, nodes=round(40 * math.pi * 20e-3 / a))
+    second_moment = (r.pressure * r.x**2).sum() / r.pressure.sum()
+    assert math.sqrt(5.0 * second_moment) == pytest.approx(a, rel=2e-3)
+    # Each ball comes closer to its center by less than a²/R in proportion to a/R, here 1/50: hertz, docstring.
+    assert r.penetration == pytest.approx(a**2 / radius, rel=2e-2)

@@ -301,6 +301,46 @@ def test_equal_rollers_do_not_slip():
     assert r.driving_torque * r.angular_speed == pytest.approx(r.rolling_bulk_power, rel=1e-3)
 
 
+def test_roller_in_a_ring_has_the_relative_radius():
+    relative = 1.0 / (1.0 / 60e-3 - 1.0 / 90e-3)
+    r = vr.solve(
+        ROLLER, on=vr.Groove(path_radius=90e-3), load=5e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=6000)
+    )
+    # The pressure passes by both axes: moments about the roller's and about the ring's, and the whole power.
+    assert r.driving_torque == pytest.approx(r.resisting_torque * 60e-3 / relative, rel=1e-12)
+    assert r.bulk_power == pytest.approx(60e-3 * r.resisting_torque / relative, rel=1e-3)
+    assert r.driving_force == pytest.approx(r.resisting_torque / 90e-3, rel=1e-12)
+    base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=1e7), poisson_ratio=0.3)
+    lined = vr.Groove(path_radius=90e-3, base=base)
+    hertz = vr.solve(STEEL, on=lined, load=1e3, angular_speed=1.0, mesh=vr.Mesh(nodes_per_revolution=20000))
+    a = np.sqrt(2.0 * 0.7 * 1e3 / (np.pi * 1e7) / (1.0 / STEEL.outer_radius - 1.0 / 90e-3))
+    second_moment = (hertz.pressure * hertz.x**2).sum() / hertz.pressure.sum()
+    assert 2.0 * np.sqrt(second_moment) == pytest.approx(a, rel=1e-3)  # K. L. Johnson (1985), (4.43)
+    assert hertz.penetration is None
+
+
+def test_bulging_track_with_a_thin_layer_is_a_roller():
+    # A groove's layers are flat: h/R = 1/500 of the answer.
+    layer = vr.Layer(thickness=0.2e-3, shear_modulus=RUBBER, poisson_ratio=0.3)
+    given = {"load": 2e3, "angular_speed": 1.0, "friction": 0.2, "mesh": vr.Mesh(nodes_per_revolution=6000)}
+    on_track, on_roller = (
+        vr.solve(ROLLER, on=on, drive=vr.Drive(creepage=2e-3), **given)
+        for on in (vr.Groove(path_radius=-0.1, layers=[layer]), vr.CoatedCylinder(core_radius=99.8e-3, layers=[layer]))
+    )
+    for name in ("resisting_torque", "driving_torque", "counterpart_bulk_power", "slip_power", "penetration"):
+        assert getattr(on_track, name) == pytest.approx(getattr(on_roller, name), rel=3e-3), name
+
+
+@pytest.mark.parametrize("layers", [[], ROLLER.layers])
+@pytest.mark.parametrize("drive", [vr.Drive(force=0.0), vr.Drive(torque=0.0), vr.Drive(creepage=5e-3)])
+def test_power_balance_in_a_ring_with_friction(layers, drive):
+    ring = vr.Groove(path_radius=90e-3, layers=layers)
+    mesh = vr.Mesh(nodes_per_revolution=4000)
+    r = vr.solve(ROLLER, on=ring, load=5e3, angular_speed=1.0, friction=0.2, drive=drive, mesh=mesh)
+    assert r.slip_power > 0.0
+    assert r.power_balance_error < 1e-3
+
+
 def _carters_traction(s, share: float):
     """Return t / (μ p₀) at x = s a, what sticks being of half width 1 - share and beginning at the leading edge."""
 
@@ -377,6 +417,8 @@ def test_bad_cylinders_are_refused_by_name(arguments, message):
             {"on": HALF_PLANE, "compliance": vr.Compliance.VERTICAL},
             "compliance must be RADIAL where the counterpart deforms",
         ),
+        (ROLLER, {"on": vr.Groove(radius=0.1, path_radius=0.1)}, "on.radius must be left out under a cylinder"),
+        (ROLLER, {"on": vr.Groove(path_radius=0.0605)}, "on.path_radius must be larger than that of the roller"),
         (
             STEEL,
             {"on": HALF_PLANE, "mesh": vr.Mesh(nodes_per_revolution=1000, max_order=600)},

@@ -314,7 +314,7 @@ def test_the_exact_sphere_is_refused():
         vr.solve(paper.ball(), load=1.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=400)).loss(max_order=0)
 
 
-@pytest.mark.parametrize("on", [vr.CoatedPlane(layers=paper.ball().layers), vr.Groove(radius=30e-3)])
+@pytest.mark.parametrize("on", [vr.CoatedPlane(layers=paper.ball().layers), vr.Groove(radius=30e-3), paper.ball()])
 def test_inside_of_a_ball_on_something_else_than_a_rigid_plane(on):
     r = vr.solve(paper.ball(), on=on, load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=500))
     loss = r.loss(depth=[0.5e-3])

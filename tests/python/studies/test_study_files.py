@@ -145,3 +145,12 @@ def test_bad_files_are_one_line(study_file, sweep, message):
         load_study(study_file(sweep))
     assert message in str(raised.value)
     assert "\n" not in str(raised.value)
+
+
+def test_points_of_the_same_bodies_share_their_tables(tmp_path):
+    path = tmp_path / "study.toml"
+    other = "[other_ball]\ncore_radius = 0.03\n[[other_ball.layers]]\nthickness = 1e-3\npoisson_ratio = 0.5\n"
+    sweep = '[sweep]\n"rolling.load" = [20.0, 60.0]\n"other_ball.layers[0].thickness" = [1e-3, 2e-3]\n'
+    path.write_text(f"{example_text()}\n{other}shear_modulus = 3e6\n{sweep}", encoding="utf-8")
+    tasks = load_study(path).tasks(range(4), largest=10)
+    assert [len(task.indices) for task in tasks] == [2, 2]
