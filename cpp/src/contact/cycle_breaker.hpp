@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/newton_step.hpp"
+#include "contact/stick_slip_system.hpp"
 
 namespace viscoroll::detail {
 
