@@ -60,7 +60,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       residuals.back() = best.residual;
       breaker = CycleBreaker(state_.force.rows());
     }
-    const bool freed = breaker.free_undecided(sets);
+    const bool freed = breaker.free_undecided(sets, residuals.size() > 2 && is_halved(residuals, 2));
     const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
     if (is_free || freed) {
       sets = take_step(friction, sets, is_free ? tolerance : 0.1 * tolerance);

@@ -51,7 +51,8 @@ class StickSlipSystem {
   /// @param[in] sets nodes in contact and what they do
   /// @param[in] tolerance of the residual, relative to that of `state`; a direct solution is exact
   /// @param[in,out] state forces, penetration, creepage, gaps and slips are replaced; without displacements
-  /// afterwards, gaps and slips are those of the equations alone, and elsewhere 0. Not finite where there is no solution
+  /// afterwards, gaps and slips are those of the equations alone, and elsewhere 0. Not finite where there is no
+  /// solution
   virtual void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) = 0;
 
   /// @return products with the compliance so far
