@@ -57,8 +57,8 @@ class CoatingOnPlane : public StickSlipSystem {
     Index last = state.force.rows() - 1;
     while (first < last && !bears(first)) ++first;
     while (first < last && !bears(last)) --last;
-    in_reach_ = problem_.tables.displacement_in_reach(on_plane(problem_.axes, plane_forces(state)), first / height(),
-                                                      last / height());
+    in_reach_ =
+        problem_.tables.displacement_in_reach(on_plane(problem_.axes, state.force), first / height(), last / height());
     const HalfField moved = -in_reach_.middleCols(problem_.tables.reach(), problem_.gap.cols());
     state.displacement.resize(state.force.rows(), 3);
     for (const Axis axis : {kForward, kDown, kSideways}) {
@@ -69,29 +69,6 @@ class CoatingOnPlane : public StickSlipSystem {
     state.slip.col(0) =
         values(problem_.forward_way) + *state.creepage * values(problem_.weights) + state.displacement.col(kForward);
     state.slip.col(1) = values(problem_.sideways_way) + state.displacement.col(kSideways);
-  }
-
-  /// Forces, and no gaps and ways yet.
-  [[nodiscard]] ContactSolution state_of(const PlaneForces& forces) const {
-    const Index nodes = forces.pressing.size();
-    ContactSolution state{.force = VectorField(nodes, 3),
-                          .displacement = {},
-                          .gap = Eigen::ArrayXd::Zero(nodes),
-                          .contact = {},
-                          .slip = Eigen::ArrayX2d::Zero(nodes, 2)};
-    state.force << forces.forward.reshaped().array(), -forces.pressing.reshaped().array(),
-        forces.sideways.reshaped().array();
-    return state;
-  }
-
-  [[nodiscard]] PlaneForces plane_forces(const ContactSolution& state) const {
-    return {.pressing = field(-state.force.col(kDown)),
-            .forward = field(state.force.col(kForward)),
-            .sideways = field(state.force.col(kSideways))};
-  }
-
-  [[nodiscard]] HalfField field(const Eigen::ArrayXd& values) const {
-    return values.matrix().reshaped(height(), problem_.gap.cols());
   }
 
   /// Of the last state whose displacements were asked for.
@@ -135,34 +112,38 @@ class CoatingOnPlane : public StickSlipSystem {
 
 }  // namespace
 
-StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess, ContactStiffness& stiffness) {
+StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness) {
   constexpr const FrictionSettings& kSettings = kFrictionSettings;
   CoatingOnPlane coating(problem, stiffness);
   SemismoothNewton newton(coating, {.tolerance = kSettings.instant_tolerance,
                                     .round_off = kSettings.instant_round_off,
                                     .free_steps = kSettings.free_steps});
-  // By forces alone, for its gaps and ways are those of the step before.
-  const auto finds_from = [&](const PlaneForces& forces) {
-    ContactSolution state = coating.state_of(forces);
+  // Who does what is first told by forces alone, for gaps and ways are those of the step before.
+  const auto finds_from = [&](const VectorField& force) {
+    ContactSolution state{.force = force,
+                          .displacement = {},
+                          .gap = Eigen::ArrayXd::Zero(force.rows()),
+                          .contact = {},
+                          .slip = Eigen::ArrayX2d::Zero(force.rows(), 2)};
     const ContactSets sets = find_sets(coating, kSettings.likely_slip * problem.friction, state);
     newton.start_from(std::move(state));
     std::ignore = newton.take_step(problem.friction, sets, kSettings.exact_step);
     return newton.iterate(problem.friction);
   };
-  const HalfField none = 0.0 * guess.forward;
-  if (!finds_from(guess) && !finds_from({.pressing = guess.pressing, .forward = none, .sideways = none})) {
+  VectorField pressing = VectorField::Zero(guess.rows(), 3);
+  pressing.col(kDown) = guess.col(kDown);
+  if (!finds_from(guess) && !finds_from(pressing)) {
     throw ConvergenceError("stick and slip did not settle", newton.systems(), newton.state().residual);
   }
   ContactSolution state = newton.state();
-  StickSlip result{.forces = coating.plane_forces(state),
+  const ContactSets sets = find_sets(coating, problem.friction, state);
+  StickSlip result{.force = std::move(state.force),
                    .penetration = state.penetration,
                    .way = *state.creepage,
-                   .forward_slip = coating.field(state.slip.col(0)),
-                   .sideways_slip = coating.field(state.slip.col(1)),
+                   .slip = std::move(state.slip),
                    .displacement = coating.displacement_in_reach()};
-  const ContactSets sets = find_sets(coating, problem.friction, state);
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
-    if (!(state.force(sets.contact[i], kDown) < 0.0)) continue;
+    if (!(result.force(sets.contact[i], kDown) < 0.0)) continue;
     result.nodes.push_back(sets.contact[i]);
     result.sticking += sets.states[i].stick ? 1 : 0;
   }
