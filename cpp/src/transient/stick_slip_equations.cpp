@@ -1,5 +1,6 @@
 #include "transient/stick_slip_equations.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -6,10 +6,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <utility>
 #include <vector>
 
+#include "dense_solvers.hpp"
 #include "transient/contact_stiffness.hpp"
 #include "transient/plane_frame.hpp"
 
@@ -83,7 +83,7 @@ class StickSlipEquations {
   Eigen::MatrixX3d closed_;     // displacements that close all gaps and undo all ways: given, by penetration, by way
   Eigen::MatrixX3d by_closed_;  // forces of these
   std::vector<std::pair<Eigen::Index, Axis>> factored_;  // places and axes of the displacements that were free
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  DenseFactors factors_;
 };
 
 }  // namespace viscoroll::detail
