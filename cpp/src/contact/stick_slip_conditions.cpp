@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace viscoroll::detail {
@@ -12,23 +11,23 @@ using Eigen::Index;
 
 constexpr double kLeastKept = 0.97;  // of a coarse mesh's contact
 
-/// Who touches, sticks and slips next, and how far all conditions are from holding.
-ContactSets classify(const StickSlipSystem& system, double friction, const Eigen::ArrayXd& gap,
-                     const Eigen::ArrayX2d& slips, ContactSolution& state) {
+}  // namespace
+
+ContactSets find_sets(const StickSlipSystem& system, double friction, ContactSolution& state) {
   const ConditionScales scales = system.scales();
   ContactSets sets;
   double violation = std::pow(system.imbalance(state), 2);
-  for (Index node = 0; node < gap.size(); ++node) {
+  for (Index node = 0; node < state.gap.size(); ++node) {
     const double pressing = -state.force(node, kDown);
-    const double predicted = pressing - scales.normal * gap[node];
+    const double predicted = pressing - scales.normal * state.gap[node];
     const bool touches = predicted > 0.0 && node >= system.first_node();
-    violation += std::pow(touches ? scales.normal * gap[node] : pressing, 2);
+    violation += std::pow(touches ? scales.normal * state.gap[node] : pressing, 2);
     const Eigen::Array2d traction(state.force(node, kForward), state.force(node, kSideways));
     if (!touches) {
       violation += traction.square().sum();
       continue;
     }
-    const Eigen::Array2d slip = slips.row(node).transpose();
+    const Eigen::Array2d slip = state.slip.row(node).transpose();
     const Eigen::Array2d trial = traction - scales.tangential * slip;
     const double size = trial.matrix().norm();
     const double limit = friction * predicted;
@@ -47,17 +46,12 @@ ContactSets classify(const StickSlipSystem& system, double friction, const Eigen
   return sets;
 }
 
-}  // namespace
-
-ContactSets find_sets(const StickSlipSystem& system, double friction, ContactSolution& state) {
-  return classify(system, friction, state.gap, state.slip, state);
-}
-
 void keep_contact(const StickSlipSystem& system, double friction, ContactSolution& state, ContactSets& sets) {
-  const SmoothFields fields = *std::exchange(state.prolonged, std::nullopt);
-  const double residual = state.residual;
-  ContactSets kept = classify(system, friction, fields.gap, fields.slip, state);
-  state.residual = residual;
+  ContactSolution smooth = state;
+  smooth.gap = std::move(state.prolonged->gap);
+  smooth.slip = std::move(state.prolonged->slip);
+  state.prolonged.reset();
+  ContactSets kept = find_sets(system, friction, smooth);
   const auto count = [](const ContactSets& of) { return static_cast<double>(of.contact.size()); };
   if (count(sets) < kLeastKept * count(kept)) sets = std::move(kept);
 }

@@ -162,25 +162,24 @@ StickSlip Lattice::lifted(const Place& place, const HalfField& known, const Cent
 
 StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance,
                                        const StepEnd& end, const CenterCondition& center) {
-  const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceGrid& grid = coating_->grid;
-  const ArrayXd weights = half_weights(half_nodes);
+  const ArrayXd weights = half_weights(coating_->tables.half_nodes()).replicate(place.rows.count, 1);
   const SurfaceWindow before(grid, place.nodes.window(),
                              place.nodes.shift() - (end.angle - now_.angle) / grid.phi_spacing);
   const Axes axes_before = axes_at(before);
   const HalfField borne = memory_.displacement(place.rows);
-  const auto weighted = [&](const ArrayXd& values) -> HalfField {
-    return weights.matrix().asDiagonal() * as_field(values, half_nodes);
+  const auto part = [](const Axes& axes, Axis axis, const HalfField& field) -> ArrayXd {
+    return along(axes[axis], field).reshaped();
   };
   const StickSlipProblem problem{
       .tables = coating_->tables,
       .axes = place.axes,
-      .gap = weighted(place.nodes.height()) + along(place.axes[1], known),
-      .forward_way =
-          weighted(place.nodes.x() - before.x()) - along(place.axes[0], known) + along(axes_before[0], borne),
-      .sideways_way =
-          weighted(place.nodes.z() - before.z()) - along(place.axes[2], known) + along(axes_before[2], borne),
-      .weights = weights.matrix().replicate(1, place.rows.count),
+      .gap = weights * place.nodes.height() + part(place.axes, kDown, known),
+      .forward_way = weights * (place.nodes.x() - before.x()) - part(place.axes, kForward, known) +
+                     part(axes_before, kForward, borne),
+      .sideways_way = weights * (place.nodes.z() - before.z()) - part(place.axes, kSideways, known) +
+                      part(axes_before, kSideways, borne),
+      .weights = weights,
       .load = compliance * end.load,
       .friction = coating_->friction,
       .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};

@@ -59,23 +59,21 @@ class CoatingOnPlane : public StickSlipSystem {
     while (first < last && !bears(last)) --last;
     in_reach_ =
         problem_.tables.displacement_in_reach(on_plane(problem_.axes, state.force), first / height(), last / height());
-    const HalfField moved = -in_reach_.middleCols(problem_.tables.reach(), problem_.gap.cols());
+    const HalfField moved = -in_reach_.middleCols(problem_.tables.reach(), state.force.rows() / height());
     state.displacement.resize(state.force.rows(), 3);
     for (const Axis axis : {kForward, kDown, kSideways}) {
       state.displacement.col(axis) = along(problem_.axes[axis], moved).reshaped();
     }
-    const auto values = [](const HalfField& field) { return field.reshaped().array(); };
-    state.gap = values(problem_.gap) - state.displacement.col(kDown) - state.penetration * values(problem_.weights);
-    state.slip.col(0) =
-        values(problem_.forward_way) + *state.creepage * values(problem_.weights) + state.displacement.col(kForward);
-    state.slip.col(1) = values(problem_.sideways_way) + state.displacement.col(kSideways);
+    state.gap = problem_.gap - state.displacement.col(kDown) - state.penetration * problem_.weights;
+    state.slip.col(0) = problem_.forward_way + *state.creepage * problem_.weights + state.displacement.col(kForward);
+    state.slip.col(1) = problem_.sideways_way + state.displacement.col(kSideways);
   }
 
   /// Of the last state whose displacements were asked for.
   [[nodiscard]] const HalfField& displacement_in_reach() const { return in_reach_; }
 
  private:
-  [[nodiscard]] Index height() const { return problem_.gap.rows(); }
+  [[nodiscard]] Index height() const { return problem_.tables.half_nodes(); }
   [[nodiscard]] bool in_middle(Index node) const { return node % height() == 0; }
 
   /// A node apart bears no force; one that slips bears what friction allows, and along the normal of its slip the
