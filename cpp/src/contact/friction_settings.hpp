@@ -69,7 +69,7 @@ struct FrictionSettings {
 
   // How a state is reached.
 
-  /// Traction per its limit from which a node of an instant before is taken to slip.
+  /// Traction per its limit from which a node slips as in the instant before: carried between two rows it has less.
   double likely_slip = 0.97;
 
   /// Towards full stick, as a start: further ones move nodes with tension back and forth.

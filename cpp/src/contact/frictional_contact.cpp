@@ -11,7 +11,6 @@
 
 #include "contact/semismooth_newton.hpp"
 #include "contact/stick_slip_by_products.hpp"
-#include "contact/stick_slip_conditions.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -162,10 +161,18 @@ class StateSearch {
     return iterate({.patience = kSettings.patience_between});
   }
 
+  /// The state, with further steps as long as they help: a residual that is small beside the load may leave creep that
+  /// is not small beside the way that sticking nodes are carried by the strain of the surface.
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
-    ContactSets sets = find_sets(system_, wanted_.coefficient, state);
-    if (!is_for_finer_mesh_) rest(state, sets);
+    ContactSets sets = newton_.sets();
+    const int most = is_for_finer_mesh_ ? 0 : kSettings.steps_of_rest;
+    for (int step = 0; step < most && system_.creep(state, sets) > kSettings.largest_creep; ++step) {
+      newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
+      if (!(newton_.state().residual < state.residual)) break;
+      state = newton_.state();
+      sets = newton_.sets();
+    }
     state.stick.clear();
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       if (sets.states[i].stick) state.stick.push_back(sets.contact[i]);
@@ -175,18 +182,6 @@ class StateSearch {
     state.operator_applications = start_.operator_applications + system_.products();
     state.converged = true;
     return state;
-  }
-
-  /// A residual that is small beside the load may leave creep that is not small beside the way that sticking nodes are
-  /// carried by the strain of the surface: further steps as long as they help.
-  void rest(ContactSolution& state, ContactSets& sets) {
-    for (int step = 0; step < kSettings.steps_of_rest; ++step) {
-      if (!(system_.creep(state, sets) > kSettings.largest_creep)) return;
-      ContactSets next = newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
-      if (!(newton_.state().residual < state.residual)) return;
-      state = newton_.state();
-      sets = std::move(next);
-    }
   }
 
   const Friction& wanted_;

@@ -34,17 +34,18 @@ void interpolate(const ContactSolution& from, const ContactSolution& to, double 
 bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
   CycleBreaker breaker(state_.force.rows());
   std::vector<double> residuals;
-  ContactSets sets = find_sets(system_, friction, state_);
-  if (state_.prolonged) keep_contact(system_, friction, state_, sets);
+  find_sets(friction);
+  if (state_.prolonged) keep_contact(system_, friction, state_, sets_);
   ContactSolution best = state_;
-  ContactSets best_sets = sets;
+  ContactSets best_sets = sets_;
   for (int step = 0;; ++step) {
-    if (!(state_.residual < kSettings.hopeless) || sets.contact.empty()) return false;
+    if (!(state_.residual < kSettings.hopeless) || sets_.contact.empty()) return false;
     residuals.push_back(state_.residual);
     if (is_reached(residuals)) {
       if (state_.displacement.rows() > 0) return true;
+      // Gaps and slips are those of the equations, and nodes that are not in them have yet to agree.
       system_.find_displacements(state_);
-      sets = find_sets(system_, friction, state_);
+      find_sets(friction);
       residuals.push_back(state_.residual);
       if (is_reached(residuals)) return true;
     }
@@ -52,32 +53,34 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
     const bool is_free = step < limits_.free_steps;
     if (is_free && state_.residual < best.residual) {
       best = state_;
-      best_sets = sets;
+      best_sets = sets_;
     }
     if (step == limits_.free_steps && state_.residual > kSettings.astray * best.residual) {
       state_ = best;
-      sets = best_sets;
+      sets_ = best_sets;
       residuals.back() = best.residual;
       breaker = CycleBreaker(state_.force.rows());
     }
-    const bool freed = breaker.free_undecided(sets, residuals.size() > 2 && is_halved(residuals, 2));
+    const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
     const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
     if (is_free || freed) {
-      sets = take_step(friction, sets, is_free ? tolerance : 0.1 * tolerance);
+      take_step(friction, sets_, is_free ? tolerance : 0.1 * tolerance);
     } else {
       const ContactSolution before = state_;
-      sets = take_step(friction, sets, 0.1 * tolerance);
-      if (!(state_.residual < before.residual)) sets = shorten_step(friction, before);
+      take_step(friction, sets_, 0.1 * tolerance);
+      if (!(state_.residual < before.residual)) shorten_step(friction, before);
     }
   }
 }
 
-ContactSets SemismoothNewton::take_step(double friction, const ContactSets& sets, double tolerance) {
+void SemismoothNewton::take_step(double friction, const ContactSets& sets, double tolerance) {
   const bool is_small = static_cast<Index>(sets.contact.size()) <= kSettings.few_nodes;
   ++systems_;
   system_.solve(friction, sets, is_small ? kSettings.exact_step : tolerance, state_);
-  return find_sets(system_, friction, state_);
+  find_sets(friction);
 }
+
+void SemismoothNewton::find_sets(double friction) { sets_ = detail::find_sets(system_, friction, state_); }
 
 bool SemismoothNewton::is_exhausted() const {
   return systems_ >= limits_.most_systems || system_.products() >= limits_.most_products;
@@ -97,15 +100,13 @@ bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const St
 }
 
 /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
-ContactSets SemismoothNewton::shorten_step(double friction, const ContactSolution& before) {
+void SemismoothNewton::shorten_step(double friction, const ContactSolution& before) {
   const ContactSolution full = state_;
-  ContactSets sets;
   for (double share = 0.5; share > kSettings.shortest_step; share *= 0.5) {
     interpolate(before, full, share, state_);
-    sets = find_sets(system_, friction, state_);
-    if (state_.residual < before.residual) break;
+    find_sets(friction);
+    if (state_.residual < before.residual) return;
   }
-  return sets;
 }
 
 }  // namespace viscoroll::detail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "contact/friction_settings.hpp"
@@ -41,11 +42,14 @@ class SemismoothNewton {
   /// @return whether they came to a state
   [[nodiscard]] bool iterate(double friction, const StepLimits& limits = {});
 
-  /// @brief Solve for given sets from the present state. @return the sets after it
-  [[nodiscard]] ContactSets take_step(double friction, const ContactSets& sets, double tolerance);
+  /// @brief Solve for given sets from the present state.
+  void take_step(double friction, const ContactSets& sets, double tolerance);
 
   /// @return the present state, found or not
   [[nodiscard]] const ContactSolution& state() const { return state_; }
+
+  /// @return who touches, sticks and slips after it
+  [[nodiscard]] const ContactSets& sets() const { return sets_; }
 
   /// @return linear systems solved
   [[nodiscard]] int systems() const { return systems_; }
@@ -56,11 +60,13 @@ class SemismoothNewton {
  private:
   [[nodiscard]] bool is_reached(const std::vector<double>& residuals) const;
   [[nodiscard]] bool is_in_vain(const std::vector<double>& residuals, const StepLimits& limits) const;
-  [[nodiscard]] ContactSets shorten_step(double friction, const ContactSolution& before);
+  void find_sets(double friction);
+  void shorten_step(double friction, const ContactSolution& before);
 
   StickSlipSystem& system_;
   SearchLimits limits_;
   ContactSolution state_;
+  ContactSets sets_;
   int systems_ = 0;
 };
 

@@ -15,12 +15,13 @@ constexpr double kLeastKept = 0.97;  // of a coarse mesh's contact
 
 ContactSets find_sets(const StickSlipSystem& system, double friction, ContactSolution& state) {
   const ConditionScales scales = system.scales();
+  const Index first_node = system.first_node();
   ContactSets sets;
   double violation = std::pow(system.imbalance(state), 2);
   for (Index node = 0; node < state.gap.size(); ++node) {
     const double pressing = -state.force(node, kDown);
     const double predicted = pressing - scales.normal * state.gap[node];
-    const bool touches = predicted > 0.0 && node >= system.first_node();
+    const bool touches = predicted > 0.0 && node >= first_node;
     violation += std::pow(touches ? scales.normal * state.gap[node] : pressing, 2);
     const Eigen::Array2d traction(state.force(node, kForward), state.force(node, kSideways));
     if (!touches) {

@@ -1,7 +1,6 @@
 #include "transient/stick_slip_step.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "contact/semismooth_newton.hpp"
@@ -70,7 +69,7 @@ class CoatingOnPlane : public StickSlipSystem {
   }
 
   /// Of the last state whose displacements were asked for.
-  [[nodiscard]] const HalfField& displacement_in_reach() const { return in_reach_; }
+  [[nodiscard]] HalfField displacement_in_reach() && { return std::move(in_reach_); }
 
  private:
   [[nodiscard]] Index height() const { return problem_.tables.half_nodes(); }
@@ -125,7 +124,7 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
                           .slip = Eigen::ArrayX2d::Zero(force.rows(), 2)};
     const ContactSets sets = find_sets(coating, kSettings.likely_slip * problem.friction, state);
     newton.start_from(std::move(state));
-    std::ignore = newton.take_step(problem.friction, sets, kSettings.exact_step);
+    newton.take_step(problem.friction, sets, kSettings.exact_step);
     return newton.iterate(problem.friction);
   };
   VectorField pressing = VectorField::Zero(guess.rows(), 3);
@@ -133,13 +132,13 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   if (!finds_from(guess) && !finds_from(pressing)) {
     throw ConvergenceError("stick and slip did not settle", newton.systems(), newton.state().residual);
   }
-  ContactSolution state = newton.state();
-  const ContactSets sets = find_sets(coating, problem.friction, state);
-  StickSlip result{.force = std::move(state.force),
+  const ContactSolution& state = newton.state();
+  const ContactSets& sets = newton.sets();
+  StickSlip result{.force = state.force,
                    .penetration = state.penetration,
                    .way = *state.creepage,
-                   .slip = std::move(state.slip),
-                   .displacement = coating.displacement_in_reach()};
+                   .slip = state.slip,
+                   .displacement = std::move(coating).displacement_in_reach()};
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     if (!(result.force(sets.contact[i], kDown) < 0.0)) continue;
     result.nodes.push_back(sets.contact[i]);
