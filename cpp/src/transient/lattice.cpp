@@ -168,7 +168,7 @@ StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& know
                              place.nodes.shift() - (end.angle - now_.angle) / grid.phi_spacing);
   const Axes axes_before = axes_at(before);
   const HalfField borne = memory_.displacement(place.rows);
-  const auto part = [](const Axes& axes, Axis axis, const HalfField& field) -> ArrayXd {
+  const auto part = [](const Axes& axes, std::size_t axis, const HalfField& field) -> ArrayXd {
     return along(axes[axis], field).reshaped();
   };
   const StickSlipProblem problem{

@@ -17,7 +17,9 @@ HalfField spread(const std::array<HalfField, 3>& direction, const HalfField& sca
 }
 
 HalfField on_plane(const Axes& axes, const VectorField& force) {
-  const auto part = [&](Axis axis) { return spread(axes[axis], as_field(-force.col(axis), axes[axis][0].rows())); };
+  const auto part = [&](std::size_t axis) {
+    return spread(axes[axis], as_field(-force.col(static_cast<Eigen::Index>(axis)), axes[axis][0].rows()));
+  };
   return part(kDown) + part(kForward) + part(kSideways);
 }
 

@@ -60,8 +60,8 @@ class CoatingOnPlane : public StickSlipSystem {
         problem_.tables.displacement_in_reach(on_plane(problem_.axes, state.force), first / height(), last / height());
     const HalfField moved = -in_reach_.middleCols(problem_.tables.reach(), state.force.rows() / height());
     state.displacement.resize(state.force.rows(), 3);
-    for (const Axis axis : {kForward, kDown, kSideways}) {
-      state.displacement.col(axis) = along(problem_.axes[axis], moved).reshaped();
+    for (std::size_t axis = 0; axis < problem_.axes.size(); ++axis) {
+      state.displacement.col(static_cast<Index>(axis)) = along(problem_.axes[axis], moved).reshaped();
     }
     state.gap = problem_.gap - state.displacement.col(kDown) - state.penetration * problem_.weights;
     state.slip.col(0) = problem_.forward_way + *state.creepage * problem_.weights + state.displacement.col(kForward);
