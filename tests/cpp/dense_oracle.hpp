@@ -5,7 +5,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "contact/newton_step.hpp"
+#include "contact/contact_problem.hpp"
+#include "contact/stick_slip_system.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::oracle {

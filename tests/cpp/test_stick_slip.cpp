@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "cases.hpp"
-#include "contact/newton_step.hpp"
+#include "contact/stick_slip_by_products.hpp"
 #include "dense_oracle.hpp"
 #include "influence/coating_sum.hpp"
 #include "surface/table_operator.hpp"
@@ -85,10 +85,11 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
 
 TEST_P(StickSlipTest, ProductsTakeTheStepOfADenseSolution) {
   const ContactProblem problem = this->problem();
-  const ConditionScales scales = condition_scales(*surface_);
-  const Eigen::VectorXd dense = oracle::newton_step(problem, oracle::compliance(*surface_), scales, sets_, state_);
+  StickSlipByProducts system(problem);
+  const Eigen::VectorXd dense =
+      oracle::newton_step(problem, oracle::compliance(*surface_), system.scales(), sets_, state_);
   ContactSolution iterated = state_;
-  take_newton_step(problem, 0.3, scales, sets_, StickSlipPreconditioner(*surface_), 1e-13, iterated);
+  system.solve(0.3, sets_, 1e-13, iterated);
   const Eigen::Index forces = 3 * nodes_.shape().size();
   const Eigen::VectorXd force = iterated.force.matrix().reshaped();
   EXPECT_LT((force - dense.head(forces)).cwiseAbs().maxCoeff(), 1e-8 * force.cwiseAbs().maxCoeff());

@@ -25,8 +25,8 @@ struct ContactSolution {
   double penetration = 0.0;           ///< of the lowest undeformed node, swollen as it turns [m]
 
   std::vector<Eigen::Index> stick;  ///< nodes in contact that stick; none without friction
-  Eigen::ArrayX2d slip;             ///< way over it from a node to the next, along x and z [m]; empty without friction
-  std::optional<double> creepage;   ///< [-], undetermined without friction
+  Eigen::ArrayX2d slip;  ///< way over it along x and z, from node to node or in a step [m]; empty without friction
+  std::optional<double> creepage;  ///< [-], of a step in time the way of the center [m]; undetermined without friction
   std::optional<SmoothFields> prolonged;  ///< of the coarser mesh that a start is from
 
   int iterations = 0;             ///< linear systems solved

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/newton_step.hpp"
+#include "contact/stick_slip_system.hpp"
 
 namespace viscoroll::detail {
 
@@ -19,14 +19,16 @@ class CycleBreaker {
   explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}
 
   /// Take nodes out of contact for one step that changed their minds twice, if all others kept to theirs.
-  bool free_undecided(ContactSets& sets) {
+  /// @param[in] progresses whether the residual fell meanwhile, and nothing goes back and forth
+  /// @return whether there were any
+  bool free_undecided(ContactSets& sets, bool progresses) {
     before_last_.swap(last_);
     last_.swap(now_);
     std::ranges::fill(now_, kApart);
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       now_[static_cast<std::size_t>(sets.contact[i])] = sets.states[i].stick ? kStick : kSlip;
     }
-    if (now_ != before_last_ || now_ == last_) return false;
+    if (progresses || now_ != before_last_ || now_ == last_) return false;
     ContactSets kept;
     for (std::size_t i = 0; i < sets.contact.size(); ++i) {
       const auto node = static_cast<std::size_t>(sets.contact[i]);

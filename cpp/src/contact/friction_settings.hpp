@@ -24,6 +24,11 @@ struct FrictionSettings {
   /// ... before these steps.
   int steps_of_rest = 3;
 
+  /// The residual of an instant of a motion, whose errors later ones inherit, and which direct solutions take to ...
+  double instant_tolerance = 1e-12;
+  /// ... or here, where steps no longer halve it.
+  double instant_round_off = 1e-10;
+
   // When steps are in vain.
 
   /// Residual that steps do not come back from in time.
@@ -63,6 +68,9 @@ struct FrictionSettings {
   Eigen::Index few_nodes = 300;
 
   // How a state is reached.
+
+  /// Traction per its limit from which a node slips as in the instant before: carried between two rows it has less.
+  double likely_slip = 0.97;
 
   /// Towards full stick, as a start: further ones move nodes with tension back and forth.
   int steps_of_full_stick = 6;

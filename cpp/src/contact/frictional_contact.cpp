@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "contact/semismooth_newton.hpp"
+#include "contact/stick_slip_by_products.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -24,16 +25,34 @@ struct Passed {
   double excess;
 };
 
+/// @param[in] start from which it is searched
+SearchLimits limits_of(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options) {
+  const double share = std::clamp(problem.friction->coefficient, kSettings.least_friction, 1.0);
+  const double affordable = kSettings.effort / problem.surface->operations();
+  const double most = std::max(affordable, std::min(kSettings.products, kSettings.costly * affordable));
+  return {.tolerance = std::max(kSettings.tolerance * share, options.tolerance),
+          .round_off = kSettings.round_off * share,
+          .free_steps = start.creepage ? kSettings.free_steps_nearby : kSettings.free_steps,
+          .most_systems = options.max_iterations - start.iterations,
+          .most_products = most - start.operator_applications};
+}
+
 class StateSearch {
  public:
   StateSearch(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options)
-      : wanted_(*problem.friction), problem_(problem), start_(start), newton_(problem_, start, options) {}
+      : wanted_(*problem.friction),
+        problem_(problem),
+        start_(start),
+        limits_(limits_of(problem, start, options)),
+        is_for_finer_mesh_(options.tolerance == limits_.tolerance),
+        system_(problem_),
+        newton_(system_, limits_) {}
 
   [[nodiscard]] ContactSolution solve() {
     const bool is_found = (start_.creepage && from_coarser_mesh()) || find_at_once() ||
                           (wanted_.drive->given_creepage() ? find_by_friction() : find_by_creepage());
-    if (is_found) return newton_.finished(wanted_.coefficient);
-    const int iterations = newton_.state().iterations;
+    if (is_found) return finished();
+    const int iterations = start_.iterations + newton_.systems();
     const bool is_finite = std::isfinite(wanted_.coefficient);
     throw ConvergenceError((is_finite ? "no state of stick and slip" : "no full stick without tension") +
                                (" was found in " + std::to_string(iterations)) + " iterations: the residual is " +
@@ -43,6 +62,14 @@ class StateSearch {
   }
 
  private:
+  /// Begin at a state, with the creepage that the drive gives if it does.
+  void start_from(ContactSolution state) {
+    if (const auto given = problem_.friction->drive->given_creepage()) state.creepage = given;
+    if (!state.creepage) state.creepage = 0.0;
+    system_.find_displacements(state);
+    newton_.start_from(std::move(state));
+  }
+
   /// Newton steps from the present state to one at the friction that is wanted.
   bool iterate(const StepLimits& limits = {}) {
     const bool is_found = newton_.iterate(wanted_.coefficient, limits);
@@ -53,8 +80,9 @@ class StateSearch {
 
   /// From a state on a coarser mesh, with care where rough steps fail.
   bool from_coarser_mesh() {
+    start_from(start_);
     if (iterate({.patience = kSettings.patience_nearby})) return true;
-    newton_.restart_from(start_);
+    start_from(start_);
     return iterate({.exact = true});
   }
 
@@ -62,17 +90,17 @@ class StateSearch {
   /// as a whole, from the contact without friction.
   bool find_at_once() {
     const int few = kSettings.steps_of_full_stick;
-    newton_.restart_from(start_);
+    start_from(start_);
     std::ignore = newton_.iterate(std::numeric_limits<double>::infinity(), {.patience = few, .most = few});
     if (iterate()) return true;
-    newton_.restart_from(start_);
+    start_from(start_);
     return iterate();
   }
 
   /// From a friction that is easy to the one wanted, by steps on a logarithmic scale that are halved where they fail.
   bool find_by_friction() {
     const double ratio = wanted_.coefficient / kSettings.easy_friction;
-    newton_.restart_from(start_);
+    start_from(start_);
     if (!std::isfinite(ratio) || !newton_.iterate(kSettings.easy_friction)) return false;
     double reached = 0.0;
     for (double step = 1.0; step > kSettings.shortest_stride && !newton_.is_exhausted();) {
@@ -82,7 +110,7 @@ class StateSearch {
         if (next == 1.0) return true;
         reached = next;
       } else {
-        newton_.restart_from(before);
+        start_from(before);
         step *= 0.5;
       }
     }
@@ -115,11 +143,11 @@ class StateSearch {
   /// @param[in] place of it, asinh(creepage / small_creepage)
   std::optional<Passed> find_at(double place, const ContactSolution& from) {
     problem_.friction->drive = std::make_shared<GivenCreepage>(kSettings.small_creepage * std::sinh(place));
-    newton_.restart_from(from);
+    start_from(from);
     const bool is_found = (from.creepage && iterate()) || find_at_once() || find_by_friction();
     problem_.friction->drive = wanted_.drive;
     if (!is_found) return std::nullopt;
-    return Passed{newton_.state(), newton_.drive_excess(newton_.state())};
+    return Passed{newton_.state(), system_.drive_excess(newton_.state())};
   }
 
   /// From where the drive is passed on the straight line between two states.
@@ -129,13 +157,39 @@ class StateSearch {
     between.force += share * (other.state.force - one.state.force);
     between.penetration += share * (other.state.penetration - one.state.penetration);
     *between.creepage += share * (*other.state.creepage - *one.state.creepage);
-    newton_.restart_from(between);
+    start_from(between);
     return iterate({.patience = kSettings.patience_between});
+  }
+
+  /// The state, with further steps as long as they help: a residual that is small beside the load may leave creep that
+  /// is not small beside the way that sticking nodes are carried by the strain of the surface.
+  [[nodiscard]] ContactSolution finished() {
+    ContactSolution state = newton_.state();
+    ContactSets sets = newton_.sets();
+    const int most = is_for_finer_mesh_ ? 0 : kSettings.steps_of_rest;
+    for (int step = 0; step < most && system_.creep(state, sets) > kSettings.largest_creep; ++step) {
+      newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
+      if (!(newton_.state().residual < state.residual)) break;
+      state = newton_.state();
+      sets = newton_.sets();
+    }
+    state.stick.clear();
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      if (sets.states[i].stick) state.stick.push_back(sets.contact[i]);
+    }
+    state.contact = std::move(sets.contact);
+    state.iterations = start_.iterations + newton_.systems();
+    state.operator_applications = start_.operator_applications + system_.products();
+    state.converged = true;
+    return state;
   }
 
   const Friction& wanted_;
   ContactProblem problem_;  // whose drive is another one on the way
   ContactSolution start_;
+  SearchLimits limits_;
+  bool is_for_finer_mesh_;  // where creep need not come to rest
+  StickSlipByProducts system_;
   SemismoothNewton newton_;
   double residual_ = 1.0;  // the last finite one, for the message of a failure
 };

@@ -265,19 +265,19 @@ void symmetrize(const WindowShape& shape, VectorField& force) {
 
 }  // namespace
 
-void take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
-                      const ContactSets& sets, const StickSlipPreconditioner& preconditioner, double tolerance,
-                      ContactSolution& state) {
+int take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
+                     const ContactSets& sets, const StickSlipPreconditioner& preconditioner, double tolerance,
+                     ContactSolution& state) {
   const Equations equations(problem, coefficient, scales, sets, preconditioner, state);
   const KrylovSolution solution = solve_krylov([&](const VectorXd& vector) { return equations.times(vector); },
                                                [&](const VectorXd& vector) { return equations.precondition(vector); },
                                                equations.right_side(), equations.unknowns(), {.relative = tolerance});
   VectorField force = equations.force(solution.unknowns);
   if (is_mirror_symmetric(problem)) symmetrize(problem.surface->shape(), force);
-  state.operator_applications += solution.products;
   state.force = std::move(force);
   state.penetration = solution.unknowns[solution.unknowns.size() - 2] / scales.normal;
   state.creepage = solution.unknowns[solution.unknowns.size() - 1] / (scales.tangential * problem.friction->step);
+  return solution.products;
 }
 
 }  // namespace viscoroll::detail

@@ -10,38 +10,11 @@
 /// normal to e, (1 - kappa) t . e' + kappa c S . e' = 0, which turns e towards -S.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "contact/contact_problem.hpp"
-#include "contact/contact_solution.hpp"
 #include "contact/stick_slip_preconditioner.hpp"
+#include "contact/stick_slip_system.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief What a node in contact does.
-struct TangentialState {
-  bool stick;
-  Eigen::Array2d direction;  ///< of the traction of a slipping node, a unit vector
-  double rigidity;           ///< kappa = mu p / |r| in [0, 1) of a slipping node: how much its direction may turn
-};
-
-/// @brief Sets of a step: a node for each state.
-struct ContactSets {
-  std::vector<Eigen::Index> contact;
-  std::vector<TangentialState> states;
-};
-
-/// @brief Forces per displacement by which conditions on gaps and slips are weighed against forces [N/m].
-struct ConditionScales {
-  double normal;
-  double tangential;
-};
-
-/// @return inverse of a node's own gap, and of its own slip, under a unit force
-[[nodiscard]] inline ConditionScales condition_scales(const SurfaceOperator& surface) {
-  return {.normal = surface.normal_stiffness(), .tangential = surface.slip_stiffness()};
-}
 
 /// @brief Solve the conditions linearized at `state` for the new forces, penetration and creepage, roughly.
 /// @param[in] problem surface, friction and drive
@@ -50,9 +23,10 @@ struct ConditionScales {
 /// @param[in] sets nodes in contact and what they do
 /// @param[in] preconditioner of the surface on this window
 /// @param[in] tolerance of the residual, relative to that of `state`
-/// @param[in,out] state forces, penetration and creepage are replaced, operator applications counted
-void take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
-                      const ContactSets& sets, const StickSlipPreconditioner& preconditioner, double tolerance,
-                      ContactSolution& state);
+/// @param[in,out] state forces, penetration and creepage are replaced
+/// @return products with the compliance
+[[nodiscard]] int take_newton_step(const ContactProblem& problem, double coefficient, const ConditionScales& scales,
+                                   const ContactSets& sets, const StickSlipPreconditioner& preconditioner,
+                                   double tolerance, ContactSolution& state);
 
 }  // namespace viscoroll::detail

@@ -1,12 +1,10 @@
 #include "contact/semismooth_newton.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 #include "contact/cycle_breaker.hpp"
+#include "contact/stick_slip_conditions.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -20,83 +18,77 @@ bool is_halved(const std::vector<double>& residuals, std::size_t steps) {
   return residuals.back() <= 0.5 * residuals[residuals.size() - 1 - steps];
 }
 
+/// All that is linear in the forces, between two states.
+void interpolate(const ContactSolution& from, const ContactSolution& to, double share, ContactSolution& between) {
+  const auto mix = [share](const auto& one, const auto& other, auto& mixed) { mixed = one + share * (other - one); };
+  mix(from.force, to.force, between.force);
+  mix(from.gap, to.gap, between.gap);
+  mix(from.slip, to.slip, between.slip);
+  mix(from.penetration, to.penetration, between.penetration);
+  mix(*from.creepage, *to.creepage, *between.creepage);
+  if (to.displacement.rows() > 0) mix(from.displacement, to.displacement, between.displacement);
+}
+
 }  // namespace
 
-SemismoothNewton::SemismoothNewton(const ContactProblem& problem, const ContactSolution& start,
-                                   const ContactOptions& options)
-    : problem_(problem),
-      options_(options),
-      conditions_(problem),
-      state_(start),
-      free_steps_(start.creepage ? kSettings.free_steps_nearby : kSettings.free_steps),
-      friction_share_(std::clamp(problem.friction->coefficient, kSettings.least_friction, 1.0)),
-      tolerance_(std::max(kSettings.tolerance * friction_share_, options.tolerance)) {
-  state_.converged = false;
-  restart_from(start);
-}
-
 bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
-  CycleBreaker breaker(problem_.initial_gap.size());
+  CycleBreaker breaker(state_.force.rows());
   std::vector<double> residuals;
+  find_sets(friction);
+  if (state_.prolonged) keep_contact(system_, friction, state_, sets_);
   ContactSolution best = state_;
-  ContactSets best_sets;
+  ContactSets best_sets = sets_;
   for (int step = 0;; ++step) {
-    ContactSets sets = find_sets(friction);
-    if (!(state_.residual < kSettings.hopeless) || sets.contact.empty()) return false;
+    if (!(state_.residual < kSettings.hopeless) || sets_.contact.empty()) return false;
     residuals.push_back(state_.residual);
-    if (is_reached(residuals)) return true;
+    if (is_reached(residuals)) {
+      if (state_.displacement.rows() > 0) return true;
+      // Gaps and slips are those of the equations, and nodes that are not in them have yet to agree.
+      system_.find_displacements(state_);
+      find_sets(friction);
+      residuals.push_back(state_.residual);
+      if (is_reached(residuals)) return true;
+    }
     if (is_in_vain(residuals, limits)) return false;
-    if (step == 0 || state_.residual < best.residual) {
+    const bool is_free = step < limits_.free_steps;
+    if (is_free && state_.residual < best.residual) {
       best = state_;
-      best_sets = sets;
+      best_sets = sets_;
     }
-    if (step == free_steps_ && state_.residual > kSettings.astray * best.residual) {
-      restart_from(best);
-      sets = best_sets;
+    if (step == limits_.free_steps && state_.residual > kSettings.astray * best.residual) {
+      state_ = best;
+      sets_ = best_sets;
       residuals.back() = best.residual;
-      breaker = CycleBreaker(problem_.initial_gap.size());
+      breaker = CycleBreaker(state_.force.rows());
     }
-    const ContactSolution before = state_;
-    const bool is_free = step < free_steps_;
-    const bool freed = breaker.free_undecided(sets);
+    const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
     const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
-    take_step(friction, sets, is_free ? tolerance : 0.1 * tolerance);
-    if (!is_free && !freed) shorten_step(friction, before);
+    if (is_free || freed) {
+      take_step(friction, sets_, is_free ? tolerance : 0.1 * tolerance);
+    } else {
+      const ContactSolution before = state_;
+      take_step(friction, sets_, 0.1 * tolerance);
+      if (!(state_.residual < before.residual)) shorten_step(friction, before);
+    }
   }
 }
 
-void SemismoothNewton::restart_from(const ContactSolution& other) {
-  const int iterations = state_.iterations;
-  const int operator_applications = state_.operator_applications;
-  state_ = other;
-  state_.iterations = iterations;
-  state_.operator_applications = operator_applications;
-  if (const auto given = problem_.friction->drive->given_creepage()) state_.creepage = given;
-  if (!state_.creepage) state_.creepage = 0.0;
+void SemismoothNewton::take_step(double friction, const ContactSets& sets, double tolerance) {
+  const bool is_small = static_cast<Index>(sets.contact.size()) <= kSettings.few_nodes;
+  ++systems_;
+  system_.solve(friction, sets, is_small ? kSettings.exact_step : tolerance, state_);
+  find_sets(friction);
 }
 
-ContactSolution SemismoothNewton::finished(double friction) {
-  ContactSets sets = conditions_.sets(friction, state_);
-  const bool is_a_start = options_.tolerance == tolerance_;  // for a finer mesh
-  if (!is_a_start) rest(friction, sets);
-  state_.contact = sets.contact;
-  state_.stick.clear();
-  for (std::size_t i = 0; i < sets.contact.size(); ++i) {
-    if (sets.states[i].stick) state_.stick.push_back(sets.contact[i]);
-  }
-  state_.converged = true;
-  return state_;
-}
+void SemismoothNewton::find_sets(double friction) { sets_ = detail::find_sets(system_, friction, state_); }
 
 bool SemismoothNewton::is_exhausted() const {
-  const double affordable = kSettings.effort / problem_.surface->operations();
-  const double most = std::max(affordable, std::min(kSettings.products, kSettings.costly * affordable));
-  return state_.iterations >= options_.max_iterations || state_.operator_applications >= most;
+  return systems_ >= limits_.most_systems || system_.products() >= limits_.most_products;
 }
 
 bool SemismoothNewton::is_reached(const std::vector<double>& residuals) const {
   const bool stalled = residuals.size() > 1 && !is_halved(residuals, 1);
-  return state_.residual < tolerance_ || (stalled && state_.residual < kSettings.round_off * friction_share_);
+  return state_.residual < limits_.tolerance || (stalled && state_.residual < limits_.round_off);
 }
 
 bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const StepLimits& limits) const {
@@ -107,47 +99,13 @@ bool SemismoothNewton::is_in_vain(const std::vector<double>& residuals, const St
   return step >= limits.patience && !is_halved(residuals, residuals.size() - 1);
 }
 
-/// Displacements of the present state, and who touches, sticks and slips after it.
-ContactSets SemismoothNewton::find_sets(double friction) {
-  conditions_.find_displacements(state_);
-  ContactSets sets = conditions_.sets(friction, state_);
-  if (state_.prolonged) conditions_.keep_contact(friction, state_, sets);
-  return sets;
-}
-
-void SemismoothNewton::take_step(double friction, const ContactSets& sets, double tolerance) {
-  const bool is_small = static_cast<Index>(sets.contact.size()) <= kSettings.few_nodes;
-  ++state_.iterations;
-  conditions_.take_step(friction, sets, is_small ? kSettings.exact_step : tolerance, state_);
-  if (!problem_.friction->drive->given_creepage()) {
-    state_.creepage = std::clamp(*state_.creepage, -kSettings.most_creepage, kSettings.most_creepage);
-  }
-}
-
 /// Halve a step that leads further away from a solution, which ends cycles of nodes between two states.
 void SemismoothNewton::shorten_step(double friction, const ContactSolution& before) {
   const ContactSolution full = state_;
-  for (double share = 1.0; share > kSettings.shortest_step; share *= 0.5) {
-    state_.force = before.force + share * (full.force - before.force);
-    state_.penetration = before.penetration + share * (full.penetration - before.penetration);
-    state_.creepage = *before.creepage + share * (*full.creepage - *before.creepage);
-    conditions_.find_displacements(state_);
-    std::ignore = conditions_.sets(friction, state_);  // for the residual
+  for (double share = 0.5; share > kSettings.shortest_step; share *= 0.5) {
+    interpolate(before, full, share, state_);
+    find_sets(friction);
     if (state_.residual < before.residual) return;
-  }
-}
-
-/// A residual that is small beside the load may leave creep that is not small beside the way that sticking nodes are
-/// carried by the strain of the surface: further steps as long as they help.
-void SemismoothNewton::rest(double friction, ContactSets& sets) {
-  for (int step = 0; step < kSettings.steps_of_rest; ++step) {
-    if (!(conditions_.creep(state_, sets) > kSettings.largest_creep)) return;
-    const ContactSolution before = state_;
-    ++state_.iterations;
-    conditions_.take_step(friction, sets, kSettings.exact_step, state_);
-    ContactSets next = find_sets(friction);
-    if (!(state_.residual < before.residual)) return restart_from(before);
-    sets = std::move(next);
   }
 }
 

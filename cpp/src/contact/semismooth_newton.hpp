@@ -1,15 +1,25 @@
 /// @file
-/// @brief States of stick and slip at a given friction: the semismooth Newton iteration of docs/theory.md section 6.
+/// @brief States of stick and slip at a given friction, whatever solves the linear systems: the semismooth Newton
+/// iteration of docs/theory.md section 6.
 #pragma once
 
+#include <limits>
+#include <utility>
 #include <vector>
 
-#include "contact/contact_problem.hpp"
-#include "contact/contact_solution.hpp"
 #include "contact/friction_settings.hpp"
-#include "contact/stick_slip_conditions.hpp"
+#include "contact/stick_slip_system.hpp"
 
 namespace viscoroll::detail {
+
+/// @brief What a state is, and what finding one may take.
+struct SearchLimits {
+  double tolerance;  ///< residual of a state
+  double round_off;  ///< the same where steps no longer halve it
+  int free_steps;    ///< that may raise the residual while nodes find their sets
+  int most_systems = std::numeric_limits<int>::max();
+  double most_products = std::numeric_limits<double>::infinity();
+};
 
 /// @brief How steps are taken, and after how many of them an iteration is given up.
 struct StepLimits {
@@ -21,46 +31,43 @@ struct StepLimits {
 /// @brief Newton steps on forces, penetration and creepage together, from one state to another.
 class SemismoothNewton {
  public:
-  /// @param[in] problem which outlives this object; its drive and rigid slip may change from iteration to iteration
-  /// @param[in] start without friction, or with friction and its creepage
-  /// @param[in] options which outlive this object, too
-  SemismoothNewton(const ContactProblem& problem, const ContactSolution& start, const ContactOptions& options);
+  /// @param[in,out] system which outlives this object
+  /// @param[in] limits of all iterations together
+  SemismoothNewton(StickSlipSystem& system, const SearchLimits& limits) : system_(system), limits_(limits) {}
+
+  /// @brief Take another state, with its gaps and slips, for the present one.
+  void start_from(ContactSolution state) { state_ = std::move(state); }
 
   /// @brief Take steps from the present state, at a coefficient of friction that may be infinite.
   /// @return whether they came to a state
   [[nodiscard]] bool iterate(double friction, const StepLimits& limits = {});
 
+  /// @brief Solve for given sets from the present state.
+  void take_step(double friction, const ContactSets& sets, double tolerance);
+
   /// @return the present state, found or not
   [[nodiscard]] const ContactSolution& state() const { return state_; }
 
-  /// @brief Take another state, with the creepage that the drive gives if it does, but keep count of what was done.
-  void restart_from(const ContactSolution& other);
+  /// @return who touches, sticks and slips after it
+  [[nodiscard]] const ContactSets& sets() const { return sets_; }
 
-  /// @brief Let what a state leaves of creep come to rest, where it is no start for a finer mesh.
-  /// @return the state, with its sets
-  [[nodiscard]] ContactSolution finished(double friction);
+  /// @return linear systems solved
+  [[nodiscard]] int systems() const { return systems_; }
 
   /// @return whether enough has been tried
   [[nodiscard]] bool is_exhausted() const;
 
-  /// @return how far the forces of a state are from the condition of the problem's drive [N]
-  [[nodiscard]] double drive_excess(const ContactSolution& state) const { return conditions_.drive_excess(state); }
-
  private:
   [[nodiscard]] bool is_reached(const std::vector<double>& residuals) const;
   [[nodiscard]] bool is_in_vain(const std::vector<double>& residuals, const StepLimits& limits) const;
-  [[nodiscard]] ContactSets find_sets(double friction);
-  void take_step(double friction, const ContactSets& sets, double tolerance);
+  void find_sets(double friction);
   void shorten_step(double friction, const ContactSolution& before);
-  void rest(double friction, ContactSets& sets);
 
-  const ContactProblem& problem_;
-  const ContactOptions& options_;
-  StickSlipConditions conditions_;
+  StickSlipSystem& system_;
+  SearchLimits limits_;
   ContactSolution state_;
-  int free_steps_;
-  double friction_share_;  // of the load, by which residuals are judged
-  double tolerance_;       // residual of a state
+  ContactSets sets_;
+  int systems_ = 0;
 };
 
 }  // namespace viscoroll::detail

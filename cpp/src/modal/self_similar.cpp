@@ -1,12 +1,13 @@
 #include "modal/self_similar.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "dense_solvers.hpp"
 #include "modal/compliance_recursion.hpp"
 
 namespace viscoroll::detail {
@@ -128,8 +129,8 @@ class InertiaSeries {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(angles_.size());
       angles_[i] = 0.5 - 0.5 * std::cos(std::numbers::pi * share);
     }
-    from_etas_ = vandermonde(etas_).inverse();
-    from_angles_ = vandermonde(angles_).inverse();
+    from_etas_ = dense_inverse(vandermonde(etas_));
+    from_angles_ = dense_inverse(vandermonde(angles_));
   }
 
   /// Row of the coefficient of entry, eta^j and m^(2i) in a panel.

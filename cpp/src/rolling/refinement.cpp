@@ -12,7 +12,7 @@
 
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/solve_load_case.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 

@@ -49,7 +49,7 @@ VectorField own_displacement(const HeldContact& held) {
 
 /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed surface;
 /// under a rigid ball that is the ball's.
-double drag(const Assembly& given, const HeldContact& held) {
+double deformed_pushback(const Assembly& given, const HeldContact& held) {
   switch (held.problem.surface->bodies()) {
     case Bodies::rolling:
       return 0.0;
@@ -73,7 +73,7 @@ class Summary {
         pressing_(pressing_force(contact_)),
         arms_(displaced(given.lever_arms(window_), own_displacement(held), given.pressure_share())),
         curvature_(given.pair().on.curvatures.along),
-        drag_(drag(given, held)),
+        pushback_(deformed_pushback(given, held)),
         flat_area_(ArrayXd::Constant(
             size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
         area_(window_.patch_area()) {}
@@ -189,7 +189,7 @@ class Summary {
   }
 
   /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
-  [[nodiscard]] double counterpart_force(const Result& r) const { return drag_ - r.resisting_torque * curvature_; }
+  [[nodiscard]] double counterpart_force(const Result& r) const { return pushback_ - r.resisting_torque * curvature_; }
 
   /// Its work per way, beside that of the force on the center: the moment about the counterpart's axis, which turns as
   /// well, per its radius.
@@ -232,7 +232,7 @@ class Summary {
   ArrayXd pressing_;
   LeverArms arms_;    // of the displaced nodes
   double curvature_;  // of the counterpart along the path [1/m]
-  double drag_;       // of the pressure along the deformed surface of the counterpart, D_2 [N]
+  double pushback_;   // of the pressure along the deformed surface of the counterpart, D_2 [N]
   ArrayXd flat_area_;
   ArrayXd area_;
 };

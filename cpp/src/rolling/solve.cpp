@@ -10,8 +10,8 @@
 #include "rolling/drives.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/refinement.hpp"
-#include "rolling/rolling_contact.hpp"
 #include "rolling/rolling_pair.hpp"
+#include "rolling/solve_load_case.hpp"
 #include "rolling/warnings.hpp"
 #include "validate.hpp"
 

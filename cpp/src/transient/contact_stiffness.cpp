@@ -1,11 +1,11 @@
 #include "transient/contact_stiffness.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "dense_products.hpp"
+#include "dense_solvers.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -59,7 +59,7 @@ ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, con
   complement -= product(moved.transpose(), beside);
   Inverse wide{.nodes = inverse.nodes, .matrix = MatrixXd(before + size, before + size)};
   wide.nodes.insert(wide.nodes.end(), added.begin(), added.end());
-  const MatrixXd corner = complement.partialPivLu().inverse();
+  const MatrixXd corner = dense_inverse(complement);
   const MatrixXd edge = product(moved, corner);
   wide.matrix.topLeftCorner(before, before) = inverse.matrix;
   add_product(edge, moved.transpose(), wide.matrix.topLeftCorner(before, before));

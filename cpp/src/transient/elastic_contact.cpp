@@ -116,10 +116,10 @@ VectorXd ContactInverse::times(const VectorXd& displacement) const {
   return forces;
 }
 
-PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const ArrayXd& guess,
                                    ContactInverse& inverse) {
   CoatingSurface surface(problem, inverse);
-  PressedNodes start{.pressing = guess.reshaped(), .nodes = {}, .penetration = {}};
+  PressedNodes start{.pressing = guess, .nodes = {}, .penetration = {}};
   for (Index node = 0; node < guess.size(); ++node) {
     if (start.pressing[node] > 0.0) start.nodes.push_back(node);
   }

@@ -48,10 +48,10 @@ struct ElasticContactProblem {
 
 /// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.
 /// @param[in] problem gap and load
-/// @param[in] guess forces to start from, one of them above zero
+/// @param[in] guess pressing forces to start from, row by row, one of them above zero
 /// @param[in,out] inverse of an earlier contact
 /// @throws ConvergenceError where the contact does not settle
-[[nodiscard]] PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const HalfField& guess,
+[[nodiscard]] PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const Eigen::ArrayXd& guess,
                                                  ContactInverse& inverse);
 
 }  // namespace viscoroll::detail

@@ -18,15 +18,13 @@ using Eigen::Index;
 /// Part of a window that a first guess of the contact takes.
 constexpr double kContactShare = 0.8;
 
+/// Forces as saved states have them: pressing, forward, sideways.
+constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForward, 1.0}, {kSideways, 1.0}}};
+
 /// Steps in which a load rises on a coating with friction.
 constexpr int kPressingSteps = 8;
 
 Index on_ring(Index row, Index ring) { return ((row % ring) + ring) % ring; }
-
-/// Numbers of the nodes of a window, row by row, as the columns of a field.
-auto as_field(const ArrayXd& values, Index half_nodes) {
-  return values.matrix().reshaped(half_nodes, values.size() / half_nodes);
-}
 
 }  // namespace
 
@@ -137,12 +135,13 @@ StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, doub
                                 .weights = weights.matrix().replicate(1, place.rows.count),
                                 .load = load};
   problem.gap += tables.components() == 1 ? known : along(down, known);
-  PressedNodes contact = solve_elastic_contact(problem, guess(place, load).pressing, inverse_);
+  PressedNodes contact = solve_elastic_contact(problem, -guess(place, load).col(kDown), inverse_);
   StickSlip result;
-  result.forces.pressing = as_field(contact.pressing, half_nodes);
+  result.force = VectorField::Zero(contact.pressing.size(), 3);
+  result.force.col(kDown) = -contact.pressing;
   result.penetration = *contact.penetration;
   result.displacement = tables.displacement_in_reach(
-      by_components(result.forces, place), contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
+      by_components(result.force, place), contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
   result.nodes = std::move(contact.nodes);
   return result;
 }
@@ -152,38 +151,35 @@ StickSlip Lattice::lifted(const Place& place, const HalfField& known, const Cent
   const Index half_nodes = coating_->tables.half_nodes();
   const HalfField weights = half_weights(half_nodes).matrix().replicate(1, place.rows.count);
   const HalfField rise = coating_->tables.components() == 1 ? known : along(place.axes[1], known);
-  const HalfField none = HalfField::Zero(half_nodes, place.rows.count);
   StickSlip result;
-  result.forces = {.pressing = none, .forward = none, .sideways = none};
+  result.force = VectorField::Zero(weights.size(), 3);
   result.penetration = (as_field(place.nodes.height(), half_nodes) + rise.cwiseQuotient(weights)).minCoeff();
   result.way = center.way != 0.0 ? center.value / center.way : 0.0;
-  result.forward_slip = none;
-  result.sideways_slip = none;
+  result.slip = Eigen::ArrayX2d::Zero(weights.size(), 2);
   result.displacement = HalfField::Zero(coating_->tables.height(), place.rows.count + 2 * coating_->tables.reach());
   return result;
 }
 
 StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance,
                                        const StepEnd& end, const CenterCondition& center) {
-  const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceGrid& grid = coating_->grid;
-  const ArrayXd weights = half_weights(half_nodes);
+  const ArrayXd weights = half_weights(coating_->tables.half_nodes()).replicate(place.rows.count, 1);
   const SurfaceWindow before(grid, place.nodes.window(),
                              place.nodes.shift() - (end.angle - now_.angle) / grid.phi_spacing);
   const Axes axes_before = axes_at(before);
   const HalfField borne = memory_.displacement(place.rows);
-  const auto weighted = [&](const ArrayXd& values) -> HalfField {
-    return weights.matrix().asDiagonal() * as_field(values, half_nodes);
+  const auto part = [](const Axes& axes, std::size_t axis, const HalfField& field) -> ArrayXd {
+    return along(axes[axis], field).reshaped();
   };
   const StickSlipProblem problem{
       .tables = coating_->tables,
       .axes = place.axes,
-      .gap = weighted(place.nodes.height()) + along(place.axes[1], known),
-      .forward_way =
-          weighted(place.nodes.x() - before.x()) - along(place.axes[0], known) + along(axes_before[0], borne),
-      .sideways_way =
-          weighted(place.nodes.z() - before.z()) - along(place.axes[2], known) + along(axes_before[2], borne),
-      .weights = weights.matrix().replicate(1, place.rows.count),
+      .gap = weights * place.nodes.height() + part(place.axes, kDown, known),
+      .forward_way = weights * (place.nodes.x() - before.x()) - part(place.axes, kForward, known) +
+                     part(axes_before, kForward, borne),
+      .sideways_way = weights * (place.nodes.z() - before.z()) - part(place.axes, kSideways, known) +
+                      part(axes_before, kSideways, borne),
+      .weights = weights,
       .load = compliance * end.load,
       .friction = coating_->friction,
       .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};
@@ -191,37 +187,38 @@ StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& know
 }
 
 /// Forces of the last window, where they have been carried to: they stay below while nodes pass.
-HalfField Lattice::carried(const HalfField& last, const Place& place) const {
-  HalfField field = HalfField::Zero(coating_->tables.half_nodes(), place.rows.count);
-  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(last.cols() - field.cols());
+VectorField Lattice::carried_forces(const Place& place) const {
+  const Index half_nodes = coating_->tables.half_nodes();
+  VectorField force = VectorField::Zero(half_nodes * place.rows.count, 3);
+  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(rows_.count - place.rows.count);
   const auto whole = static_cast<Index>(std::floor(lowest));
-  const double share = lowest - static_cast<double>(whole);
-  for (Index i = 0; i < field.cols(); ++i) {
-    if (i + whole >= 0 && i + whole < last.cols()) field.col(i) += (1.0 - share) * last.col(i + whole);
-    if (i + whole + 1 >= 0 && i + whole + 1 < last.cols()) field.col(i) += share * last.col(i + whole + 1);
+  const double ahead = lowest - static_cast<double>(whole);
+  const auto add = [&](Index row, Index last, double share) {
+    if (last < 0 || last >= rows_.count) return;
+    force.middleRows(half_nodes * row, half_nodes) += share * force_.middleRows(half_nodes * last, half_nodes);
+  };
+  for (Index row = 0; row < place.rows.count; ++row) {
+    add(row, row + whole, 1.0 - ahead);
+    add(row, row + whole + 1, ahead);
   }
-  return field;
+  return force;
 }
 
 /// The last forces for a new load, or those of a first contact, which the window was made a little wider than.
-PlaneForces Lattice::guess(const Place& place, double load) const {
-  PlaneForces guess{.pressing = carried(forces_.pressing, place),
-                    .forward = carried(forces_.forward, place),
-                    .sideways = carried(forces_.sideways, place)};
-  const Index half_nodes = coating_->tables.half_nodes();
-  if (!(guess.pressing.array() > 0.0).any()) {
+VectorField Lattice::guess(const Place& place, double load) const {
+  VectorField guess = carried_forces(place);
+  if (!(guess.col(kDown) < 0.0).any()) {
     const ArrayXd& height = place.nodes.height();
-    guess.pressing = as_field((kContactShare * kContactShare * height[0] - height).max(0.0), half_nodes);
+    guess.col(kDown) = -(kContactShare * kContactShare * height[0] - height).max(0.0);
   }
-  const double scale = load / (half_weights(half_nodes).matrix().transpose() * guess.pressing).sum();
-  for (HalfField* field : {&guess.pressing, &guess.forward, &guess.sideways}) *field *= scale;
-  return guess;
+  const ArrayXd weights = half_weights(coating_->tables.half_nodes()).replicate(place.rows.count, 1);
+  return load / -(weights * guess.col(kDown)).sum() * guess;
 }
 
 /// What the plane does to the coating.
-HalfField Lattice::by_components(const PlaneForces& forces, const Place& place) const {
-  if (has_friction()) return on_plane(place.axes, forces);
-  return coating_->tables.components() == 1 ? forces.pressing : spread(place.axes[1], forces.pressing);
+HalfField Lattice::by_components(const VectorField& force, const Place& place) const {
+  const MirroredTables& tables = coating_->tables;
+  return tables.components() == 1 ? as_field(-force.col(kDown), tables.half_nodes()) : on_plane(place.axes, force);
 }
 
 void Lattice::forget_contact() {
@@ -236,7 +233,7 @@ RingMemory::Load Lattice::load_of(const Touch& touch) const {
   RingMemory::Load load{.rows = {.first = on_ring(rows.first - reach, tables.ring()), .count = rows.count + 2 * reach},
                         .force = HalfField::Zero(tables.height(), rows.count + 2 * reach),
                         .displacement = touch.contact.displacement / touch.compliance};
-  load.force.middleCols(reach, rows.count) = by_components(touch.contact.forces, touch.place) / touch.compliance;
+  load.force.middleCols(reach, rows.count) = by_components(touch.contact.force, touch.place) / touch.compliance;
   return load;
 }
 
@@ -246,7 +243,7 @@ void Lattice::take(const Touch& touch, const StepEnd& end) {
   take_contact(touch);
   take_moments(touch);
   if (has_friction()) take_friction(touch);
-  forces_.pressing = touch.contact.forces.pressing / touch.compliance;
+  force_ = touch.contact.force / touch.compliance;
   rows_ = touch.place.rows;
   lowest_ = touch.place.nodes.shift();
 }
@@ -255,7 +252,7 @@ void Lattice::take_contact(const Touch& touch) {
   const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceWindow& nodes = touch.place.nodes;
   const ArrayXd weights = half_weights(half_nodes).matrix().replicate(1, touch.place.rows.count).reshaped();
-  const ArrayXd forces = touch.contact.forces.pressing.reshaped().array() / touch.compliance;
+  const ArrayXd forces = -touch.contact.force.col(kDown) / touch.compliance;
   now_.penetration = touch.contact.penetration;
   if (now_.penetration >= coating_->thickness) {
     reject("load", "small enough for the coating",
@@ -278,24 +275,19 @@ void Lattice::take_contact(const Touch& touch) {
 /// About the center. Pressure works along the plane where it moves what it stands on along it.
 void Lattice::take_moments(const Touch& touch) {
   const SurfaceWindow& nodes = touch.place.nodes;
-  const PlaneForces& forces = touch.contact.forces;
   const ArrayXd weights =
       half_weights(coating_->tables.half_nodes()).matrix().replicate(1, touch.place.rows.count).reshaped();
   const double radius = coating_->grid.radius;
   LeverArms arms{
       .x = nodes.x(), .y = ArrayXd::Constant(weights.size(), radius - touch.contact.penetration), .radius = radius};
-  VectorField force = VectorField::Zero(weights.size(), 3);
-  force.col(kDown) = weights * forces.pressing.reshaped().array() / -touch.compliance;
-  now_.resisting_torque = moment(arms, force);
+  const VectorField force = touch.contact.force.colwise() * weights / touch.compliance;
+  now_.resisting_torque = -(arms.x * force.col(kDown)).sum();
   if (coating_->compliance == Compliance::vertical) {
     const HalfField moved =
         touch.known + touch.contact.displacement.middleCols(coating_->tables.reach(), touch.place.rows.count);
     arms.x -= along(touch.place.axes[kForward], moved).reshaped().array() / weights;
   }
-  if (has_friction()) {
-    force.col(kForward) = weights * forces.forward.reshaped().array() / touch.compliance;
-    now_.driving_force = -force.col(kForward).sum();
-  }
+  if (has_friction()) now_.driving_force = -force.col(kForward).sum();
   now_.driving_torque = moment(arms, force);
 }
 
@@ -305,22 +297,19 @@ void Lattice::take_friction(const Touch& touch) {
   now_.dissipated_energy += lost;
   now_.slip_energy += lost;
   now_.stick_share = static_cast<double>(contact.sticking) / std::max(1.0, static_cast<double>(contact.nodes.size()));
-  forces_.forward = contact.forces.forward / touch.compliance;
-  forces_.sideways = contact.forces.sideways / touch.compliance;
 }
 
 /// Energy lost by slip in a step, by the mean of old and new tractions of each node.
 double Lattice::slip_work(const Touch& touch) const {
-  const StickSlip& contact = touch.contact;
-  HalfField forward = contact.forces.forward / touch.compliance;
-  HalfField sideways = contact.forces.sideways / touch.compliance;
-  for (Index i = 0; i < touch.place.rows.count && forces_.forward.size() > 0; ++i) {
-    const Index last = on_ring(touch.place.rows.first + i - rows_.first, coating_->tables.ring());
+  const Index half_nodes = coating_->tables.half_nodes();
+  VectorField force = touch.contact.force / touch.compliance;
+  for (Index row = 0; row < touch.place.rows.count; ++row) {
+    const Index last = on_ring(touch.place.rows.first + row - rows_.first, coating_->tables.ring());
     if (last >= rows_.count) continue;
-    forward.col(i) += forces_.forward.col(last);
-    sideways.col(i) += forces_.sideways.col(last);
+    force.middleRows(half_nodes * row, half_nodes) += force_.middleRows(half_nodes * last, half_nodes);
   }
-  return -0.5 * (forward.cwiseProduct(contact.forward_slip) + sideways.cwiseProduct(contact.sideways_slip)).sum();
+  const auto& slip = touch.contact.slip;
+  return -0.5 * (force.col(kForward) * slip.col(0) + force.col(kSideways) * slip.col(1)).sum();
 }
 
 void Lattice::start(Start start, const StepEnd& at, double center_speed) {
@@ -368,11 +357,13 @@ void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
   coating_ = std::move(coating);
   memory_ = memory_.widened(coating_->tables);
   forget_contact();
-  for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) {
-    HalfField wide = HalfField::Zero(field->size() > 0 ? coating_->tables.half_nodes() : 0, field->cols());
-    wide.topRows(field->rows()) = *field;
-    *field = std::move(wide);
+  const Index half_nodes = coating_->tables.half_nodes();
+  const Index before = force_.rows() / std::max<Index>(rows_.count, 1);
+  VectorField wide = VectorField::Zero(half_nodes * rows_.count, 3);
+  for (Index row = 0; row < rows_.count; ++row) {
+    wide.middleRows(half_nodes * row, before) = force_.middleRows(before * row, before);
   }
+  force_ = std::move(wide);
 }
 
 void Lattice::write(NumberWriter& numbers) const {
@@ -382,7 +373,9 @@ void Lattice::write(NumberWriter& numbers) const {
   numbers.put(lowest_);
   numbers.put(static_cast<double>(rows_.first));
   numbers.put(static_cast<double>(rows_.count));
-  for (const HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) numbers.put(*field);
+  for (const auto& [axis, sign] : kSaved) {
+    numbers.put(as_field(sign * force_.col(axis), coating_->tables.half_nodes()));
+  }
   memory_.write(numbers);
 }
 
@@ -392,7 +385,11 @@ void Lattice::read(NumberReader& numbers) {
   half_rows_ = numbers.count(static_cast<double>(nodes_to_60_degrees(coating_->tables.ring())));
   lowest_ = numbers.get();
   rows_ = {.first = numbers.count(static_cast<double>(coating_->tables.ring())), .count = numbers.count()};
-  for (HalfField* field : {&forces_.pressing, &forces_.forward, &forces_.sideways}) *field = numbers.matrix();
+  force_ = VectorField::Zero(coating_->tables.half_nodes() * rows_.count, 3);
+  for (const auto& [axis, sign] : kSaved) {
+    const HalfField field = numbers.matrix();
+    if (field.size() == force_.rows()) force_.col(axis) = sign * field.reshaped();
+  }
   memory_ = RingMemory(coating_->tables, coating_->spectrum);
   memory_.read(numbers, coating_->tables);
   forget_contact();
@@ -411,7 +408,7 @@ ContactField Lattice::field() const {
       const Index node = i * half_nodes + std::abs(k);
       field.x.push_back(place.nodes.x()[node]);
       field.z.push_back(k < 0 ? -place.nodes.z()[node] : place.nodes.z()[node]);
-      field.pressure.push_back(forces_.pressing(std::abs(k), i) / weights[std::abs(k)] / patch);
+      field.pressure.push_back(-force_(node, kDown) / weights[std::abs(k)] / patch);
     }
   }
   return field;

@@ -105,9 +105,9 @@ class Lattice {
   [[nodiscard]] StickSlip lifted(const Place& place, const HalfField& known, const CenterCondition& center) const;
   [[nodiscard]] CenterCondition center_condition(double duration, const StepEnd& end) const;
   void move_center(double duration, double way);
-  [[nodiscard]] HalfField carried(const HalfField& last, const Place& place) const;
-  [[nodiscard]] PlaneForces guess(const Place& place, double load) const;
-  [[nodiscard]] HalfField by_components(const PlaneForces& forces, const Place& place) const;
+  [[nodiscard]] VectorField carried_forces(const Place& place) const;
+  [[nodiscard]] VectorField guess(const Place& place, double load) const;
+  [[nodiscard]] HalfField by_components(const VectorField& force, const Place& place) const;
   [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
   void take(const Touch& touch, const StepEnd& end);
   void take_contact(const Touch& touch);
@@ -123,7 +123,7 @@ class Lattice {
   RingMemory memory_;
   ContactInverse inverse_;            // without friction,
   ContactStiffness stiffness_;        // and with it
-  PlaneForces forces_;                // of the window at the last angle
+  VectorField force_;                 // of the plane on the window at the last angle, row by row
   RingRows rows_;                     // which it is of
   double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
   double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]

@@ -16,9 +16,11 @@ HalfField spread(const std::array<HalfField, 3>& direction, const HalfField& sca
   return field;
 }
 
-HalfField on_plane(const Axes& axes, const PlaneForces& forces) {
-  return spread(axes[kDown], forces.pressing) - spread(axes[kForward], forces.forward) -
-         spread(axes[kSideways], forces.sideways);
+HalfField on_plane(const Axes& axes, const VectorField& force) {
+  const auto part = [&](std::size_t axis) {
+    return spread(axes[axis], as_field(-force.col(static_cast<Eigen::Index>(axis)), axes[axis][0].rows()));
+  };
+  return part(kDown) + part(kForward) + part(kSideways);
 }
 
 }  // namespace viscoroll::detail

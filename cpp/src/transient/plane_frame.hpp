@@ -18,14 +18,13 @@ using Axes = std::array<std::array<HalfField, 3>, 3>;
 /// @return the vector field of that component along a direction
 [[nodiscard]] HalfField spread(const std::array<HalfField, 3>& direction, const HalfField& scalar);
 
-/// @brief Tractions of the plane on the coating, as nodal forces of a half: pressing, and along the plane.
-struct PlaneForces {
-  HalfField pressing;
-  HalfField forward;
-  HalfField sideways;
-};
+/// @return values at the nodes of a half, row by row, as a column for each row
+[[nodiscard]] inline HalfField as_field(const Eigen::ArrayXd& values, Eigen::Index half_nodes) {
+  return values.matrix().reshaped(half_nodes, values.size() / half_nodes);
+}
 
-/// @return the forces of the body on the plane, by components
-[[nodiscard]] HalfField on_plane(const Axes& axes, const PlaneForces& forces);
+/// @param[in] force of the plane on the coating at the nodes of a half, row by row
+/// @return the forces of the coating on the plane, by components
+[[nodiscard]] HalfField on_plane(const Axes& axes, const VectorField& force);
 
 }  // namespace viscoroll::detail

@@ -1,5 +1,6 @@
 #include "transient/stick_slip_equations.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +20,7 @@ constexpr double kExactness = 1e-13;  // of linear systems, as relative residual
 
 StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, ContactStiffness& stiffness)
     : problem_(problem), stiffness_(stiffness) {
-  const Index middle = problem.gap.cols() / 2 * problem.gap.rows();
+  const Index middle = problem.gap.size() / problem.tables.half_nodes() / 2 * problem.tables.half_nodes();
   own_compliance_ = problem.tables.compliance({middle}, problem.axes[kForward])(0, 0);
 }
 
@@ -39,10 +40,10 @@ void StickSlipEquations::cover(const std::vector<Index>& contact) {
       }
     }
     to_components_.emplace_back(axes.inverse());
-    const double weight = problem_.weights.data()[node];
+    const double weight = problem_.weights[node];
     Eigen::Matrix3d closed;
-    closed << -problem_.forward_way.data()[node], 0.0, -weight, problem_.gap.data()[node], -weight, 0.0,
-        -problem_.sideways_way.data()[node], 0.0, 0.0;
+    closed << -problem_.forward_way[node], 0.0, -weight, problem_.gap[node], -weight, 0.0, -problem_.sideways_way[node],
+        0.0, 0.0;
     closed_.middleRows<3>(3 * place++) = closed;
   }
   by_closed_ = forces_by(closed_);

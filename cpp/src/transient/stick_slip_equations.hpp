@@ -6,10 +6,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <utility>
 #include <vector>
 
+#include "dense_solvers.hpp"
 #include "transient/contact_stiffness.hpp"
 #include "transient/plane_frame.hpp"
 
@@ -23,17 +23,18 @@ struct CenterCondition {
   double value = 0.0;
 };
 
-/// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step.
+/// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step. Arrays have the
+/// nodes row by row.
 struct StickSlipProblem {
   const MirroredTables& tables;
   const Axes& axes;
-  HalfField gap;           ///< without these forces, up to a constant
-  HalfField forward_way;   ///< of the nodes over the plane, without these forces and the way of the center
-  HalfField sideways_way;  ///< likewise
-  HalfField weights;       ///< of `half_weights`
-  double load;             ///< sum of the pressing forces
-  double friction;         ///< coefficient
-  CenterCondition center;  ///< in scaled forces
+  Eigen::ArrayXd gap;           ///< without these forces, up to a constant
+  Eigen::ArrayXd forward_way;   ///< of the nodes over the plane, without these forces and the way of the center
+  Eigen::ArrayXd sideways_way;  ///< likewise
+  Eigen::ArrayXd weights;       ///< of `half_weights`
+  double load;                  ///< sum of the pressing forces
+  double friction;              ///< coefficient
+  CenterCondition center;       ///< in scaled forces
 };
 
 /// @brief What holds where a displacement is free: on_force . (forces on the node) + on_move . (its free displacements)
@@ -83,7 +84,7 @@ class StickSlipEquations {
   Eigen::MatrixX3d closed_;     // displacements that close all gaps and undo all ways: given, by penetration, by way
   Eigen::MatrixX3d by_closed_;  // forces of these
   std::vector<std::pair<Eigen::Index, Axis>> factored_;  // places and axes of the displacements that were free
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  DenseFactors factors_;
 };
 
 }  // namespace viscoroll::detail

@@ -11,11 +11,10 @@ namespace viscoroll::detail {
 
 /// @brief Who touches, who sticks, and how far the center has come.
 struct StickSlip {
-  PlaneForces forces;
+  VectorField force;  ///< of the plane on the coating, row by row
   double penetration = 0.0;
-  double way = 0.0;        ///< of the center [m]
-  HalfField forward_slip;  ///< of the nodes over the plane in this step
-  HalfField sideways_slip;
+  double way = 0.0;                 ///< of the center [m]
+  Eigen::ArrayX2d slip;             ///< of the nodes over the plane in this step, along x and z
   HalfField displacement;           ///< by these forces, of all rows within reach
   std::vector<Eigen::Index> nodes;  ///< in contact, ascending
   Eigen::Index sticking = 0;        ///< number of these that stick
@@ -26,7 +25,7 @@ struct StickSlip {
 /// @param[in] guess forces to start from
 /// @param[in,out] stiffness of an earlier contact
 /// @throws ConvergenceError where the sets do not settle
-[[nodiscard]] StickSlip solve_stick_slip(const StickSlipProblem& problem, const PlaneForces& guess,
+[[nodiscard]] StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess,
                                          ContactStiffness& stiffness);
 
 }  // namespace viscoroll::detail

@@ -1,4 +1,4 @@
-#include "rolling/rolling_contact.hpp"
+#include "rolling/solve_load_case.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,64 @@
+#include "contact/stick_slip_by_products.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/friction_settings.hpp"
+#include "contact/newton_step.hpp"
+
+namespace viscoroll::detail {
+
+using Eigen::Index;
+
+StickSlipByProducts::StickSlipByProducts(const ContactProblem& problem)
+    : problem_(problem),
+      stride_(problem.surface->shape().theta_nodes),
+      scales_({.normal = problem.surface->normal_stiffness(), .tangential = problem.surface->slip_stiffness()}),
+      preconditioner_(*problem.surface) {}
+
+double StickSlipByProducts::imbalance(const ContactSolution& state) const {
+  return std::hypot(-state.force.col(kDown).sum() - problem_.normal_force, drive_excess(state));
+}
+
+void StickSlipByProducts::find_displacements(ContactSolution& state) {
+  state.displacement = problem_.surface->displacement(state.force);
+  ++products_;
+  state.gap = problem_.initial_gap - state.displacement.col(kDown) - state.penetration;
+  state.slip = slip(*problem_.friction, stride_, state.displacement, *state.creepage);
+}
+
+void StickSlipByProducts::solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) {
+  products_ += take_newton_step(problem_, friction, scales_, sets, preconditioner_, tolerance, state);
+  if (!problem_.friction->drive->given_creepage()) {
+    const double most = kFrictionSettings.most_creepage;
+    state.creepage = std::clamp(*state.creepage, -most, most);
+  }
+  find_displacements(state);
+}
+
+double StickSlipByProducts::drive_excess(const ContactSolution& state) const {
+  const DriveRow drive =
+      problem_.friction->drive->row({*problem_.surface, problem_.friction->arms, state.force, state.displacement},
+                                    scales_.tangential * problem_.friction->step);
+  return drive.of(state.force, state.displacement, *state.creepage) - drive.value;
+}
+
+double StickSlipByProducts::creep(const ContactSolution& state, const ContactSets& sets) const {
+  const auto upstream = [&](Index node) { return node - stride_; };
+  std::vector<Index> from(sets.contact.size());
+  std::ranges::transform(sets.contact, from.begin(), upstream);
+  const auto& moved = state.displacement;
+  Eigen::ArrayX2d ways(static_cast<Index>(from.size()), 2);
+  ways.col(0) = moved.col(kForward)(sets.contact) - moved.col(kForward)(from);
+  ways.col(1) = moved.col(kSideways)(sets.contact) - moved.col(kSideways)(from);
+  const double spread =
+      std::hypot(ways.col(0).maxCoeff() - ways.col(0).minCoeff(), ways.col(1).maxCoeff() - ways.col(1).minCoeff());
+  double slip = 0.0;
+  for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+    if (sets.states[i].stick) slip = std::max(slip, state.slip.row(sets.contact[i]).matrix().norm());
+  }
+  return spread > 0.0 ? slip / spread : 0.0;
+}
+
+}  // namespace viscoroll::detail
