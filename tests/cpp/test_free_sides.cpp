@@ -186,14 +186,16 @@ class SideInfluence : public testing::Test {
   const Observer silent_;
   Watch watch_{silent_};
   // Elements may be coarse where sums are tested.
-  const SideDifference sections_{wheel_, true, {.finest = 0.25, .growth = 0.5, .largest = 0.5}};
+  static constexpr SectionFineness kCoarse{.finest = 0.25, .growth = 0.5, .largest = 0.5};
+  const SideDifference sections_{wheel_, true, kCoarse};
 
-  [[nodiscard]] std::vector<double> sampled_orders() const {
-    return {sections_.orders().begin(), sections_.orders().end()};
+  [[nodiscard]] std::vector<double> orders_of_samples() const {
+    const Eigen::ArrayXd orders = sampled_orders(wheel_, kCoarse);
+    return {orders.begin(), orders.end()};
   }
   [[nodiscard]] std::shared_ptr<const SampledDifference> sampled() {
     return std::make_shared<const SampledDifference>(
-        sections_.sampled(HarmonicBody(layers_, kSpeed, sampled_orders()), 1, watch_));
+        sections_.sampled(HarmonicBody(layers_, kSpeed, orders_of_samples()), 1, watch_));
   }
   [[nodiscard]] SideSum sum(std::vector<OrderBand> bands) {
     const HarmonicBody body(layers_, kSpeed, all_orders(bands));
@@ -207,7 +209,7 @@ TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
   const SideSum one_by_one = sum(whole_orders(40 * mesh_.nodes_per_revolution, mesh_.nodes_per_revolution));
   for (const SideRequest& request :
        {SideRequest{.phi_reach = kReach, .phi_shift = 0.25}, SideRequest{.phi_reach = kReach, .power = true}}) {
-    const Eigen::MatrixXd entries = by_octaves.difference().parts[kEvenPart].real();
+    const Eigen::MatrixXd entries = by_octaves.difference()->parts[kEvenPart].real();
     const Eigen::MatrixXd octaves = by_octaves.factors(request).values.real() * entries;
     const Eigen::MatrixXd orders = one_by_one.factors(request).values.real() * entries;
     // Where the samples end the difference has a bend, which octaves carry a little too far.
@@ -219,7 +221,7 @@ TEST_F(SideInfluence, OctavesAddUpToAllOrders) {
 TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
   const SideFactors fine = orders.factors({.phi_reach = kReach, .phi_shift = 0.25});
-  const Eigen::VectorXcd entry = orders.difference().parts[kEvenPart].col(0);
+  const Eigen::VectorXcd entry = orders.difference()->parts[kEvenPart].col(0);
   const auto column = [&](const SideFactors& factors) { return Eigen::VectorXd((factors.values * entry).real()); };
   Table table(kReach, 0, false);
   for (int j = -kReach; j <= kReach; ++j) table.row(j)[0] = column(fine)[j + kReach];
@@ -236,7 +238,7 @@ TEST_F(SideInfluence, WidePatchesAreThoseOfTables) {
 /// Every pair of nodes by itself: what a load shows on its side and on the other, as sums of the two parts.
 TEST_F(SideInfluence, ProductIsTheSumOverAllPairs) {
   const SideSum orders = sum(phi_bands(layers_, kSpeed, mesh_));
-  const SampledDifference& difference = orders.difference();
+  const SampledDifference& difference = *orders.difference();
   const SideFactors factors = orders.factors({.phi_reach = kReach});
   constexpr WindowShape kShape{5, 6};
   const double face = difference.z[difference.z.size() - 1];
@@ -296,7 +298,7 @@ TEST_F(SideInfluence, RealAndComplexSectionsAgree) {
   const auto difference = [&](double outer_time) {
     CoatedCylinder body{.core_radius = 40e-3, .layers = wheel_.layers};
     body.layers[1].shear_modulus = standard_linear_solid(4e6, 2e6, outer_time);
-    return sections_.sampled(HarmonicBody(layered_body(body), kSpeed, sampled_orders()), 1, watch_).parts[kEvenPart];
+    return sections_.sampled(HarmonicBody(layered_body(body), kSpeed, orders_of_samples()), 1, watch_).parts[kEvenPart];
   };
   const Eigen::MatrixXcd real = difference(0.125);
   const Eigen::MatrixXcd complex = difference(0.125 * (1.0 + 1e-9));

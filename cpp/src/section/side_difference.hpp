@@ -16,7 +16,7 @@ namespace viscoroll::detail {
 
 /// @brief The difference at some orders, times the modulus of the outermost layer at each. Between them it is smooth.
 struct SampledDifference {
-  Eigen::ArrayXd orders;  ///< 0, and from 1 on at equal ratios
+  Eigen::ArrayXd orders;  ///< `sampled_orders`
   Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread to its face [m]
   Eigen::Index components = 1;
   /// [part] a row for each order, of a matrix by columns: displacement in (r, phi, z) of every line, component * lines
@@ -25,6 +25,13 @@ struct SampledDifference {
 
   [[nodiscard]] Eigen::Index amplitudes() const { return components * z.size(); }
 };
+
+/// @return orders at which the difference is to be known: 0, and from 1 on at equal ratios
+[[nodiscard]] Eigen::ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness = {});
+
+/// @return layers per modulus of the outermost one, from the hub outwards, as an order sees them
+[[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
+                                                                             std::size_t order);
 
 /// @brief Sections of a wheel's tread with faces and of one without, cut alike, so that what elements make of waves
 /// that are too short for them drops out.
@@ -35,10 +42,7 @@ class SideDifference {
   /// @param[in] fineness of the elements
   SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness = {});
 
-  /// @return orders at which it is to be known
-  [[nodiscard]] const Eigen::ArrayXd& orders() const { return orders_; }
-
-  /// @param[in] body the wheel's layers at these orders
+  /// @param[in] body the wheel's layers at the orders of `sampled_orders`
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   [[nodiscard]] SampledDifference sampled(const HarmonicBody& body, int threads, Watch& watch) const;
@@ -47,7 +51,6 @@ class SideDifference {
   SectionCompliance face_;
   SectionCompliance endless_;
   bool tangential_;
-  Eigen::ArrayXd orders_;
 };
 
 }  // namespace viscoroll::detail
