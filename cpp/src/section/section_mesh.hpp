@@ -20,9 +20,9 @@ enum class SectionEnd {
 
 /// @brief How finely a section is cut, relative to the thickness of the tread or, if that is less, its width.
 struct SectionFineness {
-  double finest = 1.0 / 32.0;  ///< of elements at the surface, at the face and at the hub
-  double growth = 0.5;         ///< of their size by the distance from there
-  double largest = 1.0 / 3.0;  ///< of any within the width
+  double finest = 1.0 / 16.0;  ///< of elements at the surface, at the face and at the hub
+  double growth = 1.0;         ///< of their size by the distance from there
+  double largest = 1.0 / 2.0;  ///< of any within the width
 };
 
 /// @brief Elements with nine nodes each. Lines of nodes lead from the hub to the surface, two for each column of
