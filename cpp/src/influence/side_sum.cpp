@@ -76,8 +76,8 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
 }
 
 SideSum::SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-                 const HarmonicBody& body, double spacing, double turns)
-    : difference_(std::move(difference)), bands_(std::move(bands)), spacing_(spacing), turns_(turns) {
+                 const HarmonicBody& body, const Patches& patches)
+    : difference_(std::move(difference)), bands_(std::move(bands)), patches_(patches) {
   std::size_t order = 0;
   for (const OrderBand& band : bands_) {
     Eigen::VectorXcd softness(band.orders.size());
@@ -97,12 +97,12 @@ SideFactors SideSum::factors(const SideRequest& request) const {
     Eigen::VectorXcd received(band.orders.size());
     for (Index i = 0; i < received.size(); ++i) {
       const double m = band.orders[i];
-      const double patch = sinc(0.5 * m * spacing_);
-      received[i] =
-          patch * (request.power ? cplx(0.0, turns_ * m * patch) : std::polar(1.0, m * spacing_ * request.phi_shift));
+      const double patch = sinc(0.5 * m * patches_.phi);
+      received[i] = patch * (request.power ? cplx(0.0, patches_.turns * m * patch)
+                                           : std::polar(1.0, m * patches_.phi * request.phi_shift));
     }
     const Eigen::MatrixXcd summand = received.asDiagonal() * shares_[b];
-    const Waves waves = make_waves(band.orders, spacing_, band_reach);
+    const Waves waves = make_waves(band.orders, patches_.phi, band_reach);
     const Eigen::MatrixXcd even = waves.cosines.transpose().cast<cplx>() * summand;
     const Eigen::MatrixXcd odd = waves.sines.transpose().cast<cplx>() * (cplx(0.0, 1.0) * summand);
     factors.values.middleRows(reach, band_reach + 1) += even + odd;

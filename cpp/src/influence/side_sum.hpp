@@ -40,10 +40,9 @@ class SideSum {
   /// @param[in] difference by the modulus of the outermost layer
   /// @param[in] bands along phi
   /// @param[in] body layers at the orders of all bands
-  /// @param[in] spacing along phi [rad]
-  /// @param[in] turns radians of this body per radian of the one that rolls, by which powers count
+  /// @param[in] patches on the body
   SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands, const HarmonicBody& body,
-          double spacing, double turns = 1.0);
+          const Patches& patches);
 
   [[nodiscard]] const std::shared_ptr<const SampledDifference>& difference() const { return difference_; }
   [[nodiscard]] SideFactors factors(const SideRequest& request) const;
@@ -52,8 +51,7 @@ class SideSum {
   std::shared_ptr<const SampledDifference> difference_;
   std::vector<OrderBand> bands_;
   std::vector<Eigen::MatrixXcd> shares_;  // [band][order, sampled order] by the modulus
-  double spacing_;
-  double turns_;
+  Patches patches_;
 };
 
 /// @brief The shares that samples have in the difference at an order, by a cubic spline in ln m.

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <cassert>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -78,8 +79,33 @@ SectionCompliance::SectionCompliance(SectionMesh mesh, bool tangential)
       nodes_.push_back(nodes);
       elements_.push_back(element_stiffness(r, z));
     }
+    turn_surface(column, elements_.back());
   }
   for (const Parity part : {kEvenPart, kOddPart}) parts_[part] = elimination(part);
+}
+
+void SectionCompliance::turn_surface(std::size_t column, ElementStiffness& stiffness) const {
+  ElementMatrix turned = ElementMatrix::Identity();
+  for (std::size_t n = 0; n < 3; ++n) {
+    const double slope = mesh_.slope(2 * column + n);
+    const Index u = 3 * (kElementNodes - 3 + static_cast<Index>(n));
+    const double cosine = 1.0 / std::hypot(1.0, slope);
+    turned(u, u) = turned(u + 2, u + 2) = cosine;
+    turned(u, u + 2) = -cosine * slope;
+    turned(u + 2, u) = cosine * slope;
+  }
+  for (PowersOfOrder* const powers : {&stiffness.shear, &stiffness.volumetric}) {
+    for (ElementMatrix& matrix : *powers) matrix = (turned.transpose() * matrix * turned).eval();
+  }
+}
+
+Eigen::VectorXd SectionCompliance::lengths() const {
+  const auto lines = static_cast<Index>(mesh_.loaded_lines());
+  Eigen::VectorXd lengths = Eigen::VectorXd::Ones(static_cast<Index>(components_) * lines);
+  for (Index i = 0; i < lengths.size(); ++i) {
+    if (i / lines != 1) lengths[i] = std::hypot(1.0, mesh_.slope(static_cast<std::size_t>(i % lines)));
+  }
+  return lengths;
 }
 
 SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const {
@@ -147,7 +173,8 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(
     }
   }
   std::array<Matrix<Scalar>, 2> result;
-  const auto rows = static_cast<Index>(components_ * mesh_.loaded_lines());
+  const Eigen::VectorXd lengths = this->lengths();
+  const Index rows = lengths.size();
   for (const Parity part : {kEvenPart, kOddPart}) {
     const auto& [place, within, loaded] = parts_[part];
     const Index all = within + static_cast<Index>(loaded.size());
@@ -155,6 +182,7 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(
         inverse(condensed(lower[part], kReals<Scalar> * all, kReals<Scalar> * within), Scalar());
     result[part] = Matrix<Scalar>::Zero(rows, rows);
     result[part](loaded, loaded) = moved;
+    result[part] = lengths.asDiagonal() * result[part] * lengths.asDiagonal();
   }
   return result;
 }

@@ -25,6 +25,10 @@ enum Parity : std::size_t { kEvenPart, kOddPart };
 
 /// @brief The section's stiffness condensed onto the lines of nodes that may bear loads. Eliminating the surface last
 /// leaves its own stiffness as the last corner of the factors: nothing is solved for.
+///
+/// Loads and displacements at the surface are along its normal, phi and its tangent, (1, s), 1 and (-s, 1) where it
+/// falls by s: what slides along a crown does not come nearer to what it rolls on, and pressure acts along the normal,
+/// given
 class SectionCompliance {
  public:
   template <class Scalar>
@@ -51,6 +55,10 @@ class SectionCompliance {
     std::vector<int> loaded;  // [place - within], row of the result
   };
   [[nodiscard]] Elimination elimination(Parity part) const;
+  /// Put unknowns along normal and tangent in place of those along r and z at the surface of a column's last element.
+  void turn_surface(std::size_t column, ElementStiffness& stiffness) const;
+  /// [row of the result] length of the direction that it is along.
+  [[nodiscard]] Eigen::VectorXd lengths() const;
 
   SectionMesh mesh_;
   std::size_t components_;

@@ -42,6 +42,14 @@ Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
   return places;
 }
 
+/// Of the crown at a distance from the middle; where it ends upright, nearly so.
+double crown_slope(const CoatedWheel& wheel, double z) {
+  if (std::isinf(wheel.crown_radius)) return 0.0;
+  constexpr double kLeastCosine = 1e-3;
+  const double sine = z / wheel.crown_radius;
+  return sine / std::max(std::sqrt(1.0 - sine * sine), kLeastCosine);
+}
+
 }  // namespace
 
 SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const SectionFineness& fineness) {
@@ -73,12 +81,16 @@ SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const Section
   }
   const Eigen::ArrayXd straight = with_middles(radii);
   r_ = straight.replicate(1, z_.size());
+  slope_ = Eigen::ArrayXd::Zero(z_.size());
   if (end == SectionEnd::endless) return;
   const double outermost = wheel.layers.back().thickness;
   const Eigen::ArrayXd falls = wheel.hub == Hub::crowned
                                    ? Eigen::ArrayXd::Ones(straight.size())
                                    : Eigen::ArrayXd(((straight - surface) / outermost + 1.0).max(0.0));
-  for (Eigen::Index i = 0; i < z_.size(); ++i) r_.col(i) -= falls * crown_drop(wheel, z_[i]);
+  for (Eigen::Index i = 0; i < z_.size(); ++i) {
+    r_.col(i) -= falls * crown_drop(wheel, z_[i]);
+    slope_[i] = crown_slope(wheel, z_[i]);
+  }
 }
 
 }  // namespace viscoroll::detail

@@ -44,6 +44,8 @@ class SectionMesh {
   [[nodiscard]] double radius(std::size_t line, std::size_t row) const {
     return r_(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(line));
   }
+  /// @return how steeply the surface falls to the side at the end of a line
+  [[nodiscard]] double slope(std::size_t line) const { return slope_[static_cast<Eigen::Index>(line)]; }
   [[nodiscard]] std::size_t node(std::size_t line, std::size_t row) const { return line * rows() + row; }
 
   [[nodiscard]] std::size_t columns() const { return (lines() - 1) / 2; }
@@ -54,6 +56,7 @@ class SectionMesh {
  private:
   Eigen::ArrayXd z_;
   Eigen::ArrayXXd r_;                      // [row, line]
+  Eigen::ArrayXd slope_;                   // [line]
   std::vector<std::size_t> layer_of_row_;  // from the hub outwards
   std::size_t loaded_lines_ = 0;
 };

@@ -19,7 +19,8 @@ struct SampledDifference {
   Eigen::ArrayXd orders;  ///< `sampled_orders`
   Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread to its face [m]
   Eigen::Index components = 1;
-  /// [part] a row for each order, of a matrix by columns: displacement in (r, phi, z) of every line, component * lines
+  /// [part] a row for each order, of a matrix by columns: displacement along normal, phi and tangent of every line,
+  /// component * lines
   /// + line, per force on all of a line and its mirror image, per radian [1/m]
   std::array<Eigen::MatrixXcd, 2> parts;
 

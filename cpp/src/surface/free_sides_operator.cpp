@@ -2,19 +2,22 @@
 
 #include <utility>
 
+#include "surface/pushback.hpp"
+
 namespace viscoroll::detail {
 
 FreeSidesOperator::FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference,
-                                     SideFactors factors, DissipationSource dissipation_source, double column_spacing)
+                                     SideFactors factors, DissipationSource dissipation_source,
+                                     const NodeSpacing& spacing)
     : endless_(std::move(endless)),
       difference_(std::move(difference)),
       factors_(std::move(factors)),
       dissipation_source_(std::move(dissipation_source)),
-      column_spacing_(column_spacing),
+      spacing_(spacing),
       product_(product(factors_, false)) {}
 
 SideProduct FreeSidesOperator::product(const SideFactors& factors, bool average) const {
-  const TreadColumns columns{.first = window().theta.first, .spacing = column_spacing_};
+  const TreadColumns columns{.first = window().theta.first, .spacing = spacing_.across};
   return {shape(), columns, *difference_, factors, average};
 }
 
@@ -24,6 +27,15 @@ VectorField FreeSidesOperator::addition(const VectorField& force) const {
 
 VectorField FreeSidesOperator::displacement(const VectorField& force) const {
   return endless_->displacement(force) + addition(force);
+}
+
+VectorField FreeSidesOperator::rolling_displacement(const VectorField& force) const {
+  return bodies() == Bodies::counterpart ? VectorField(VectorField::Zero(force.rows(), 3)) : displacement(force);
+}
+
+double FreeSidesOperator::pushback(const VectorField& force) const {
+  if (bodies() != Bodies::counterpart) return 0.0;
+  return endless_->pushback(force) + pushback_by(addition(force), force, shape().theta_nodes, spacing_.along);
 }
 
 Eigen::VectorXd FreeSidesOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
@@ -39,19 +51,19 @@ std::shared_ptr<const SurfaceOperator> FreeSidesOperator::coarsened() const {
   return std::make_shared<FreeSidesOperator>(
       endless_->coarsened(), difference_, widened(factors_, 2, collocation()),
       [source = dissipation_source_](int phi_reach) { return widened(widened(source(2 * phi_reach + 2), 1), 2); },
-      2.0 * column_spacing_);
+      NodeSpacing{.along = 2.0 * spacing_.along, .across = 2.0 * spacing_.across});
 }
 
 std::shared_ptr<const SurfaceOperator> FreeSidesOperator::within(const Window& window) const {
   return std::make_shared<FreeSidesOperator>(endless_->within(window), difference_, factors_, dissipation_source_,
-                                             column_spacing_);
+                                             spacing_);
 }
 
 Losses FreeSidesOperator::dissipation(const VectorField& force) const {
   const Eigen::ArrayXXd loads = local().loads(force);
   const SideProduct product = this->product(dissipation_source_(shape().phi_nodes - 1), true);
   Losses losses = endless_->dissipation(force);
-  losses.rolling += (loads * product.apply(loads)).sum();
+  (bodies() == Bodies::counterpart ? losses.counterpart : losses.rolling) += (loads * product.apply(loads)).sum();
   return losses;
 }
 

@@ -11,6 +11,12 @@
 
 namespace viscoroll::detail {
 
+/// @brief Distances between neighbors.
+struct NodeSpacing {
+  double along;   ///< the path [m]
+  double across;  ///< [m]
+};
+
 /// @brief An endless tread's surface, and what the faces add to it. Scales and preconditioners are those of the endless
 /// one.
 class FreeSidesOperator : public SurfaceOperator {
@@ -23,9 +29,9 @@ class FreeSidesOperator : public SurfaceOperator {
   /// @param[in] difference of the section
   /// @param[in] factors of displacements, reaching across the window
   /// @param[in] dissipation_source those of the power lost
-  /// @param[in] column_spacing of the window [m]
+  /// @param[in] spacing of the window's nodes
   FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference, SideFactors factors,
-                    DissipationSource dissipation_source, double column_spacing);
+                    DissipationSource dissipation_source, const NodeSpacing& spacing);
 
   [[nodiscard]] const Window& window() const override { return endless_->window(); }
   [[nodiscard]] const Execution& execution() const override { return endless_->execution(); }
@@ -33,6 +39,9 @@ class FreeSidesOperator : public SurfaceOperator {
   [[nodiscard]] double operations() const override { return endless_->operations() + product_.operations(); }
   [[nodiscard]] const LocalCompliance& local() const override { return endless_->local(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
+  [[nodiscard]] Bodies bodies() const override { return endless_->bodies(); }
+  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override;
+  [[nodiscard]] double pushback(const VectorField& force) const override;
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
@@ -51,7 +60,7 @@ class FreeSidesOperator : public SurfaceOperator {
   Difference difference_;
   SideFactors factors_;
   DissipationSource dissipation_source_;
-  double column_spacing_;
+  NodeSpacing spacing_;
   SideProduct product_;
 };
 

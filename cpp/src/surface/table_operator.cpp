@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "influence/patch.hpp"
+#include "surface/pushback.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -107,7 +108,7 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
       directions[0][kForward] = -formulation.counterpart_curvature * window.x();
     } else if (formulation.tangential) {
       directions[0][kForward] = window.x() / window.grid().radius;
-      directions[0][kSideways] = window.z() / window.grid().radius;
+      directions[0][kSideways] = window.z() / window.grid().radius_across();
     }
     return directions;
   }
@@ -128,22 +129,6 @@ std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const 
 }
 
 namespace {
-
-/// Mean slope from row to row over the patches of nodes, which are as long as their distance: of the differences over
-/// two rows and over four what leaves no error of second order, but for the last two rows, where hardly anything
-/// presses.
-Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, double distance) {
-  const auto difference = [&](Eigen::Index rows) {
-    const Eigen::Index count = values.size() - 2 * rows * row;
-    return Eigen::ArrayXd((values.tail(count) - values.head(count)) / (2.0 * static_cast<double>(rows) * distance));
-  };
-  Eigen::ArrayXd slope = Eigen::ArrayXd::Zero(values.size());
-  slope.segment(row, values.size() - 2 * row) = difference(1);
-  const Eigen::Index inner = values.size() - 4 * row;
-  if (inner <= 0) return slope;
-  slope.segment(2 * row, inner) = 1.25 * slope.segment(2 * row, inner) - 0.25 * difference(2);
-  return slope;
-}
 
 template <class Function>
 void for_entries(const Formulation& formulation, const Function& function) {
@@ -215,8 +200,7 @@ VectorField TableOperator::rolling_displacement(const VectorField& force) const 
 
 double TableOperator::pushback(const VectorField& force) const {
   if (!formulation_.is_counterpart) return 0.0;
-  const Eigen::ArrayXd depth = -displacement(force).col(kDown);
-  return -(force.col(kDown) * patch_slope(depth, shape().theta_nodes, grid_.radius * grid_.phi_spacing)).sum();
+  return pushback_by(displacement(force), force, shape().theta_nodes, grid_.radius * grid_.phi_spacing);
 }
 
 Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
