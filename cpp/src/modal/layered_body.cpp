@@ -56,8 +56,7 @@ LayeredBody layered_body(const CoatedWheel& wheel) {
   LayeredBody body{.metric = {.radius = outer_radius(wheel), .across = Way::line},
                    .layers = wheel.layers,
                    .boundaries = radii(wheel.core_radius, wheel.layers)};
-  const bool follows_crown = wheel.hub == Hub::crowned || wheel.sides == Sides::endless;
-  if (follows_crown) body.crown_radius = wheel.crown_radius;
+  if (wheel.sides == Sides::endless) body.crown_radius = wheel.crown_radius;
   return body;
 }
 

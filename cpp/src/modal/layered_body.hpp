@@ -56,8 +56,8 @@ struct LayeredBody {
 /// @return those of a cylinder, likewise
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
-/// @return those of a wheel, likewise, as of a tread without sides. On a straight hub the profile of a tread with free
-/// sides is the business of its section.
+/// @return those of a wheel, likewise, as of a tread without sides. The profile of a tread with free sides, crown and
+/// hub, is the business of its section.
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
 /// @return those of a plane, likewise, its base among them

@@ -3,12 +3,12 @@
 #include <numbers>
 
 #include "influence/coating_sum.hpp"
-#include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/table_store.hpp"
 
 namespace viscoroll::detail {
+
 BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing) {
   const auto& [threads, watch] = crossing.execution;
   const double radius = layers.metric.radius;

@@ -1,11 +1,13 @@
 // A wheel, or another one that it rolls on, touching in a spot that may reach its sides: theory.md, wheels.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "rolling/body.hpp"
+#include "rolling/free_side_tables.hpp"
 #include "rolling/spot_surface.hpp"
 #include "validate.hpp"
 
@@ -24,12 +26,16 @@ void require_curvature_of_wheel(Curvature curvature) {
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
-/// The tread without sides; where they are free, this is the place for what they add to its tables.
+/// The tread without sides, and what they add to it where they are free.
 BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
   require_curvature_of_wheel(crossing.curvature);
   if (wheel.layers.empty()) return {};
-  if (wheel.sides == Sides::free) reject("sides", "\"endless\": free ones are not there yet", "\"free\"");
-  return surface_under_spot(layered_body(wheel), crossing);
+  const LayeredBody layers = layered_body(wheel);
+  BodySurface surface = surface_under_spot(layers, crossing);
+  if (wheel.sides == Sides::free) {
+    surface.tables = std::make_unique<const FreeSideTables>(std::move(surface.tables), wheel, layers, crossing);
+  }
+  return surface;
 }
 
 /// At the same arcs as the nodes of what rolls on it.
@@ -63,16 +69,18 @@ double error_of_sides(const CoatedWheel& wheel, double across) {
   return kAtSides * std::exp(-kFall * (0.5 * wheel.width - across) / coating_thickness(wheel));
 }
 
-/// Of what the crown changes, and of a profile that is taken as thin everywhere as in the middle.
+/// Of what the crown changes, and of a profile that is taken as thick everywhere as in the middle; both are those of
+/// the section where sides are free.
 double error_of_crown(const CoatedWheel& wheel, const ContactReach& contact) {
   if (std::isinf(wheel.crown_radius)) return 0.0;
+  const double slope = contact.across / wheel.crown_radius;
+  if (wheel.sides == Sides::free) return slope * slope;
   // What the first order in the curvature changes, of which it leaves a sixth to a twentieth.
   constexpr double kFirstOrder = 0.17;
   // A tread that grows thinner to its sides is one of the thickness h - 0.1 a^2 / R_c, and twice as much softer.
   constexpr double kThinner = 0.2;
   const double thickness = coating_thickness(wheel);
   const double size = std::sqrt(contact.along * contact.across);
-  const double slope = contact.across / wheel.crown_radius;
   const double profile = wheel.hub == Hub::straight ? kThinner * slope * contact.across / thickness : 0.0;
   return kFirstOrder * std::min(thickness, size) / wheel.crown_radius + slope * slope + profile;
 }

@@ -13,27 +13,8 @@ SphereOperator::SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, In
       product_(make_sphere_product(shape(), window().theta.first, influence_, execution().threads, execution().watch)) {
 }
 
-Eigen::ArrayXXd SphereOperator::loads(const VectorField& force) const {
-  const auto& directions = local().directions;
-  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(directions.size()));
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    loads.col(static_cast<Eigen::Index>(p)) = directions[p][kForward] * force.col(kForward) +
-                                              directions[p][kDown] * force.col(kDown) +
-                                              directions[p][kSideways] * force.col(kSideways);
-  }
-  return loads;
-}
-
 VectorField SphereOperator::displacement(const VectorField& force) const {
-  const auto& directions = local().displaced_directions;
-  const Eigen::ArrayXXd components = product_->apply(loads(force), execution().threads, execution().watch);
-  VectorField result = VectorField::Zero(force.rows(), 3);
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
-    }
-  }
-  return result;
+  return local().displacements(product_->apply(local().loads(force), execution().threads, execution().watch));
 }
 
 Eigen::VectorXd SphereOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
@@ -61,7 +42,7 @@ Losses SphereOperator::dissipation(const VectorField& force) const {
   const int half_theta = std::max(-window().theta.first, window().theta.last);
   const Influence influence = dissipation_source_(shape().phi_nodes - 1, half_theta);
   const FactoredSphereProduct product(shape(), window().theta.first, influence, execution().threads, execution().watch);
-  const Eigen::ArrayXXd loads = this->loads(force);
+  const Eigen::ArrayXXd loads = local().loads(force);
   return losses((loads * product.apply(loads, execution().threads, execution().watch)).sum());
 }
 

@@ -45,9 +45,6 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
-  /// Forces along x, y and z as loads along the components.
-  [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
-
   std::shared_ptr<const SurfaceOperator> nearby_;
   Influence influence_;
   DissipationSource dissipation_source_;

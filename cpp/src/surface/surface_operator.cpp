@@ -38,6 +38,27 @@ Losses SurfaceOperator::losses(double lost) const {
   return bodies() == Bodies::counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
 }
 
+Eigen::ArrayXXd LocalCompliance::loads(const VectorField& force) const {
+  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    loads.col(static_cast<Eigen::Index>(p)) = directions[p][kForward] * force.col(kForward) +
+                                              directions[p][kDown] * force.col(kDown) +
+                                              directions[p][kSideways] * force.col(kSideways);
+  }
+  return loads;
+}
+
+VectorField LocalCompliance::displacements(const Eigen::ArrayXXd& components) const {
+  VectorField result = VectorField::Zero(components.rows(), 3);
+  for (std::size_t p = 0; p < displaced_directions.size(); ++p) {
+    for (const Axis axis : {kForward, kDown, kSideways}) {
+      result.col(axis) +=
+          displaced_directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
+    }
+  }
+  return result;
+}
+
 Eigen::ArrayXd SurfaceOperator::normal_displacement(const Eigen::ArrayXd& pressing) const {
   std::vector<Eigen::Index> all(static_cast<std::size_t>(pressing.size()));
   std::iota(all.begin(), all.end(), 0);

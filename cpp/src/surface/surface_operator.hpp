@@ -50,6 +50,10 @@ struct LocalCompliance {
   std::vector<std::array<Eigen::ArrayXd, 3>> displaced_directions;
 
   [[nodiscard]] const Table& table(Entry entry) const { return *tables[static_cast<std::size_t>(entry)]; }
+  /// @return forces along x, y and z as loads along the components, a column for each
+  [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
+  /// @return displacements along the components, a column for each, as those along x, y and z
+  [[nodiscard]] VectorField displacements(const Eigen::ArrayXXd& components) const;
 };
 
 /// @brief Displacements of a surface by forces on the nodes of a window. Operators do not change, but keep buffers: one

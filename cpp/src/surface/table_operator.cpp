@@ -181,26 +181,17 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceWindow
 }
 
 Eigen::ArrayXXd TableOperator::loads(const VectorField& force) const {
-  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(local_.directions.size() * weights_.size()));
+  const Eigen::ArrayXXd components = local_.loads(force);
+  Eigen::ArrayXXd loads(components.rows(), components.cols() * static_cast<Eigen::Index>(weights_.size()));
   Eigen::Index field = 0;
-  for (const auto& direction : local_.directions) {
-    const Eigen::ArrayXd component =
-        direction[0] * force.col(0) + direction[1] * force.col(1) + direction[2] * force.col(2);
+  for (const auto& component : components.colwise()) {
     for (const Eigen::ArrayXd& weight : weights_) loads.col(field++) = weight * component;
   }
   return loads;
 }
 
 VectorField TableOperator::displacement(const VectorField& force) const {
-  const Eigen::ArrayXXd components = displacements_.apply(loads(force), execution_.threads, execution_.watch);
-  VectorField result = VectorField::Zero(force.rows(), 3);
-  const auto& directions = local_.displaced_directions;
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) += directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
-    }
-  }
-  return result;
+  return local_.displacements(displacements_.apply(loads(force), execution_.threads, execution_.watch));
 }
 
 Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {

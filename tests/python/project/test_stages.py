@@ -14,6 +14,7 @@ STAGES = (
     {"shared"},
     {"materials"},
     {"modal"},
+    {"section"},
     {"influence"},
     {"surface"},
     {"contact"},

@@ -1,0 +1,166 @@
+#include "influence/side_product.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dense_products.hpp"
+#include "influence/gauss_legendre.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// The shares of lines in what is at a place, which lies on one of the elements between every other line.
+void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen::VectorXd> shares) {
+  const double place = std::min(std::abs(z), lines[lines.size() - 1]);
+  Index first = 0;
+  while (first + 4 < lines.size() && place > lines[first + 2]) first += 2;
+  const auto values = quadratic_shares((place - lines[first + 1]) / (0.5 * (lines[first + 2] - lines[first])));
+  for (std::size_t n = 0; n < 3; ++n) shares[first + static_cast<Index>(n)] += weight * values[n];
+}
+
+/// Places between which the shares are polynomials, on both sides of the middle.
+std::vector<double> pieces(const ArrayXd& lines, double from, double to) {
+  std::vector<double> places{from, to};
+  for (Index i = 0; i < lines.size(); i += 2) {
+    for (const double z : {lines[i], -lines[i]}) {
+      if (z > from && z < to) places.push_back(z);
+    }
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+/// +1, or -1 on the other side of the middle.
+double side(double z, bool odd) { return odd && z < 0.0 ? -1.0 : 1.0; }
+
+/// The means of the shares over patches, as far as these lie on the tread.
+MatrixXd means(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
+  MatrixXd shares = MatrixXd::Zero(lines.size(), count);
+  const auto [abscissas, weights] = gauss_legendre(2);  // exact for polynomials of third degree
+  const double face = lines[lines.size() - 1];
+  for (Index k = 0; k < count; ++k) {
+    const double middle = columns.spacing * static_cast<double>(columns.first + k);
+    const double from = std::max(middle - 0.5 * columns.spacing, -face);
+    const double to = std::min(middle + 0.5 * columns.spacing, face);
+    if (!(from < to)) continue;  // beyond a face, where nothing presses
+    const std::vector<double> places = pieces(lines, from, to);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const double length = places[i + 1] - places[i];
+      for (Index point = 0; point < abscissas.size(); ++point) {
+        const double z = places[i] + 0.5 * length * (1.0 + abscissas[point]);
+        add_shares(lines, z, side(z, odd) * 0.5 * weights[point] * length / (to - from), shares.col(k));
+      }
+    }
+  }
+  return shares;
+}
+
+MatrixXd values(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
+  MatrixXd shares = MatrixXd::Zero(lines.size(), count);
+  for (Index k = 0; k < count; ++k) {
+    const double z = columns.spacing * static_cast<double>(columns.first + k);
+    if (odd && z == 0.0) continue;
+    add_shares(lines, z, side(z, odd), shares.col(k));
+  }
+  return shares;
+}
+
+/// Transforms of real lines, one for each column: [frequency, column].
+Eigen::MatrixXcd transformed(const RealFft& fft, int period, int reach, const Eigen::Ref<const MatrixXd>& columns) {
+  RealBuffer line(static_cast<std::size_t>(period));
+  ComplexBuffer half(static_cast<std::size_t>(period / 2 + 1));
+  Eigen::MatrixXcd result(static_cast<Index>(half.size()), columns.cols());
+  for (Index i = 0; i < columns.cols(); ++i) {
+    std::ranges::fill(line, 0.0);
+    for (int j = -reach; j <= reach; ++j) {
+      line[static_cast<std::size_t>((j + period) % period)] = columns(j + reach, i) / period;
+    }
+    fft.forward(line.data(), half.data());
+    result.col(i) = Eigen::Map<const Eigen::VectorXcd>(half.data(), result.rows());
+  }
+  return result;
+}
+
+}  // namespace
+
+SideProduct::SideProduct(WindowShape shape, const TreadColumns& columns, const SampledDifference& difference,
+                         const SideFactors& factors, bool average)
+    : shape_(shape),
+      components_(difference.components),
+      lines_(difference.z.size()),
+      period_(RealFft::fast_length(2 * shape.phi_nodes - 1)),
+      fft_(period_) {
+  const int reach = shape.phi_nodes - 1;
+  const Eigen::MatrixXcd offsets = factors.values.middleRows(factors.phi_reach - reach, 2 * reach + 1);
+  const Eigen::MatrixXcd real = transformed(fft_, period_, reach, offsets.real());
+  const Eigen::MatrixXcd imaginary = transformed(fft_, period_, reach, offsets.imag());
+  const Index amplitudes = difference.amplitudes();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    Part& part = parts_[p];
+    for (Index component = 0; component < components_; ++component) {
+      const bool odd = (component == 2) == (p == kEvenPart);
+      part.gathered.push_back(means(difference.z, columns, shape.theta_nodes, odd));
+      part.read.push_back(average ? part.gathered.back() : values(difference.z, columns, shape.theta_nodes, odd));
+    }
+    // Re(factors samples) is the sum of two products, each of which is real before the transform.
+    const MatrixXd samples_real = difference.parts[p].real();
+    const MatrixXd samples_imaginary = difference.parts[p].imag();
+    const MatrixXd spectrum_real =
+        product(MatrixXd(real.real()), samples_real) - product(MatrixXd(imaginary.real()), samples_imaginary);
+    const MatrixXd spectrum_imaginary =
+        product(MatrixXd(real.imag()), samples_real) - product(MatrixXd(imaginary.imag()), samples_imaginary);
+    for (Index f = 0; f < real.rows(); ++f) {
+      Eigen::MatrixXcd& matrix = part.spectrum.emplace_back(amplitudes, amplitudes);
+      matrix.real() = spectrum_real.row(f).reshaped(amplitudes, amplitudes);
+      matrix.imag() = spectrum_imaginary.row(f).reshaped(amplitudes, amplitudes);
+    }
+  }
+}
+
+Eigen::ArrayXXd SideProduct::apply(const Eigen::ArrayXXd& loads) const {
+  const auto count = static_cast<Index>(parts_[0].spectrum.size());
+  RealBuffer line(static_cast<std::size_t>(period_));
+  ComplexBuffer half(static_cast<std::size_t>(count));
+  const Eigen::Map<Eigen::RowVectorXd> nodes(line.data(), shape_.phi_nodes);
+  Eigen::ArrayXXd result = Eigen::ArrayXXd::Zero(loads.rows(), components_);
+  for (const Part& part : parts_) {
+    Eigen::MatrixXcd amplitudes(components_ * lines_, count);
+    for (Index component = 0; component < components_; ++component) {
+      const Eigen::Map<const MatrixXd> load(loads.col(component).data(), shape_.theta_nodes, shape_.phi_nodes);
+      const MatrixXd gathered = part.gathered[static_cast<std::size_t>(component)] * load;
+      for (Index i = 0; i < lines_; ++i) {
+        std::ranges::fill(line, 0.0);
+        Eigen::Map<Eigen::RowVectorXd>(line.data(), shape_.phi_nodes) = gathered.row(i);
+        fft_.forward(line.data(), half.data());
+        amplitudes.row(component * lines_ + i) = Eigen::Map<const Eigen::RowVectorXcd>(half.data(), count);
+      }
+    }
+    for (Index f = 0; f < count; ++f) {
+      amplitudes.col(f) = multiplied(part.spectrum[static_cast<std::size_t>(f)], amplitudes.col(f));
+    }
+    for (Index component = 0; component < components_; ++component) {
+      MatrixXd moved(lines_, shape_.phi_nodes);
+      for (Index i = 0; i < lines_; ++i) {
+        Eigen::Map<Eigen::RowVectorXcd>(half.data(), count) = amplitudes.row(component * lines_ + i);
+        fft_.backward(half.data(), line.data());
+        moved.row(i) = nodes;
+      }
+      Eigen::Map<MatrixXd>(result.col(component).data(), shape_.theta_nodes, shape_.phi_nodes) +=
+          part.read[static_cast<std::size_t>(component)].transpose() * moved;
+    }
+  }
+  return result;
+}
+
+double SideProduct::operations() const {
+  const auto lines = static_cast<double>(components_ * lines_);
+  const auto frequencies = static_cast<double>(parts_[0].spectrum.size());
+  return 2.0 * lines * (8.0 * frequencies * lines + 4.0 * static_cast<double>(shape_.size()));
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,96 @@
+#include "section/section_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace viscoroll::detail {
+namespace {
+
+using Size = std::function<double(double)>;
+
+/// What of a bonded tread's end is felt falls by e^-1.4 in each thickness where it is incompressible, faster elsewhere:
+/// of the stiffness under a punch 2e-4 are left.
+constexpr double kEndlessReach = 6.0;
+
+/// Edges of elements of about a given size, from `first` to `last`.
+std::vector<double> edges(double first, double last, const Size& size) {
+  constexpr int kSamples = 400;  // of the size, so many that their sum is that of a smooth function
+  const double step = (last - first) / kSamples;
+  std::vector<double> elements{0.0};
+  for (int i = 0; i < kSamples; ++i) elements.push_back(elements.back() + step / size(first + (i + 0.5) * step));
+  const int count = std::max(1, static_cast<int>(std::ceil(elements.back() - 1e-9)));
+  std::vector<double> result{first};
+  std::size_t place = 0;
+  for (int n = 1; n < count; ++n) {
+    const double wanted = elements.back() * n / count;
+    while (elements[place + 1] < wanted) ++place;
+    const double share = (wanted - elements[place]) / (elements[place + 1] - elements[place]);
+    result.push_back(first + step * (static_cast<double>(place) + share));
+  }
+  result.push_back(last);
+  return result;
+}
+
+/// Edges with a middle between each and the next.
+Eigen::ArrayXd with_middles(const std::vector<double>& edges) {
+  Eigen::ArrayXd places(2 * static_cast<Eigen::Index>(edges.size()) - 1);
+  for (Eigen::Index i = 0; i < places.size(); ++i) {
+    const auto left = static_cast<std::size_t>(i / 2);
+    places[i] = i % 2 == 0 ? edges[left] : 0.5 * (edges[left] + edges[left + 1]);
+  }
+  return places;
+}
+
+/// Of the crown at a distance from the middle; where it ends upright, nearly so.
+double crown_slope(const CoatedWheel& wheel, double z) {
+  if (std::isinf(wheel.crown_radius)) return 0.0;
+  constexpr double kLeastCosine = 1e-3;
+  const double sine = z / wheel.crown_radius;
+  return sine / std::max(std::sqrt(1.0 - sine * sine), kLeastCosine);
+}
+
+}  // namespace
+
+SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const SectionFineness& fineness) {
+  const double thickness = coating_thickness(wheel);
+  const double half = 0.5 * wheel.width;
+  const double unit = std::min(thickness, wheel.width);
+  const auto away = [&](double distance) { return unit * (fineness.finest + fineness.growth * distance / unit); };
+  const double largest = fineness.largest * thickness;
+
+  std::vector<double> across =
+      edges(0.0, half, [&](double z) { return std::min({away(half - z), largest, 0.25 * half}); });
+  loaded_lines_ = 2 * across.size() - 1;
+  if (end == SectionEnd::endless) {
+    const std::vector<double> beyond =
+        edges(half, half + kEndlessReach * thickness, [&](double z) { return std::min(away(z - half), thickness); });
+    across.insert(across.end(), beyond.begin() + 1, beyond.end());
+  }
+  z_ = with_middles(across);
+
+  std::vector<double> radii{wheel.core_radius};
+  const double surface = wheel.core_radius + thickness;
+  for (std::size_t l = 0; l < wheel.layers.size(); ++l) {
+    const double inner = radii.back();
+    const double outer = l + 1 == wheel.layers.size() ? surface : inner + wheel.layers[l].thickness;
+    const std::vector<double> layer = edges(
+        inner, outer, [&](double r) { return std::min({away(surface - r), away(r - wheel.core_radius), largest}); });
+    radii.insert(radii.end(), layer.begin() + 1, layer.end());
+    layer_of_row_.insert(layer_of_row_.end(), layer.size() - 1, l);
+  }
+  const Eigen::ArrayXd straight = with_middles(radii);
+  r_ = straight.replicate(1, z_.size());
+  slope_ = Eigen::ArrayXd::Zero(z_.size());
+  if (end == SectionEnd::endless) return;
+  const double outermost = wheel.layers.back().thickness;
+  const Eigen::ArrayXd falls = wheel.hub == Hub::crowned
+                                   ? Eigen::ArrayXd::Ones(straight.size())
+                                   : Eigen::ArrayXd(((straight - surface) / outermost + 1.0).max(0.0));
+  for (Eigen::Index i = 0; i < z_.size(); ++i) {
+    r_.col(i) -= falls * crown_drop(wheel, z_[i]);
+    slope_[i] = crown_slope(wheel, z_[i]);
+  }
+}
+
+}  // namespace viscoroll::detail

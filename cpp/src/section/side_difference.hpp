@@ -1,0 +1,57 @@
+/// @file
+/// @brief By how much a tread that ends at its faces yields more than one that goes on, order by order. Theory.md, free
+/// sides.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "modal/harmonic_body.hpp"
+#include "parallel.hpp"
+#include "section/section_compliance.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief The difference at some orders, times the modulus of the outermost layer at each. Between them it is smooth.
+struct SampledDifference {
+  Eigen::ArrayXd orders;  ///< `sampled_orders`
+  Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread to its face [m]
+  Eigen::Index components = 1;
+  /// [part] a row for each order, of a matrix by columns: displacement along normal, phi and tangent of every line,
+  /// component * lines
+  /// + line, per force on all of a line and its mirror image, per radian [1/m]
+  std::array<Eigen::MatrixXcd, 2> parts;
+
+  [[nodiscard]] Eigen::Index amplitudes() const { return components * z.size(); }
+};
+
+/// @return orders at which the difference is to be known: 0, and from 1 on at equal ratios
+[[nodiscard]] Eigen::ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness = {});
+
+/// @return layers per modulus of the outermost one, from the hub outwards, as an order sees them
+[[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
+                                                                             std::size_t order);
+
+/// @brief Sections of a wheel's tread with faces and of one without, cut alike, so that what elements make of waves
+/// that are too short for them drops out.
+class SideDifference {
+ public:
+  /// @param[in] wheel at least one layer
+  /// @param[in] tangential whether loads along phi and z occur, or those along r alone
+  /// @param[in] fineness of the elements
+  SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness = {});
+
+  /// @param[in] body the wheel's layers at the orders of `sampled_orders`
+  /// @param[in] threads number of threads, 0 for all cores
+  /// @param[in] watch progress and cancellation
+  [[nodiscard]] SampledDifference sampled(const HarmonicBody& body, int threads, Watch& watch) const;
+
+ private:
+  SectionCompliance face_;
+  SectionCompliance endless_;
+  bool tangential_;
+};
+
+}  // namespace viscoroll::detail

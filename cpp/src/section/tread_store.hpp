@@ -1,0 +1,22 @@
+/// @file
+/// @brief Differences of treads' sections, kept for further speeds, loads and meshes.
+#pragma once
+
+#include <memory>
+
+#include "section/side_difference.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief What faces change of a tread. Layers that share one relaxation function are solved once for all speeds; the
+/// last few treads of the process are kept, by their dimensions and by what layers are to the outermost one.
+/// @param[in] wheel at least one layer
+/// @param[in] body its layers at the orders of `sampled_orders`
+/// @param[in] tangential whether loads along phi and z occur, or those along r alone
+/// @param[in] threads number of threads, 0 for all cores
+/// @param[in] watch progress and cancellation
+[[nodiscard]] std::shared_ptr<const SampledDifference> kept_difference(const CoatedWheel& wheel,
+                                                                       const HarmonicBody& body, bool tangential,
+                                                                       int threads, Watch& watch);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,76 @@
+"""A strip of thickness 1 on a rigid base, incompressible, in plane strain, under a flat frictionless punch.
+
+With free sides by finite elements of another code, Taylor and Hood's Q2 and Q1 (incompressible without a large bulk
+modulus), on meshes refined towards the sides and extrapolated; as part of an endless strip by its closed compliance
+
+    C(k) = (sinh 2k - 2k) / (cosh 2k + 1 + 2k^2) / (2 G k)
+
+and pressures p = sum a_n T_2n(x/a) / sqrt(a^2 - x^2), whose transforms are Bessel functions, by Galerkin's method.
+Each gives mean pressure over shear modulus and penetration, p/(G d).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+from scipy.sparse import bmat
+from scipy.special import jv
+from skfem import Basis, BilinearForm, ElementQuad1, ElementQuad2, ElementVector, MeshQuad, condense, solve
+from skfem.helpers import ddot, div, sym_grad
+
+
+@BilinearForm
+def _shear(u, v, _):
+    return 2.0 * ddot(sym_grad(u), sym_grad(v))
+
+
+@BilinearForm
+def _volume(u, q, _):
+    return -div(u) * q
+
+
+def free_stiffness(width, elements):
+    """Return p/(G d) by so many elements across half of the width, and across the thickness."""
+    half = 0.5 * width
+    across = half * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, elements + 1))
+    down = 0.5 * (1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, elements + 1)))
+    mesh = MeshQuad.init_tensor(across, down)
+    u = Basis(mesh, ElementVector(ElementQuad2()), intorder=4)
+    p = u.with_element(ElementQuad1())
+    shear, volume = _shear.assemble(u), _volume.assemble(u, p)
+    system = bmat([[shear, volume.T], [volume, None]], format="csr")
+    base = u.get_dofs(lambda x: x[1] < 1e-12).all()
+    punch = u.get_dofs(lambda x: x[1] > 1.0 - 1e-12).all(["u^2"])
+    middle = u.get_dofs(lambda x: x[0] < 1e-12).all(["u^1"])
+    moved = np.zeros(system.shape[0])
+    moved[punch] = -1.0
+    fixed = np.unique(np.concatenate([base, punch, middle]))
+    solution = solve(*condense(system, np.zeros_like(moved), x=moved, D=fixed))
+    return -float((system @ solution)[punch].sum()) / half
+
+
+def extrapolated_free_stiffness(width, elements=24):
+    """Return p/(G d) on a fine mesh, and extrapolated, the error falling with the square of the elements or faster."""
+    coarse, fine = free_stiffness(width, elements), free_stiffness(width, 2 * elements)
+    return fine, fine + (fine - coarse) / 3.0
+
+
+def endless_stiffness(width, terms=8, longest=400.0, panels=1600):
+    """Return p/(G d) where the strip goes on on both sides of the punch."""
+    half = 0.5 * width
+    points, weights = leggauss(20)
+    edges = np.linspace(0.0, longest / half, panels + 1)
+    reach = 0.5 * np.diff(edges)[:, None]
+    k = (0.5 * (edges[1:] + edges[:-1])[:, None] + reach * points).ravel()
+    weight = (reach * weights).ravel()
+    decay = np.exp(-2.0 * k)
+    softness = (0.5 * (1.0 - decay**2) - 2.0 * k * decay) / (0.5 * (1.0 + decay**2) + decay * (1.0 + 2.0 * k**2))
+    shapes = np.array([(-1) ** n * jv(2 * n, k * half) for n in range(terms)])
+    matrix = (shapes * (weight * softness / (2.0 * k))) @ shapes.T / np.pi
+    matrix += 1.0 / (2.0 * np.pi**2 * longest)  # beyond: the half-plane's 1/2k, by the mean of the Bessel functions
+    return float(np.linalg.solve(matrix, np.eye(terms)[0])[0]) / width
+
+
+if __name__ == "__main__":
+    for width in (1.0, 2.0, 3.0, 4.0, 6.0):
+        print(width, *extrapolated_free_stiffness(width), endless_stiffness(width))
