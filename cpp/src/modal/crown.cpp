@@ -1,5 +1,6 @@
 #include "modal/crown.hpp"
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace {
 /// those whose cylinder would have no core, are taken at kLinearRadius in proportion.
 constexpr double kLeastRadius = 3.0;
 constexpr double kLinearRadius = 20.0;
+
+/// That in crown radii at the most, where this is less: the proportion multiplies round-off, which else no series
+/// resolves. The waves of a contact that is small beside such a crown do not reach the hub.
+constexpr double kMostProportion = 30.0;
 
 /// The layers without inertia, in another metric.
 /// @param[in] surface place of the surface there
@@ -63,7 +68,9 @@ void add_crown(std::span<const OrderInLayers<Scalar>> orders, double crown_radiu
   const LayerStack<Scalar>& layers = orders.front().layers;
   const double thickness = layers.media.back().outer - layers.media.front().inner;
   const bool is_close = crown_radius <= kLeastRadius * thickness;
-  const double radius = is_close ? kLinearRadius * thickness : crown_radius;
+  const double radius =
+      is_close ? std::clamp(kMostProportion * crown_radius, kLeastRadius * thickness, kLinearRadius * thickness)
+               : crown_radius;
   const auto crowned = MovedOrders<Scalar>(orders, {.radius = radius, .across = Way::line}).compliances();
   const auto plane =
       MovedOrders<Scalar>(orders, {.radius = layers.metric.radius, .along = Way::line, .across = Way::line})
