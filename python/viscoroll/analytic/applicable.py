@@ -1,21 +1,26 @@
-"""Which closed forms a ball or a roller has."""
+"""Which closed forms a body has on a rigid plane."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import require_type
 from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
+from ..materials import StandardLinearSolid
+from ._at_rest import reach_at_rest
 from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
 from ._inputs import Floats, plain, positives
-from .applicable_roller import forms_of_roller
+from ._torques import Reach, slow_form, thin_form
 from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
 from .half_space import greenwood_tabor_torque, persson_torque
-from .low_speed import low_speed_torque, sphere_loss_time
-from .winkler import KNOWN_IN_TIME, longest_time, winkler_torque
+from .hunter import hunter
+from .line_contact import hertz_line, thin_compressible_layer_line, thin_incompressible_layer_line
+from .low_speed import sphere_loss_time
+from .winkler import winkler_torque, winkler_torque_line
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -57,31 +62,35 @@ def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
     >>> f"{forms['low_speed'](0.01, 0.1) * 1e9:.1f} nN m"
     '20.0 nN m'
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
-    if isinstance(ball, CoatedCylinder):
-        return forms_of_roller(ball)
-    return _low_speed(ball) | (_half_space(ball) | _thin(ball) if is_homogeneous(ball.layers) else {})
-
-
-def _low_speed(ball: CoatedSphere) -> dict[str, ClosedForm]:
-    time = _loss_time(ball)
-    if time is None:
+    require_type("ball", ball, RollingBody)
+    if not ball.layers:
         return {}
-
-    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        return low_speed_torque(load=load, angular_speed=angular_speed, radius=ball.outer_radius, loss_time=time)
-
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        a = _contact_radius(ball, load)
-        path = positives("angular_speed", angular_speed, "rad/s") * ball.outer_radius * time
-        met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(ball.layers) | (a <= 0.2 * ball.thickness))
-        return met
-
-    moves = "the surface moves by less than 5 % of the contact radius in the loss time; no inertia"
-    return {"low_speed": ClosedForm(torque=torque, holds=holds, validity=moves)}
+    match ball:
+        case CoatedSphere():
+            forms = _of_ball(ball)
+        case CoatedCylinder():
+            forms = _of_roller(ball)
+        case _:
+            assert_never(ball)
+    return {name: form for name, form in forms.items() if form is not None}
 
 
-def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
+def _of_ball(ball: CoatedSphere) -> dict[str, ClosedForm | None]:
+    contact_radius = partial(
+        reach_at_rest, ball, thick=hertz, squeezed=thin_incompressible_layer, springs=thin_compressible_layer
+    )
+    time = _loss_time(ball)
+    forms: dict[str, ClosedForm | None] = {
+        "low_speed": None if time is None else slow_form(ball, time, contact_radius, "contact radius")
+    }
+    if is_homogeneous(ball.layers):
+        forms |= _half_space(ball, contact_radius)
+        if ball.inner_boundary is InnerBoundary.RIGID:
+            forms["winkler"] = thin_form(ball, winkler_torque, contact_radius, "contact radius")
+    return forms
+
+
+def _half_space(ball: CoatedSphere, contact_radius: Reach) -> dict[str, ClosedForm | None]:
     layer, radius = ball.layers[0], ball.outer_radius
     modulus, nu = at_rest(layer)
 
@@ -101,48 +110,15 @@ def _half_space(ball: CoatedSphere) -> dict[str, ClosedForm]:
 
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (_contact_radius(ball, load) <= 0.2 * ball.thickness) & any_speed
+        met: NDArray[np.bool_] = (contact_radius(load) <= 0.2 * ball.thickness) & any_speed
         return met
 
     small = "contact radius below a fifth of the thickness; no inertia"
-    forms = {"greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}")}
-    if is_known_throughout(layer.shear_modulus):
-        forms["persson"] = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
-    return forms
-
-
-def _thin(ball: CoatedSphere) -> dict[str, ClosedForm]:
-    layer, h = ball.layers[0], ball.thickness
-    modulus, nu = at_rest(layer)
-    material = layer.shear_modulus
-    if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5 or ball.inner_boundary is not InnerBoundary.RIGID:
-        return {}
-
-    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        return winkler_torque(
-            load=load,
-            angular_speed=angular_speed,
-            radius=ball.outer_radius,
-            thickness=h,
-            shear_modulus=material,
-            poisson_ratio=layer.poisson_ratio,
-            bulk_modulus=layer.bulk_modulus,
-        )
-
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        contact = thin_compressible_layer(
-            load=load, radius=ball.outer_radius, thickness=h, shear_modulus=modulus, poisson_ratio=nu
-        )
-        slow = positives("angular_speed", angular_speed, "rad/s") * longest_time(material) <= 0.2 * np.pi
-        a = np.asarray(contact.radius)
-        met: NDArray[np.bool_] = (a >= 5.0 * h) & ((1.0 - 2.0 * nu) * a >= h) & (a <= 0.2 * ball.outer_radius) & slow
-        return met
-
-    wide = (
-        "contact radius a above 5 thicknesses h and h/(1-2ν), below a fifth of the radius; forgets in a tenth of a "  # noqa: RUF001
-        "revolution; no inertia"
-    )
-    return {"winkler": ClosedForm(torque=torque, holds=holds, validity=wide)}
+    lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
+    return {
+        "greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}"),
+        "persson": lagging if is_known_throughout(layer.shear_modulus) else None,
+    }
 
 
 def _loss_time(ball: CoatedSphere) -> float | None:
@@ -156,20 +132,40 @@ def _loss_time(ball: CoatedSphere) -> float | None:
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
-def _contact_radius(ball: CoatedSphere, load: ArrayLike) -> NDArray[np.float64]:
-    """Estimate the contact radius at rest [m], of layers as if mixed: the lesser of the thick and the thin limit.
+def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
+    half_width = partial(
+        reach_at_rest,
+        roller,
+        thick=hertz_line,
+        squeezed=thin_incompressible_layer_line,
+        springs=thin_compressible_layer_line,
+    )
+    time = shared_loss_time(roller.layers) if is_real(roller.layers) else None
+    one_material = is_homogeneous(roller.layers)
+    return {
+        "low_speed": None if time is None else slow_form(roller, time, half_width, "half width"),
+        "hunter": _hunter(roller, half_width) if one_material else None,
+        "winkler_line": thin_form(roller, winkler_torque_line, half_width, "half width") if one_material else None,
+    }
 
-    Of the thin limits the larger one counts, since a thin layer gives way in both manners at once.
-    """
-    h, radius = ball.thickness, ball.outer_radius
-    mixed = [(layer.thickness / h, *at_rest(layer)) for layer in ball.layers]
-    modulus = 1.0 / sum(share / g for share, g, _ in mixed)
-    nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
-    thick = hertz(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu).radius
-    thin = thin_incompressible_layer(load=load, radius=radius, thickness=h, shear_modulus=modulus).radius
-    if nu < 0.5:
-        springs = thin_compressible_layer(
-            load=load, radius=radius, thickness=h, shear_modulus=modulus, poisson_ratio=nu
-        ).radius
-        thin = np.maximum(thin, springs)
-    return np.minimum(thick, thin)
+
+def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
+    layer, radius = roller.layers[0], roller.outer_radius
+    material, nu = layer.shear_modulus, layer.poisson_ratio
+    if not isinstance(material, StandardLinearSolid) or nu is None:
+        return None
+
+    retardation = material.relaxation_time * material.instantaneous_modulus / material.relaxed_modulus
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        speed = positives("angular_speed", angular_speed, "rad/s") * radius
+        return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        # The wake of the contact, f V τ long, must not feel the core either.
+        wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
+        met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
+        return met
+
+    small = "half width below a fifth of the thickness, way in the retardation time below half of it; no inertia"
+    return ClosedForm(torque=torque, holds=holds, validity=small)

@@ -7,7 +7,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._inputs import Floats, complex_modulus, fraction, nonnegative, plain, poisson, positive, positives
+from ._inputs import (
+    Floats,
+    complex_modulus,
+    fraction,
+    nonnegative,
+    one_volume,
+    plain,
+    poisson,
+    positive,
+    positives,
+)
 from .contact import hertz
 
 if TYPE_CHECKING:
@@ -156,9 +166,7 @@ def _half_space_compliance(
     shear_modulus: ShearModulusLike, poisson_ratio: float | None, bulk_modulus: float | None
 ) -> Callable[[ArrayLike], NDArray[np.complex128]]:
     """Return (1-ν*)/G* [1/Pa] as a function of ω: the displacement by a pressure p is (1-ν*)/G* p/|q|."""
-    if (poisson_ratio is None) == (bulk_modulus is None):
-        given = "none" if poisson_ratio is None else "both"
-        raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
+    one_volume(poisson_ratio, bulk_modulus)
     if bulk_modulus is None:
         nu = poisson(poisson_ratio)
         return lambda omega: (1.0 - nu) / complex_modulus(shear_modulus, omega)

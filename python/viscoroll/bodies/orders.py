@@ -6,7 +6,7 @@ angular frequency mΩ. Components are ordered (r, φ, θ).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
@@ -241,12 +241,16 @@ def critical_speed(
     ValueError
         For bad input.
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_type("ball", ball, RollingBody)
     curvature = as_member("curvature", curvature, Curvature)
     frequency = as_float("highest_frequency", highest_frequency)
-    if isinstance(ball, CoatedCylinder):
-        return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
-    return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+    match ball:
+        case CoatedSphere():
+            return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+        case CoatedCylinder():
+            return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
+        case _:
+            assert_never(ball)
 
 
 def influence_tables(

@@ -12,7 +12,7 @@ from .._support.cautions import warn
 from .._support.keywords import explained
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Drive, Groove, Mesh, RollingBody
+from ..bodies import CoatedPlane, Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hints
 from .result import Result
 
@@ -122,7 +122,7 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_type("ball", ball, RollingBody)
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
@@ -190,7 +190,7 @@ class RollingModel:
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> None:
-        require_type("ball", ball, CoatedSphere, CoatedCylinder)
+        require_type("ball", ball, RollingBody)
         require_type("mesh", mesh, Mesh)
         curvature = as_member("curvature", curvature, Curvature)
         self.ball = ball
@@ -244,7 +244,7 @@ class RollingModel:
 
 def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:
     """Return what the core knows it as; without any, the rigid plane."""
-    require_type("on", on, CoatedPlane, CoatedCylinder, Groove, optional=True)
+    require_type("on", on, Counterpart, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
