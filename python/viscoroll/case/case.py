@@ -34,7 +34,7 @@ from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in
 with extra("cli"):
     from pydantic import BeforeValidator, Field, ValidationInfo
 
-__all__ = ["BallTable", "Case", "MeshTable", "Thermal", "build_case", "example_text", "load_case"]
+__all__ = ["BODIES", "BallTable", "Case", "MeshTable", "Thermal", "build_case", "example_text", "load_case"]
 
 
 def _measured(
@@ -102,6 +102,12 @@ _Base: TypeAlias = Annotated[HalfSpace, Table(shear_modulus=_Modulus)]
 
 #: The table `ball`.
 BallTable: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
+
+#: Tables of what rolls, of which a file has one.
+BODIES = ("ball", "cylinder")
+
+#: Tables of what a body rolls on.
+_COUNTERPARTS = ("plane", "groove")
 
 
 class _Rolling(StrictTable):
@@ -242,18 +248,20 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
         Where the content is not valid.
     """
     file = checked(_File, document, folder)
-    bodies = [body for body in (file.ball, file.cylinder) if body is not None]
-    surfaces = [surface for surface in (file.plane, file.groove) if surface is not None]
+    bodies, counterparts = (
+        {name: getattr(file, name) for name in names if getattr(file, name) is not None}
+        for names in (BODIES, _COUNTERPARTS)
+    )
     if len(bodies) != 1:
-        raise ValueError(f"ball or cylinder must be given, and not both, got {'both' if bodies else 'none'}")
-    if len(surfaces) > 1:
-        raise ValueError("plane or groove must be given, and not both, got both")
+        raise ValueError(f"one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
+    if len(counterparts) > 1:
+        raise ValueError(f"one of {', '.join(_COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}")
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise ValueError("numerics.accuracy must be left out where a mesh is given")
     return Case(
-        ball=bodies[0],
-        on=surfaces[0] if surfaces else None,
+        ball=next(iter(bodies.values())),
+        on=next(iter(counterparts.values()), None),
         thermal=file.thermal,
         **dict(file.rolling),
         **numerics,

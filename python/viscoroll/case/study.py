@@ -17,7 +17,7 @@ from .._support.units import UNITS
 from ..bodies import RollingBody
 from ..studies.dimensions import Dimension
 from ..studies.plan import LoadCase, Plan
-from .case import Case, build_case
+from .case import BODIES, Case, build_case
 from .tables import StrictTable, checked, errors_in, read_toml
 
 with extra("cli"):
@@ -100,7 +100,7 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
         except (TypeError, ValueError) as error:
             cases.append(f"{type(error).__name__}: {error}")
             continue
-        of_ball = tuple(number for place, number in chosen.items() if place[0] in ("ball", "cylinder"))
+        of_ball = tuple(number for place, number in chosen.items() if place[0] in BODIES)
         ball = balls.setdefault(of_ball, case.ball)
         cases.append(LoadCase(ball=ball, arguments=_arguments(case)))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
@@ -115,13 +115,7 @@ def _arguments(case: Case) -> dict[str, Any]:
 
 
 def place_of(key: str) -> _Place:
-    """Return the place in a document that a key names, as "ball.layers[0].thickness".
-
-    Raises
-    ------
-    ValueError
-        Where it names none.
-    """
+    """Return the place in a document that a key names, as "ball.layers[0].thickness"."""
     if not _PLACE.fullmatch(key):
         raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
