@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 from typing import ClassVar, TypeAlias
 
 from .. import _core
@@ -16,21 +17,50 @@ from .si_hints import si_hint
 __all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
 
 
-class _RoundBody(ParameterTable):
-    """What balls and rollers have in common: layers around a core."""
+class _LayeredBody(ParameterTable):
+    """What all bodies have in common: layers, from the inside outwards."""
 
     __slots__ = ()
 
-    core_radius: float
     layers: Sequence[Layer]
 
-    #: Whether loads, forces and torques are per length.
-    line_contact: ClassVar[bool] = False
+    #: Parameters that are lengths, those that may be left out, and those that are one of several names.
+    _lengths: ClassVar[tuple[str, ...]] = ()
+    _optional_lengths: ClassVar[tuple[str, ...]] = ()
+    _choices: ClassVar[dict[str, type[Enum]]] = {}
+
+    def __post_init__(self) -> None:
+        """Store lengths as floats, freeze the list of layers, find what is named, and check the parameters."""
+        store_floats(self, self._lengths, optional=self._optional_lengths)
+        object.__setattr__(self, "layers", as_layers(self.layers))
+        for name, kind in self._choices.items():
+            object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
+        self._to_core()
 
     @property
     def thickness(self) -> float:
         """Thickness of all layers together [m]."""
         return sum(layer.thickness for layer in self.layers)
+
+    def _core_layers(self) -> list[_core.Layer]:
+        return [layer._to_core() for layer in self.layers]
+
+    def _to_core(self) -> object:
+        """Return what the core knows it as, which checks the parameters."""
+        raise NotImplementedError
+
+
+class _RoundBody(_LayeredBody):
+    """What all that rolls has in common: a core."""
+
+    __slots__ = ()
+
+    core_radius: float
+
+    _lengths = ("core_radius",)
+
+    #: Whether loads, forces and torques are per length.
+    line_contact: ClassVar[bool] = False
 
     @property
     def outer_radius(self) -> float:
@@ -68,18 +98,11 @@ class CoatedSphere(_RoundBody):
     layers: Sequence[Layer] = ()
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers, store the radius as a float, and check the parameters."""
-        store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
-        self._to_core()
+    _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
-            core_radius=self.core_radius,
-            layers=[layer._to_core() for layer in self.layers],
-            inner_boundary=self.inner_boundary,
+            core_radius=self.core_radius, layers=self._core_layers(), inner_boundary=self.inner_boundary
         )
 
 
@@ -111,18 +134,24 @@ class CoatedCylinder(_RoundBody):
     core_radius: float
     layers: Sequence[Layer] = ()
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers, store the radius as a float, and check the parameters."""
-        store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        self._to_core()
-
     def _to_core(self) -> _core.CoatedCylinder:
-        return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
+        return _core.CoatedCylinder(core_radius=self.core_radius, layers=self._core_layers())
+
+
+class _Ground(_LayeredBody):
+    """What planes and grooves have in common: a base."""
+
+    __slots__ = ()
+
+    base: HalfSpace | None
+
+    def _core_plane(self) -> _core.CoatedPlane:
+        require_type("base", self.base, HalfSpace, optional=True)
+        return _core.CoatedPlane(layers=self._core_layers(), base=None if self.base is None else self.base._to_core())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedPlane(ParameterTable):
+class CoatedPlane(_Ground):
     """An unbounded plane of bonded layers on a rigid base or a half-space.
 
     Parameters
@@ -143,26 +172,12 @@ class CoatedPlane(ParameterTable):
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers and check the parameters."""
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        require_type("base", self.base, HalfSpace, optional=True)
-        self._to_core()
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
     def _to_core(self) -> _core.CoatedPlane:
-        return _core.CoatedPlane(
-            layers=[layer._to_core() for layer in self.layers],
-            base=None if self.base is None else self.base._to_core(),
-        )
+        return self._core_plane()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Groove(ParameterTable):
+class Groove(_Ground):
     """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
 
     Layers and base are taken to be flat, which is as good as they are thin beside the radii.
@@ -190,16 +205,10 @@ class Groove(ParameterTable):
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
 
-    def __post_init__(self) -> None:
-        """Store the numbers as floats, freeze the list of layers and check the parameters."""
-        store_floats(self, (), optional=("radius", "path_radius"))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        require_type("base", self.base, HalfSpace, optional=True)
-        self._to_core()
+    _optional_lengths = ("radius", "path_radius")
 
     def _to_core(self) -> _core.Groove:
-        surface = CoatedPlane(layers=self.layers, base=self.base)
-        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=surface._to_core())
+        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=self._core_plane())
 
 
 #: What rolls: a ball, or a roller, whose load and results are per length.

@@ -14,7 +14,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
 from ..bodies import CoatedSphere
-from .solution import Solution, node_angles
+from .solution import Solution, described, given_of, node_angles
 
 if TYPE_CHECKING:
     import xarray
@@ -257,10 +257,7 @@ def interior(
         "shear_traction": (where, np.hypot(stress[3], stress[4])),
     }
     return xarray.Dataset(
-        {
-            name: (dimensions, array, {"units": _TEXT[name][0], "long_name": _TEXT[name][1]})
-            for name, (dimensions, array) in variables.items()
-        },
+        {name: (*variable, described(*_TEXT[name])) for name, variable in variables.items()},
         {
             "depth": ("depth", ball.outer_radius - radii, {"units": "m"}),
             "radius": ("depth", radii, {"units": "m"}),
@@ -271,13 +268,7 @@ def interior(
             "component": list(COMPONENTS),
             "principal": [1, 2, 3],
         },
-        attrs={
-            "load": result.load,
-            "angular_speed": result.angular_speed,
-            "outer_radius": ball.outer_radius,
-            "compliance": result.compliance.name,
-            "curvature": result.curvature.name,
-        },
+        attrs=given_of(result) | {"outer_radius": ball.outer_radius},
     )
 
 
@@ -337,9 +328,6 @@ def _warn_of_shallow_places(result: Solution, radii: NDArray[np.float64], on_nod
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
     depths = result.ball.outer_radius - radii
     if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
-        warn(
-            [
-                f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m: "
-                "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
-            ]
-        )
+        shallow = f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m"
+        steps = "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
+        warn([f"{shallow}: {steps}"])

@@ -12,7 +12,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..materials import Prony, StandardLinearSolid
 from .interior_fields import coated_ball, places_of, tractions_of
-from .solution import Solution
+from .solution import Solution, described, given_of
 
 if TYPE_CHECKING:
     import xarray
@@ -123,23 +123,20 @@ def loss(
     relaxation_power = np.full((len(ball.layers), terms), np.nan)
     for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
         row[: len(share)] = share @ power
+    where, turns = ("radius", "theta"), result.angular_speed / (2.0 * np.pi)
     return xarray.Dataset(
         {
-            "loss_density": (
-                ("radius", "theta"),
-                density,
-                {"units": "J m-3", "long_name": "energy lost per volume and revolution"},
-            ),
+            "loss_density": (where, density, described("J m-3", "energy lost per volume and revolution")),
             "power_density": (
-                ("radius", "theta"),
-                density * result.angular_speed / (2.0 * np.pi),
-                {"units": "W m-3", "long_name": "power lost per volume, mean over a revolution"},
+                where,
+                density * turns,
+                described("W m-3", "power lost per volume, mean over a revolution"),
             ),
-            "layer_power": ("layer", order_power.sum(axis=1), {"units": "W", "long_name": "power lost in each layer"}),
+            "layer_power": ("layer", order_power.sum(axis=1), described("W", "power lost in each layer")),
             "relaxation_power": (
                 ("layer", "term"),
                 relaxation_power,
-                {"units": "W", "long_name": "power lost in each relaxation time of a Prony series"},
+                described("W", "power lost in each relaxation time of a Prony series"),
             ),
         },
         {
@@ -148,15 +145,12 @@ def loss(
             "place_layer": ("radius", layers, {"long_name": "number of the layer, from the center outwards"}),
             "theta": ("theta", lost.theta[shown], {"units": "rad"}),
         },
-        attrs={
+        attrs=given_of(result)
+        | {
             "power": lost.volume_power,
             "surface_power": lost.surface_power,
             "bulk_power": result.rolling_bulk_power,
             "max_order": order,
-            "angular_speed": result.angular_speed,
-            "load": result.load,
-            "compliance": result.compliance.name,
-            "curvature": result.curvature.name,
         },
     )
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from .. import _core
 
-__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "node_angles"]
+__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "given_of", "node_angles"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -218,12 +218,27 @@ class Solution(ScalarFields):
         angles = zip(("phi", "theta"), node_angles(self), strict=True)
         coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles}
         variables = {
-            name: (dimensions, getattr(self, name), {"units": unit, "long_name": description})
+            name: (dimensions, getattr(self, name), described(*text))
             for table, dimensions in ((FIELDS, ("phi", "theta")), (VECTOR_FIELDS, ("direction", "phi", "theta")))
-            for name, (unit, description) in table.items()
+            for name, text in table.items()
         }
         attributes = {name: value for name, value in self.scalars().items() if value is not None}
         return xarray.Dataset(variables, coordinates | {"direction": ["x", "z"]}, attrs=attributes)
+
+
+def described(unit: str, text: str) -> dict[str, str]:
+    """Return the attributes of a field in a dataset."""
+    return {"units": unit, "long_name": text}
+
+
+def given_of(solution: Solution) -> dict[str, float | str]:
+    """Return what a solution was asked for, as the attributes of what looks into it."""
+    return {
+        "load": solution.load,
+        "angular_speed": solution.angular_speed,
+        "compliance": solution.compliance.name,
+        "curvature": solution.curvature.name,
+    }
 
 
 def node_angles(solution: Solution) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
