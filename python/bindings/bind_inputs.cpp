@@ -12,6 +12,7 @@
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
+#include "viscoroll/wheel.hpp"
 
 namespace {
 
@@ -116,6 +117,23 @@ void bind_inputs(py::module_& m) {
              return cylinder;
            }),
            py::kw_only(), py::arg("core_radius"), py::arg("layers"));
+  py::native_enum<Hub>(m, "Hub", "enum.Enum", "What the hub of a crowned wheel looks like under the tread.")
+      .value("STRAIGHT", Hub::straight, "a cylinder: the tread is thinner at its sides")
+      .value("CROWNED", Hub::crowned, "it follows the crown: the layers are as thick everywhere")
+      .finalize();
+  py::native_enum<Sides>(m, "Sides", "enum.Enum", "What a tread ends in.")
+      .value("FREE", Sides::free, "faces at half the width, which bulge")
+      .value("ENDLESS", Sides::endless, "none: the tread goes on, but bears pressure within the width alone")
+      .finalize();
+  py::classh<CoatedWheel>(m, "CoatedWheel")
+      .def(py::init([](double core_radius, std::vector<Layer> layers, double width, double crown_radius, Hub hub,
+                       Sides sides) {
+             CoatedWheel wheel{core_radius, std::move(layers), width, crown_radius, hub, sides};
+             validate(wheel);
+             return wheel;
+           }),
+           py::kw_only(), py::arg("core_radius"), py::arg("layers"), py::arg("width"), py::arg("crown_radius"),
+           py::arg("hub"), py::arg("sides"));
   py::classh<HalfSpace>(m, "HalfSpace")
       .def(py::init([](const ShearModulus& shear_modulus, std::optional<double> poisson_ratio,
                        std::optional<double> bulk_modulus,

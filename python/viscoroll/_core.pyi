@@ -106,6 +106,30 @@ class CoatedCylinder:
         self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
     ) -> None: ...
 
+class Hub(enum.Enum):
+    """What the hub of a crowned wheel looks like under the tread."""
+
+    STRAIGHT = ...
+    CROWNED = ...
+
+class Sides(enum.Enum):
+    """What a tread ends in."""
+
+    FREE = ...
+    ENDLESS = ...
+
+class CoatedWheel:
+    def __init__(
+        self,
+        *,
+        core_radius: typing.SupportsFloat | typing.SupportsIndex,
+        layers: collections.abc.Sequence[Layer],
+        width: typing.SupportsFloat | typing.SupportsIndex,
+        crown_radius: typing.SupportsFloat | typing.SupportsIndex,
+        hub: Hub,
+        sides: Sides,
+    ) -> None: ...
+
 class HalfSpace:
     def __init__(
         self,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 import numpy as np
 
@@ -56,7 +56,12 @@ class PressureBell:
 
 
 #: A contact at rest on a thick or thin layer, by keywords.
-_Limit: TypeAlias = "Callable[..., PressureBell]"
+_Limit: TypeAlias = "Callable[..., _Contact]"
+
+
+class _Contact(Protocol):
+    @property
+    def reach(self) -> Floats: ...
 
 
 def reach_at_rest(

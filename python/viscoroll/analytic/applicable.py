@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, assert_never
 
@@ -9,13 +11,14 @@ import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import require_type
-from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, RollingBody
 from ..materials import StandardLinearSolid
 from ._at_rest import reach_at_rest
 from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
 from ._inputs import Floats, plain, positives
 from ._torques import Reach, slow_form, thin_form
-from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
+from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
+from .ellipse import hertz_ellipse
 from .half_space import greenwood_tabor_torque, persson_torque
 from .hunter import hunter
 from .line_contact import hertz_line, thin_compressible_layer_line, thin_incompressible_layer_line
@@ -27,13 +30,16 @@ if TYPE_CHECKING:
 
 __all__ = ["ClosedForm", "applicable"]
 
+#: Width of a flat tread from which on its faces count for no more than 10 %, in thicknesses: three make 27 %, as h/w.
+_WIDE = 10.0
+
 
 def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
-    """Find the closed forms of the resisting torque that suit the materials and layers of a ball or roller.
+    """Find the closed forms of the resisting torque that suit the materials and layers of a body.
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
 
     Returns
@@ -42,13 +48,14 @@ def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
         ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
         material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
         one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Of a
-        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``. Empty where none
-        suits. Ask each form's `holds` about loads and speeds.
+        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``; of a flat wheel the
+        same, per length times its width, and of a crowned one ``"low_speed"``, ``"greenwood_tabor"`` and ``"persson"``.
+        Empty where none suits. Ask each form's `holds` about loads and speeds.
 
     Raises
     ------
     TypeError
-        For something else than a ball.
+        For something else than a body that rolls.
     ValueError
         For materials that are not known at rest.
 
@@ -70,6 +77,8 @@ def applicable(ball: RollingBody) -> dict[str, ClosedForm]:
             forms = _of_ball(ball)
         case CoatedCylinder():
             forms = _of_roller(ball)
+        case CoatedWheel():
+            forms = _of_wheel(ball)
         case _:
             assert_never(ball)
     return {name: form for name, form in forms.items() if form is not None}
@@ -84,18 +93,23 @@ def _of_ball(ball: CoatedSphere) -> dict[str, ClosedForm | None]:
         "low_speed": None if time is None else slow_form(ball, time, contact_radius, "contact radius")
     }
     if is_homogeneous(ball.layers):
-        forms |= _half_space(ball, contact_radius)
+        forms |= _half_space(ball, contact_radius, room=ball.thickness)
         if ball.inner_boundary is InnerBoundary.RIGID:
             forms["winkler"] = thin_form(ball, winkler_torque, contact_radius, "contact radius")
     return forms
 
 
-def _half_space(ball: CoatedSphere, contact_radius: Reach) -> dict[str, ClosedForm | None]:
-    layer, radius = ball.layers[0], ball.outer_radius
+def _half_space(
+    body: RollingBody, reach: Reach, *, room: float, crown_radius: float | None = None
+) -> dict[str, ClosedForm | None]:
+    """Return the forms of contacts that reach no farther than a fifth of the room around them."""
+    layer, radius = body.layers[0], body.outer_radius
     modulus, nu = at_rest(layer)
 
     def greenwood_tabor(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        torque = greenwood_tabor_torque(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu)
+        torque = greenwood_tabor_torque(
+            load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu, crown_radius=crown_radius
+        )
         return plain(torque * np.ones_like(positives("angular_speed", angular_speed, "rad/s")))
 
     def persson(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
@@ -106,14 +120,19 @@ def _half_space(ball: CoatedSphere, contact_radius: Reach) -> dict[str, ClosedFo
             shear_modulus=layer.shear_modulus,
             poisson_ratio=layer.poisson_ratio,
             bulk_modulus=layer.bulk_modulus,
+            crown_radius=crown_radius,
         )
 
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (contact_radius(load) <= 0.2 * ball.thickness) & any_speed
+        met: NDArray[np.bool_] = (reach(load) <= 0.2 * room) & any_speed
         return met
 
-    small = "contact radius below a fifth of the thickness; no inertia"
+    small = (
+        "contact radius below a fifth of the thickness; no inertia"
+        if crown_radius is None
+        else "longer semi-axis below a fifth of the thickness and of half the width; no inertia"
+    )
     lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
     return {
         "greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}"),
@@ -133,13 +152,7 @@ def _loss_time(ball: CoatedSphere) -> float | None:
 
 
 def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
-    half_width = partial(
-        reach_at_rest,
-        roller,
-        thick=hertz_line,
-        squeezed=thin_incompressible_layer_line,
-        springs=thin_compressible_layer_line,
-    )
+    half_width = partial(_half_width, roller)
     time = shared_loss_time(roller.layers) if is_real(roller.layers) else None
     one_material = is_homogeneous(roller.layers)
     return {
@@ -147,6 +160,16 @@ def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
         "hunter": _hunter(roller, half_width) if one_material else None,
         "winkler_line": thin_form(roller, winkler_torque_line, half_width, "half width") if one_material else None,
     }
+
+
+def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+    return reach_at_rest(
+        roller,
+        load,
+        thick=hertz_line,
+        squeezed=thin_incompressible_layer_line,
+        springs=thin_compressible_layer_line,
+    )
 
 
 def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
@@ -169,3 +192,59 @@ def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
 
     small = "half width below a fifth of the thickness, way in the retardation time below half of it; no inertia"
     return ClosedForm(torque=torque, holds=holds, validity=small)
+
+
+def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
+    roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
+    time = shared_loss_time(wheel.layers) if is_real(wheel.layers) else None
+    reach = partial(_along_path, wheel, roller)
+    slow = None if time is None else slow_form(wheel, time, reach, "contact's half length")
+    if math.isinf(wheel.crown_radius):
+        of_roller = _of_roller(roller).items()
+        return {name: form and _over_width(form, wheel) for name, form in of_roller} | {"low_speed": slow}
+    if not is_homogeneous(wheel.layers):
+        return {"low_speed": slow}
+    room = min(wheel.thickness, 0.5 * wheel.width)
+    longer_axis = partial(_longer_axis, wheel)
+    return {"low_speed": slow, **_half_space(wheel, longer_axis, room=room, crown_radius=wheel.crown_radius)}
+
+
+def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
+    """Return a form of line contact for all of a flat wheel, which is so wide that its faces do not count."""
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return form(np.asarray(load) / wheel.width, angular_speed) * wheel.width
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        met: NDArray[np.bool_] = form.holds(np.asarray(load) / wheel.width, angular_speed)
+        return met & (wheel.width >= _WIDE * wheel.thickness)
+
+    return ClosedForm(torque=torque, holds=holds, validity=f"{form.validity}; width above {_WIDE:g} thicknesses")
+
+
+def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+    """Estimate half the contact's length at rest [m]: on an ellipse, or all of the width where that is narrower."""
+    line = _half_width(roller, np.asarray(load) / wheel.width)
+    if math.isinf(wheel.crown_radius):
+        return line
+    share = math.sqrt(wheel.outer_radius / wheel.crown_radius)
+
+    def of_ball(thin: Callable[..., PointContact], *, load: ArrayLike, **layer: float) -> PointContact:
+        """Contact of a thin layer on an ellipse as wide, for its length, as the gap around it."""
+        return thin(load=np.asarray(load) * share, **layer)
+
+    ellipse = reach_at_rest(
+        wheel,
+        load,
+        thick=partial(hertz_ellipse, crown_radius=wheel.crown_radius),
+        squeezed=partial(of_ball, thin_incompressible_layer),
+        springs=partial(of_ball, thin_compressible_layer),
+    )
+    return np.maximum(line, ellipse)
+
+
+def _longer_axis(wheel: CoatedWheel, load: ArrayLike) -> NDArray[np.float64]:
+    modulus, nu = at_rest(wheel.layers[0])
+    radii = {"radius": wheel.outer_radius, "crown_radius": wheel.crown_radius}
+    contact = hertz_ellipse(load=load, **radii, shear_modulus=modulus, poisson_ratio=nu)
+    return np.asarray(np.maximum(contact.semi_axis_x, contact.semi_axis_z))

@@ -9,71 +9,16 @@ from typing import ClassVar, TypeAlias
 
 from .. import _core
 from .._core import InnerBoundary
-from .._support.arguments import as_member, require_type, store_floats
-from .._support.tables import ParameterTable
-from .layers import HalfSpace, Layer, as_layers
-from .si_hints import si_hint
+from .._support.arguments import require_type
+from .layered import LayeredBody, RoundBody
+from .layers import HalfSpace, Layer
+from .wheel import CoatedWheel
 
-__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
-
-
-class _LayeredBody(ParameterTable):
-    """What all bodies have in common: layers, from the inside outwards."""
-
-    __slots__ = ()
-
-    layers: Sequence[Layer]
-
-    #: Parameters that are lengths, those that may be left out, and those that are one of several names.
-    _lengths: ClassVar[tuple[str, ...]] = ()
-    _optional_lengths: ClassVar[tuple[str, ...]] = ()
-    _choices: ClassVar[dict[str, type[Enum]]] = {}
-
-    def __post_init__(self) -> None:
-        """Store lengths as floats, freeze the list of layers, find what is named, and check the parameters."""
-        store_floats(self, self._lengths, optional=self._optional_lengths)
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        for name, kind in self._choices.items():
-            object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
-        self._to_core()
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
-    def _core_layers(self) -> list[_core.Layer]:
-        return [layer._to_core() for layer in self.layers]
-
-    def _to_core(self) -> object:
-        """Return what the core knows it as, which checks the parameters."""
-        raise NotImplementedError
-
-
-class _RoundBody(_LayeredBody):
-    """What all that rolls has in common: a core."""
-
-    __slots__ = ()
-
-    core_radius: float
-
-    _lengths = ("core_radius",)
-
-    #: Whether loads, forces and torques are per length.
-    line_contact: ClassVar[bool] = False
-
-    @property
-    def outer_radius(self) -> float:
-        """Outer radius r_o [m]."""
-        return self.core_radius + self.thickness
-
-    def __str__(self) -> str:
-        """Return the parameters, and how they read in SI units where that is implausible."""
-        return "\n".join(filter(None, [repr(self), si_hint(self)]))
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody", "require_ball"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedSphere(_RoundBody):
+class CoatedSphere(RoundBody):
     """Layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
@@ -98,6 +43,7 @@ class CoatedSphere(_RoundBody):
     layers: Sequence[Layer] = ()
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
+    noun = "ball"
     _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
 
     def _to_core(self) -> _core.CoatedSphere:
@@ -107,7 +53,7 @@ class CoatedSphere(_RoundBody):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedCylinder(_RoundBody):
+class CoatedCylinder(RoundBody):
     """A roller: layers bonded to one another and to a rigid core, in line contact.
 
     It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
@@ -129,16 +75,17 @@ class CoatedCylinder(_RoundBody):
     0.060000000000000005
     """
 
-    line_contact: ClassVar[bool] = True
-
     core_radius: float
     layers: Sequence[Layer] = ()
+
+    noun = "roller"
+    line_contact = True
 
     def _to_core(self) -> _core.CoatedCylinder:
         return _core.CoatedCylinder(core_radius=self.core_radius, layers=self._core_layers())
 
 
-class _Ground(_LayeredBody):
+class _Ground(LayeredBody):
     """What planes and grooves have in common: a base."""
 
     __slots__ = ()
@@ -211,8 +158,15 @@ class Groove(_Ground):
         return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=self._core_plane())
 
 
-#: What rolls: a ball, or a roller, whose load and results are per length.
-RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+#: What rolls: a ball, a roller, whose load and results are per length, or a wheel.
+RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
-#: What it rolls on: a plane, for a ball also a groove, for a roller also another one.
-Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | Groove
+#: What it rolls on: a plane, for a ball or a wheel also a groove, for a roller or a wheel also another one.
+Counterpart: TypeAlias = CoatedPlane | CoatedCylinder | CoatedWheel | Groove
+
+
+def require_ball(name: str, body: object, what: str) -> None:
+    """Raise a TypeError for what is no ball, which says of rollers and wheels that `what` is not there for them yet."""
+    if isinstance(body, RollingBody) and not isinstance(body, CoatedSphere):
+        raise TypeError(f"{name} must be a ball: {what} of a {body.noun} is not there yet")
+    require_type(name, body, CoatedSphere)

@@ -18,6 +18,7 @@ from .._support.text import shown
 from .bodies import CoatedCylinder, CoatedSphere, RollingBody
 from .layers import Layer
 from .mesh import Mesh
+from .wheel import CoatedWheel
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -222,7 +223,7 @@ def critical_speed(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
@@ -247,7 +248,7 @@ def critical_speed(
     match ball:
         case CoatedSphere():
             return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
-        case CoatedCylinder():
+        case CoatedCylinder() | CoatedWheel():
             return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
         case _:
             assert_never(ball)

@@ -17,6 +17,7 @@ from ..bodies import (
     CoatedCylinder,
     CoatedPlane,
     CoatedSphere,
+    CoatedWheel,
     Counterpart,
     Drive,
     Groove,
@@ -102,12 +103,14 @@ _Base: TypeAlias = Annotated[HalfSpace, Table(shear_modulus=_Modulus)]
 
 #: The table `ball`.
 BallTable: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
+_Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
+_Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
 
 #: Tables of what rolls, of which a file has one.
-BODIES = ("ball", "cylinder")
+BODIES = ("ball", "cylinder", "wheel")
 
 #: Tables of what a body rolls on.
-_COUNTERPARTS = ("plane", "groove")
+_COUNTERPARTS = ("plane", "groove", "other_cylinder", "other_wheel")
 
 
 class _Rolling(StrictTable):
@@ -166,9 +169,12 @@ class Thermal(StrictTable):
 
 class _File(StrictTable):
     ball: BallTable | None = None
-    cylinder: Annotated[CoatedCylinder, Table(layers=_Layers)] | None = None
+    cylinder: _Cylinder | None = None
+    wheel: _Wheel | None = None
     plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
+    other_cylinder: _Cylinder | None = None
+    other_wheel: _Wheel | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: Thermal | None = None

@@ -1,4 +1,4 @@
-"""Steady rolling contact of a coated sphere or cylinder on a rigid plane."""
+"""Steady rolling contact of a coated ball, roller or wheel."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ def solve(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove or CoatedCylinder, optional
+    on : CoatedPlane, Groove, CoatedCylinder or CoatedWheel, optional
         What it rolls on; without it the rigid plane. A ball rolls on a plane or in a groove, a cylinder on a plane or
-        another cylinder. One of the two may be rigid, without layers. The
-        material of both passes the contact at Ω r_o.
+        another cylinder, a wheel on any of these or another wheel, whose axis is parallel. One of the two may be rigid,
+        without layers. The material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
@@ -151,9 +151,9 @@ class RollingModel:
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove or CoatedCylinder, optional
+    on : CoatedPlane, Groove, CoatedCylinder or CoatedWheel, optional
         As of `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
@@ -242,7 +242,9 @@ class RollingModel:
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
 
 
-def _counterpart(on: Counterpart | None) -> _core.CoatedPlane | _core.CoatedCylinder | _core.Groove:
+def _counterpart(
+    on: Counterpart | None,
+) -> _core.CoatedPlane | _core.CoatedCylinder | _core.CoatedWheel | _core.Groove:
     """Return what the core knows it as; without any, the rigid plane."""
     require_type("on", on, Counterpart, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()

@@ -13,7 +13,7 @@ from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from ..bodies import CoatedSphere
+from ..bodies import CoatedSphere, require_ball
 from .solution import Solution, described, given_of, node_angles
 
 if TYPE_CHECKING:
@@ -53,12 +53,12 @@ def coated_ball(result: Solution) -> CoatedSphere:
     Raises
     ------
     TypeError
-        For a roller.
+        For rollers and wheels.
     ValueError
         For a rigid ball.
     """
     ball = result.ball
-    require_type("result.ball", ball, CoatedSphere)
+    require_ball("result.ball", ball, "what happens inside")
     assert isinstance(ball, CoatedSphere)
     if not ball.layers:
         raise ValueError("result.ball must have a layer, for there to be an inside, got none")

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import Curvature, Extrapolation
-from .._support.arguments import Floats, require_type
-from ..bodies import CoatedSphere
+from .._support.arguments import Floats
+from ..bodies import CoatedSphere, require_ball
 from ..bodies.orders import surface_compliance
 from ..materials import MasterCurve
 from .solution import Solution
@@ -69,7 +69,7 @@ def loss_spectrum(result: Solution) -> LossSpectrum:
     TypeError
         For a result of another body.
     """
-    require_type("result.ball", result.ball, CoatedSphere)
+    require_ball("result.ball", result.ball, "the loss by frequency")
     if result.on is not None:
         raise ValueError(
             f"result.on must be None, a rigid plane, for a spectrum of the coating's loss, got {result.on!r}"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
 
-from ..bodies import CoatedCylinder, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
@@ -42,7 +42,7 @@ class PointKeys:
 
         Parameters
         ----------
-        ball : CoatedSphere or CoatedCylinder
+        ball : CoatedSphere, CoatedCylinder or CoatedWheel
             Its ball, which must outlive this object.
         arguments : mapping
             Arguments of `viscoroll.solve`; what is left out has its default.
@@ -82,6 +82,9 @@ def _shape_text(ball: RollingBody) -> str:
             return f"{ball.inner_boundary.name} {ball.core_radius!r}"
         case CoatedCylinder():
             return f"cylinder {ball.core_radius!r}"
+        case CoatedWheel():
+            ends = (ball.width, ball.crown_radius, ball.hub.name, ball.sides.name)
+            return f"wheel {ball.core_radius!r} {ends!r}"
         case _:
             assert_never(ball)
 

@@ -67,8 +67,8 @@ class Plan:
     Raises
     ------
     ValueError
-        Where no point can be solved, with the reason of the first, and where spheres and cylinders, whose results
-        have unlike units, are mixed.
+        Where no point can be solved, with the reason of the first, and where rollers, whose results are per length,
+        are mixed with others.
     """
 
     dimensions: tuple[Dimension, ...]
@@ -82,7 +82,7 @@ class Plan:
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({ball.line_contact for ball in self.balls()}) > 1:
-            raise ValueError("ball must be a sphere at all points or a cylinder at all points, got both")
+            raise ValueError("ball must be a roller at all points or at none, for its results are per length, got both")
         known = PointKeys()
         keys = [
             known.key(case.ball, case.arguments, self.fields) if isinstance(case, LoadCase) else None
