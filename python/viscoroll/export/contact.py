@@ -129,9 +129,11 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
     """
     if not isinstance(source, Result) and not hasattr(source, "data_vars"):
         raise TypeError(f"source must be a viscoroll.Result or a study of viscoroll.sweep, got {shown(source)}")
+    kind = _kind_of(source)
+    if kind != "ball":
+        raise ValueError(f"source must be of a ball, as discrete-element codes roll, got one of a {kind}")
     if isinstance(source, Result):
-        if source.penetration is None:
-            raise ValueError("result must have a penetration: a roller on a half-plane has none")
+        assert source.penetration is not None  # as of rollers alone
         return [
             OperatingPoint(
                 load=source.load,
@@ -153,6 +155,13 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
     if not points:
         raise ValueError("study must have a point that lost power, got none")
     return points
+
+
+def _kind_of(source: Result | xarray.Dataset) -> str:
+    if isinstance(source, Result):
+        return source.ball.noun
+    *_, kind = str(source.attrs.get("title", "sphere")).split()
+    return "ball" if kind == "sphere" else kind
 
 
 def _over_all(study: xarray.Dataset, name: str) -> Floats:
