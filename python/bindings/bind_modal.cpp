@@ -8,6 +8,7 @@
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/influence.hpp"
 #include "viscoroll/modal.hpp"
+#include "viscoroll/wheel.hpp"
 
 namespace {
 
@@ -47,6 +48,18 @@ py::array_t<cplx> surface_compliance_array(const CoatedSphere& sphere, const Inp
   return as_array(compliances);
 }
 
+py::array_t<cplx> wheel_compliance_array(const CoatedWheel& wheel, const InputArray<int>& m,
+                                         const InputArray<double>& k, double angular_speed) {
+  const auto orders = view(m);
+  const auto wave_numbers = view(k);
+  std::vector<ComplexMatrix3> compliances;
+  {
+    const py::gil_scoped_release release;
+    compliances = surface_compliance(wheel, angular_speed, orders, wave_numbers);
+  }
+  return as_array(compliances);
+}
+
 py::array_t<double> influence_tables_array(const CoatedSphere& sphere, const Mesh& mesh, double angular_speed,
                                            int phi_reach, int theta_reach, int threads, Curvature curvature,
                                            const py::object& progress) {
@@ -68,6 +81,8 @@ void bind_modal(py::module_& m) {
         py::arg("order").noconvert(), py::kw_only(), py::arg("angular_speed"));
   m.def("surface_compliance", &surface_compliance_array, py::arg("sphere"), py::arg("m").noconvert(),
         py::arg("n").noconvert(), py::kw_only(), py::arg("angular_speed"), py::arg("curvature"));
+  m.def("surface_compliance", &wheel_compliance_array, py::arg("wheel"), py::arg("m").noconvert(),
+        py::arg("k").noconvert(), py::kw_only(), py::arg("angular_speed"));
   m.def(
       "state_matrix",
       [](const Layer& layer, double angular_speed, double radius, int order_m, int order_n, Curvature curvature) {
@@ -81,6 +96,8 @@ void bind_modal(py::module_& m) {
   m.def("critical_speed", py::overload_cast<const CoatedSphere&, double, Curvature>(&critical_speed), py::arg("sphere"),
         py::kw_only(), py::arg("highest_frequency"), py::arg("curvature"), py::call_guard<py::gil_scoped_release>());
   m.def("critical_speed", py::overload_cast<const CoatedCylinder&, double>(&critical_speed), py::arg("cylinder"),
+        py::kw_only(), py::arg("highest_frequency"), py::call_guard<py::gil_scoped_release>());
+  m.def("critical_speed", py::overload_cast<const CoatedWheel&, double>(&critical_speed), py::arg("wheel"),
         py::kw_only(), py::arg("highest_frequency"), py::call_guard<py::gil_scoped_release>());
   m.def("influence_tables", &influence_tables_array, py::arg("sphere"), py::arg("mesh"), py::kw_only(),
         py::arg("angular_speed"), py::arg("phi_reach"), py::arg("theta_reach"), py::arg("threads"),

@@ -96,6 +96,11 @@ void bind_result(py::module_& m) {
              "the error estimate is above what was asked for")
       .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
       .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
+      .value("CONTACT_AT_SIDE", WarningKind::contact_at_side,
+             "of a crowned wheel, or nearer to it than the tread is thick, while its sides are endless")
+      .value("EDGE_PRESSURE", WarningKind::edge_pressure,
+             "a flat tread without sides, whose pressure grows without bounds at the edge")
+      .value("TIGHT_CROWN", WarningKind::tight_crown, "rounder than the tread is thick")
       .finalize();
 
   py::classh<Refinement>(m, "Refinement")

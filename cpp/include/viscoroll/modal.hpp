@@ -13,6 +13,7 @@
 #include "viscoroll/observer.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
+#include "viscoroll/wheel.hpp"
 
 namespace viscoroll {
 
@@ -96,6 +97,18 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 [[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double speed,
                                                              std::span<const double> k_xi,
                                                              std::span<const double> k_zeta);
+
+/// @brief Surface compliance of the tread of a wheel, as if it had no sides, for waves around and across: displacement
+/// [m] per surface stress [Pa], both outwards, around (phi) and along the axis (z), with the curvature of the crown
+/// that the layers follow and inertia. Theory.md, wheels.
+/// @param[in] wheel hub and layers, at least one
+/// @param[in] angular_speed Omega [rad/s], > 0
+/// @param[in] m orders around, any sign
+/// @param[in] k wave numbers across [1/m], any sign, as many as `m`
+/// @return one matrix for each pair [m/Pa]
+/// @throws std::invalid_argument for bad input
+[[nodiscard]] std::vector<ComplexMatrix3> surface_compliance(const CoatedWheel& wheel, double angular_speed,
+                                                             std::span<const int> m, std::span<const double> k);
 
 /// @brief Lowest speed at which a wave of the undamped plane keeps up with what rolls over it: the Rayleigh wave of the
 /// outer layer, of the base, or a wave of the layers in between.

@@ -44,6 +44,12 @@ struct CoatedWheel {
 /// @param[in] z along the axis [m], at most half the width
 [[nodiscard]] double crown_drop(const CoatedWheel& wheel, double z);
 
+/// @brief Lowest rolling speed at which a wave of some order, straight along or oblique, keeps up with the surface.
+/// @param[in] wheel hub and layers; sides do not count
+/// @param[in] highest_frequency stands for the short-time limit of a `CustomModulus` [rad/s]
+/// @return angular speed [rad/s]; infinite without inertia
+[[nodiscard]] double critical_speed(const CoatedWheel& wheel, double highest_frequency = 1e9);
+
 /// @brief Check a wheel and its layers.
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const CoatedWheel& wheel);

@@ -16,7 +16,8 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
   ContactProblem result{.surface = std::move(surface),
                         .initial_gap = picked(problem.initial_gap, nodes),
                         .normal_force = problem.normal_force,
-                        .friction = problem.friction};
+                        .friction = problem.friction,
+                        .ends_at_sides = problem.ends_at_sides};
   if (result.friction) {
     Friction& friction = *result.friction;
     const LeverArms& arms = problem.friction->arms;
@@ -66,7 +67,9 @@ ContactProblem within(const ContactProblem& problem, const Window& window) {
   if (window == problem.surface->window()) return problem;
   std::vector<Index> nodes;
   for_nodes_within(problem.surface->window(), window, [&](Index, Index outer) { nodes.push_back(outer); });
-  return with_nodes(problem, problem.surface->within(window), nodes);
+  ContactProblem inside = with_nodes(problem, problem.surface->within(window), nodes);
+  inside.ends_at_sides = problem.ends_at_sides && window.theta == problem.surface->window().theta;
+  return inside;
 }
 
 bool is_mirror_symmetric(const ContactProblem& problem) {

@@ -30,6 +30,8 @@ struct ContactProblem {
   Eigen::ArrayXd initial_gap;        ///< of each node when the lowest one just touches [m], >= 0
   double normal_force;               ///< the load [N], > 0
   std::optional<Friction> friction;  ///< none where forces along the plane are left out
+  /// Whether a body ends at the sides of the window, up to which it may touch.
+  bool ends_at_sides = false;
 };
 
 /// @brief Limits of a contact solver.

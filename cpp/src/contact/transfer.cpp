@@ -105,11 +105,11 @@ std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window&
 
 bool touches_edge(const LocatedContact& located) {
   const WindowShape shape = located.window().shape();
-  const bool line = located.window().is_line();
+  const bool goes_on = !located.window().is_line() && !located.problem.ends_at_sides;
   return std::ranges::any_of(located.contact.contact, [&](Index node) {
     const Index i = node / shape.theta_nodes;
     const Index k = node % shape.theta_nodes;
-    return i <= 1 || i == shape.phi_nodes - 1 || (!line && (k == 0 || k == shape.theta_nodes - 1));
+    return i <= 1 || i == shape.phi_nodes - 1 || (goes_on && (k == 0 || k == shape.theta_nodes - 1));
   });
 }
 

@@ -23,45 +23,59 @@ LayeredBody checked(LayeredBody body, double angular_speed) {
   return body;
 }
 
-OrderSum order_sum(const LayeredBody& body, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-                   const std::vector<OrderBand>& theta_bands, int threads, Watch& watch, const LocalMetric& metric,
-                   double inertia_tolerance) {
+OrderSum order_sum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches,
+                   std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
+                   Watch& watch, const LocalMetric& metric, double inertia_tolerance) {
   // Where the wave number is m / sine, the speed Omega sine sees the frequency m Omega.
   const HarmonicBody harmonics(body, angular_speed * metric.sine, scaled(all_orders(phi_bands), 1.0 / metric.sine),
                                measured_order(mesh) / metric.sine);
   auto spectrum = make_spectrum(harmonics, highest(theta_bands), threads, watch, inertia_tolerance);
-  return {mesh, harmonics.radius(), std::move(phi_bands), theta_bands, std::move(spectrum), metric};
+  return {patches, harmonics.radius(), std::move(phi_bands), theta_bands, std::move(spectrum), metric};
 }
 
 }  // namespace
 
-CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
-                       double inertia_tolerance)
+CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches,
+                       std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
+                       Watch& watch, const LocalMetric& metric, double inertia_tolerance)
+    : mesh_(mesh),
+      sum_(order_sum(body, angular_speed, mesh, patches, std::move(phi_bands), theta_bands, threads, watch, metric,
+                     inertia_tolerance)) {}
+
+CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches,
+                       int threads, Watch& watch, double inertia_tolerance)
     : CoatingSum{checked(body, angular_speed),
                  angular_speed,
                  mesh,
+                 patches,
                  phi_bands(body, angular_speed, mesh),
-                 theta_bands(body, angular_speed, mesh),
+                 theta_bands(body, angular_speed, mesh, 0.0, patches.widest),
                  threads,
                  watch,
                  {},
                  inertia_tolerance} {}
 
+CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
+                       double inertia_tolerance)
+    : CoatingSum(body, angular_speed, mesh, patches_of(mesh), threads, watch, inertia_tolerance) {}
+
 CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                        std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads,
-                       Watch& watch, const LocalMetric& metric, double inertia_tolerance)
-    : sum_(order_sum(body, angular_speed, mesh, std::move(phi_bands), theta_bands, threads, watch, metric,
-                     inertia_tolerance)) {}
+                       Watch& watch)
+    : CoatingSum(body, angular_speed, mesh, patches_of(mesh), std::move(phi_bands), theta_bands, threads, watch, {},
+                 kInertiaTolerance) {}
 
 CoatingSum::CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const LocalMetric& metric,
                        int threads, Watch& watch)
     : CoatingSum{checked(body, angular_speed),
                  angular_speed,
                  mesh,
+                 patches_of(mesh),
                  phi_bands(body, angular_speed, mesh, metric.exact_degree),
                  theta_bands(body, angular_speed, mesh, metric.exact_degree),
                  threads,
                  watch,
-                 metric} {}
+                 metric,
+                 kInertiaTolerance} {}
 
 }  // namespace viscoroll::detail

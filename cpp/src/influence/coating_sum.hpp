@@ -25,16 +25,20 @@ class CoatingSum : public TableSum {
   CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, int threads, Watch& watch,
              double inertia_tolerance = kInertiaTolerance);
 
+  /// @brief The same with patches that are no whole part of a revolution.
+  /// @param[in] patches on the body; `mesh` is then the nearest one of its own, which orders are chosen for
+  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches, int threads,
+             Watch& watch, double inertia_tolerance = kInertiaTolerance);
+
   /// @brief The same with other orders than those of the mesh.
   CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, std::vector<OrderBand> phi_bands,
-             const std::vector<OrderBand>& theta_bands, int threads, Watch& watch, const LocalMetric& metric = {},
-             double inertia_tolerance = kInertiaTolerance);
+             const std::vector<OrderBand>& theta_bands, int threads, Watch& watch);
 
   /// @brief The high orders of a sphere in another metric. Forces are per area of the equator's metric.
   CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const LocalMetric& metric, int threads,
              Watch& watch);
 
-  [[nodiscard]] const Mesh& mesh() const { return sum_.mesh(); }
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
   /// @brief As `OrderSum::tables`.
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
@@ -43,6 +47,11 @@ class CoatingSum : public TableSum {
   }
 
  private:
+  CoatingSum(const LayeredBody& body, double angular_speed, const Mesh& mesh, const Patches& patches,
+             std::vector<OrderBand> phi_bands, const std::vector<OrderBand>& theta_bands, int threads, Watch& watch,
+             const LocalMetric& metric, double inertia_tolerance);
+
+  Mesh mesh_;
   OrderSum sum_;
 };
 

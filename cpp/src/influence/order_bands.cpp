@@ -59,6 +59,11 @@ OrderBand make_band(double stride, double highest, int reach, const Weight& weig
 
 }  // namespace
 
+Patches patches_of(const Mesh& mesh) {
+  constexpr double kBothSides = 2.0 / 3.0 * std::numbers::pi;  // to 60 degrees
+  return {.phi = phi_spacing(mesh), .theta = theta_spacing(mesh), .widest = kBothSides};
+}
+
 std::vector<OrderBand> whole_orders(int max_order, int nodes_per_revolution) {
   return {make_band(1.0, max_order, nodes_per_revolution / 2, [](double) { return 1.0; })};
 }
@@ -101,24 +106,28 @@ double highest_order(int nodes_per_revolution, double finest_order) {
 }
 
 /// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
-OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution) {
+OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution, double widest) {
   // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
   // tables reach 60 degrees to both sides.
   constexpr double kLogarithmicStride = 0.07;
-  constexpr double kLowest = 1e-9;  // per middle: what is left out below is a uniform displacement
-  const double stride = kLogarithmicStride / refinement;
+  constexpr double kLowest = 1e-9;      // per middle: what is left out below is a uniform displacement
+  constexpr double kUsualWidest = 2.1;  // these 120 degrees
+  const double stride = kLogarithmicStride / (refinement * std::max(1.0, widest / kUsualWidest));
   const auto count = static_cast<Eigen::Index>(std::log(step.end() / (kLowest * step.middle)) / stride);
   const Eigen::ArrayXd orders =
       step.end() * (stride * Eigen::ArrayXd::LinSpaced(count, 1.0 - static_cast<double>(count), 0.0)).exp();
-  return {
-      .orders = orders, .weights = 2.0 * stride * orders * orders.unaryExpr(step), .reach = nodes_per_revolution / 2};
+  const auto farthest = static_cast<int>(std::ceil(widest / spacing_of(nodes_per_revolution)));
+  return {.orders = orders,
+          .weights = 2.0 * stride * orders * orders.unaryExpr(step),
+          .reach = std::max(nodes_per_revolution / 2, farthest)};
 }
 
 }  // namespace
 
-std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement) {
+std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement,
+                                         double widest) {
   const Step first{.middle = kFirstUnboundedOctave};
-  std::vector<OrderBand> bands{low_orders(first, refinement, nodes_per_revolution)};
+  std::vector<OrderBand> bands{low_orders(first, refinement, nodes_per_revolution, widest)};
   append_octaves(
       first, highest_order(nodes_per_revolution, finest_order), spacing_of(nodes_per_revolution),
       [refinement](double confined) { return std::numbers::pi / confined / refinement; }, bands);
@@ -161,10 +170,11 @@ double finest_order(const LayeredBody& body, double angular_speed) {
   return body.metric.radius / std::min(thinnest, thickness);
 }
 
-/// A plane goes on without end: no order of it is whole.
-void require_all_orders(const Mesh& mesh) {
+/// What is straight goes on without end: no order of it is whole.
+void require_all_orders(const Metric& metric, const Mesh& mesh) {
   if (!mesh.max_order) return;
-  reject("mesh.max_order", "left out where a plane deforms, whose orders are not whole",
+  const std::string what = metric.is_wheel() ? "the tread of a wheel" : "a plane";
+  reject("mesh.max_order", "left out where " + what + " deforms, whose orders are not whole",
          std::to_string(*mesh.max_order));
 }
 
@@ -195,7 +205,7 @@ std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, 
   constexpr double kRefinementOfMeasured = 4.0;  // kinks leave an error of the second order in the stride
   const int nodes = mesh.nodes_per_revolution;
   if (!body.metric.is_curved()) {
-    require_all_orders(mesh);
+    require_all_orders(body.metric, mesh);
     const double refinement = measured_layers(body.layers).empty() ? 1.0 : kRefinementOfMeasured;
     return unbounded_octaves(nodes, finest_order(body, angular_speed), refinement);
   }
@@ -204,12 +214,12 @@ std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, 
                  std::max(rough_orders, material_rough_orders(body, angular_speed, mesh)));
 }
 
-std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
-                                   double rough_orders) {
+std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh, double rough_orders,
+                                   double widest) {
   const int nodes = theta_nodes_per_revolution(mesh);
-  if (!body.metric.is_curved()) {
-    require_all_orders(mesh);
-    return unbounded_octaves(nodes, finest_order(body, angular_speed));
+  if (body.metric.across == Way::line) {
+    require_all_orders(body.metric, mesh);
+    return unbounded_octaves(nodes, finest_order(body, angular_speed), 1.0, widest);
   }
   return mesh.max_order ? whole_orders(*mesh.max_order, nodes)
                         : octaves(nodes, finest_order(body, angular_speed), rough_orders);

@@ -17,6 +17,17 @@
 
 namespace viscoroll::detail {
 
+/// @brief The patches of a mesh as the orders of a body see them. Angles are those of its metric.
+struct Patches {
+  double phi;          ///< spacing along [rad]
+  double theta;        ///< spacing across [rad]
+  double widest;       ///< largest offset across that is asked for [rad]
+  double turns = 1.0;  ///< radians of the body per radian of what rolls
+};
+
+/// @return those of a mesh, on what rolls
+[[nodiscard]] Patches patches_of(const Mesh& mesh);
+
 /// @brief Orders of one octave.
 struct OrderBand {
   Eigen::ArrayXd orders;   ///< ascending from 0, not necessarily whole
@@ -39,8 +50,9 @@ struct OrderBand {
 /// @param[in] nodes_per_revolution of the patches, along a circumference that makes wave numbers orders
 /// @param[in] finest_order order at which the compliance still has features of its own
 /// @param[in] refinement by how much orders lie closer than those of a smooth compliance
+/// @param[in] widest offset that is asked for [rad], which on a wide wheel may be more than a circumference
 [[nodiscard]] std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order = 0.0,
-                                                       double refinement = 1.0);
+                                                       double refinement = 1.0, double widest = 0.0);
 
 /// @brief Orders for sums at offsets from a load that are no larger than a window.
 /// @param[in] spacing of the patches [rad]
@@ -71,8 +83,9 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> phi_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
                                                double rough_orders = 0.0);
 /// @return bands along theta
+/// @throws std::invalid_argument for a truncation on a plane, or straight across a wheel
 [[nodiscard]] std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed, const Mesh& mesh,
-                                                 double rough_orders = 0.0);
+                                                 double rough_orders = 0.0, double widest = 0.0);
 
 /// @return the order whose frequency a measured modulus is not asked to exceed, see `HarmonicBody`
 [[nodiscard]] double measured_order(const Mesh& mesh);

@@ -44,13 +44,13 @@ Eigen::ArrayXd theta_weights(const Kernel& kernel, const OrderBand& band, double
 }
 
 /// Weights of a kernel along phi, and the scale of the whole sum.
-Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, double spacing, double radius) {
+Eigen::ArrayXcd phi_weights(const Kernel& kernel, const OrderBand& band, const Patches& patches, double radius) {
   const double circumference = 2.0 * std::numbers::pi * radius;
   const cplx scale = kernel.phase / (circumference * circumference);
   return band.weights * band.orders.unaryExpr([&](double m) {
-    const double patch = sinc(0.5 * m * spacing);
-    const cplx shift = std::polar(1.0, m * spacing * kernel.request.phi_shift);
-    return scale * (kernel.request.power ? cplx(0.0, m) * patch * patch : patch * shift);
+    const double patch = sinc(0.5 * m * patches.phi);
+    const cplx shift = std::polar(1.0, m * patches.phi * kernel.request.phi_shift);
+    return scale * (kernel.request.power ? cplx(0.0, patches.turns * m) * patch * patch : patch * shift);
   });
 }
 
@@ -118,29 +118,28 @@ class BandWaves {
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
-            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Mesh& mesh, double radius,
+            const std::vector<OrderBand>& theta_bands, const LocalMetric& metric, const Patches& patches, double radius,
             int phi_reach, int theta_reach)
       : phi_bands_(phi_bands),
         theta_bands_(theta_bands),
         metric_(metric),
-        phi_spacing_(phi_spacing(mesh)),
         theta_reach_(theta_reach),
         orders_(all_orders(phi_bands)),
-        theta_waves_(theta_bands, theta_spacing(mesh), theta_reach),
-        phi_waves_(phi_bands, phi_spacing(mesh), phi_reach) {
+        theta_waves_(theta_bands, patches.theta, theta_reach),
+        phi_waves_(phi_bands, patches.phi, phi_reach) {
     const auto count = static_cast<Index>(orders_.size());
     for (const TableRequest& request : requests) {
       kernels_.push_back(make_kernel(request));
       Eigen::ArrayXcd weights(count);
       Index first = 0;
       for (const OrderBand& band : phi_bands) {
-        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, phi_spacing_, radius);
+        weights.segment(first, band.orders.size()) = phi_weights(kernels_.back(), band, patches, radius);
         first += band.orders.size();
       }
       phi_weights_.push_back(std::move(weights));
       theta_weights_.emplace_back();
       for (const OrderBand& band : theta_bands) {
-        theta_weights_.back().push_back(theta_weights(kernels_.back(), band, theta_spacing(mesh)));
+        theta_weights_.back().push_back(theta_weights(kernels_.back(), band, patches.theta));
       }
       sums_.emplace_back(2 * count, theta_reach + 1);
     }
@@ -250,7 +249,6 @@ class Synthesis {
   const std::vector<OrderBand>& phi_bands_;
   const std::vector<OrderBand>& theta_bands_;
   LocalMetric metric_;
-  double phi_spacing_;
   int theta_reach_;
   std::vector<double> orders_;  // m of all bands
   BandWaves theta_waves_;
@@ -265,7 +263,7 @@ class Synthesis {
 
 std::vector<Table> OrderSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                     int threads, Watch& watch) const {
-  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, mesh_, radius_, phi_reach, theta_reach);
+  Synthesis synthesis(requests, phi_bands_, theta_bands_, metric_, patches_, radius_, phi_reach, theta_reach);
   parallel_for(synthesis.blocks(), threads, watch, "summing orders",
                [&](std::size_t block, const Worker& worker) { synthesis.sum_along_theta(block, *spectrum_, worker); });
 

@@ -29,27 +29,25 @@ struct LocalMetric {
 /// @brief What the tables of a surface on a mesh are summed from, whatever body it is of.
 class OrderSum : public TableSum {
  public:
-  /// @param[in] mesh spacings
+  /// @param[in] patches of the nodes
   /// @param[in] radius that makes wave numbers orders [m]
   /// @param[in] phi_bands,theta_bands the orders m and n
   /// @param[in] spectrum of all orders m, one band after the other, and up to the highest n
   /// @param[in] metric where the orders count. Forces are per area of the equator's metric.
-  OrderSum(const Mesh& mesh, double radius, std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands,
+  OrderSum(const Patches& patches, double radius, std::vector<OrderBand> phi_bands, std::vector<OrderBand> theta_bands,
            std::unique_ptr<Spectrum> spectrum, const LocalMetric& metric = {})
-      : mesh_(mesh),
+      : patches_(patches),
         radius_(radius),
         phi_bands_(std::move(phi_bands)),
         theta_bands_(std::move(theta_bands)),
         metric_(metric),
         spectrum_(std::move(spectrum)) {}
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override;
 
  private:
-  Mesh mesh_;
+  Patches patches_;
   double radius_;
   std::vector<OrderBand> phi_bands_;
   std::vector<OrderBand> theta_bands_;

@@ -47,17 +47,16 @@ class Batch {
     step_.along = Metric::bend(metric().along);
     step_.across = Metric::bend(metric().across);
     step_.area = metric().is_sphere() ? 3.0 : 4.0;
+    step_.is_wheel = metric().is_wheel();
     for (std::size_t l = 0; l < kLanes; ++l) {
       const double m = at(l).m;
       const double n = at(l).n;
-      const double k = std::hypot(m, n);
-      deepest_[l] = deepest_place(at(l).layers, m, k, depth);
-      step_.k.set(l, k);
+      deepest_[l] = deepest_place(at(l).layers, m, n, depth);
+      step_.k.set(l, step_.is_wheel ? m : order(l));
       const double stiffness = metric().membrane_stiffness(m * m + n * n);
       step_.membrane.set(l, metric().is_sphere() ? stiffness : 0.0);
       step_.shear.set(l, stiffness);
-      const double cosine = k > 0.0 ? m / k : 1.0;
-      const double sine = k > 0.0 ? n / k : 0.0;
+      const auto [cosine, sine] = direction(l);
       const double turns = step_.along;
       step_.inertia.rr.set(l, -turns - m * m);
       step_.inertia.rk.set(l, 2.0 * turns * m * cosine);
@@ -114,18 +113,16 @@ class Batch {
 
   /// From the directions r, k and across k to r, phi and theta.
   [[nodiscard]] Eigen::Matrix3d turn(std::size_t l) const {
-    const double k = step_.k.value(l);
-    const double cosine = k > 0.0 ? at(l).m / k : 1.0;
-    const double sine = k > 0.0 ? at(l).n / k : 0.0;
+    const auto [cosine, sine] = direction(l);
     return Eigen::Matrix3d{{1.0, 0.0, 0.0}, {0.0, cosine, -sine}, {0.0, sine, cosine}};
   }
 
   /// Surface compliance of one lane [m/Pa] in the directions r, phi, theta.
   [[nodiscard]] Matrix3<Scalar> surface_compliance(std::size_t l) const {
-    const double k = step_.k.value(l);
     const Eigen::Matrix3d turn = this->turn(l);
     Matrix3<Scalar> y = turn.cast<Scalar>() * matrix(l) * turn.transpose().cast<Scalar>();
-    if (!inner_surface().is_core && k == 0.0) y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
+    if (!inner_surface().is_core && order(l) == 0.0)
+      y.template bottomRightCorner<2, 2>().setZero();  // no mean rotation
     return y * (metric().radius / media(l).back().mu);
   }
 
@@ -147,6 +144,21 @@ class Batch {
   }
   [[nodiscard]] const std::vector<Medium<Scalar>>& media(std::size_t l) const { return at(l).layers.media; }
   [[nodiscard]] const Metric& metric() const { return at(0).layers.metric; }
+  /// k at the surface.
+  [[nodiscard]] double order(std::size_t l) const { return std::hypot(at(l).m, at(l).n); }
+  /// Of it, what is straight across: its lengths are those of the surface at any place, which on a wheel shrink about
+  /// the order along.
+  [[nodiscard]] double kappa(std::size_t l, double place) const { return at(l).n * place / metric().radius; }
+  /// k at a place.
+  [[nodiscard]] double order_at(std::size_t l, double place) const {
+    return step_.is_wheel ? std::hypot(at(l).m, kappa(l, place)) : order(l);
+  }
+  /// Cosine and sine of the angle between phi and the first direction along the surface that the equations are in.
+  [[nodiscard]] std::array<double, 2> direction(std::size_t l) const {
+    const double k = order(l);
+    if (step_.is_wheel || k == 0.0) return {1.0, 0.0};
+    return {at(l).m / k, at(l).n / k};
+  }
   [[nodiscard]] InnerSurface inner_surface() const { return detail::inner_surface(at(0).layers.within); }
 
   [[nodiscard]] Matrix3<Scalar> matrix(std::size_t l) const {
@@ -164,7 +176,7 @@ class Batch {
       inner_[l] = medium.is_endless() ? medium.outer : std::clamp(deepest_[l], medium.inner, medium.outer);
       extent_[l] = metric().depth(medium.outer, inner_[l]);
       const double longest = std::min(metric().is_curved() ? std::log1p(kStepRatio) : extent_[l],
-                                      kStepExponent / (step_.k.value(l) + step_.along));
+                                      kStepExponent / (order_at(l, medium.outer) + step_.along));
       if (extent_[l] > 0.0) steps = std::max(steps, static_cast<int>(std::ceil(extent_[l] / longest)));
     }
     step_.has_inertia = false;
@@ -175,6 +187,7 @@ class Batch {
       step_.b.set(l, medium.b);
       const double length = metric().length(inner_[l]);
       step_.q.set(l, medium.inertia * length * length / medium.mu);
+      step_.kappa.set(l, kappa(l, inner_[l]));
       const double growth = extent_[l] / std::max(steps, 1);
       step_.growth.set(l, metric().is_curved() ? std::expm1(growth) : growth);
       step_.has_inertia = step_.has_inertia || medium.inertia != 0.0;
@@ -184,7 +197,7 @@ class Batch {
   }
 
   void start_from_half_space(std::size_t l, const Medium<Scalar>& medium) {
-    const double k = step_.k.value(l);
+    const double k = order(l);
     const double cosine = at(l).m / k;
     const HalfSpaceCompliance<Scalar> y(medium.b, at(l).layers.mach2(medium) * (cosine * cosine));
     compliance_.rr.set(l, y.normal / k);
@@ -198,6 +211,7 @@ class Batch {
     for (std::size_t l = 0; l < kLanes; ++l) {
       const double ratio = 1.0 + step_.along * step_.growth.value(l);
       step_.q.set(l, ratio * ratio * step_.q.value(l));
+      step_.kappa.set(l, ratio * step_.kappa.value(l));
       at_free_surface_[l] = false;
       started_[l] = started_[l] || extent_[l] > 0.0;
     }
@@ -216,7 +230,7 @@ class Batch {
     for (std::size_t l = 0; l < kLanes; ++l) {
       for (std::size_t i = 0; i < 3; ++i) {
         // Order (0, 0) leaves rotations of the whole coating free.
-        const bool free = at_free_surface_[l] && (step_.k.value(l) > 0.0 || i == 0);
+        const bool free = at_free_surface_[l] && (order(l) > 0.0 || i == 0);
         states[i][free ? i : 3 + i].set(l, 1.0);
       }
     }

@@ -1,8 +1,10 @@
 #include "modal/critical_speed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,11 +89,16 @@ std::vector<double> orders_to_look_at(const LayerStack<double>& stack) {
   return orders;
 }
 
-/// Whether the stiffness of orders stays positive. The slowest waves run straight along the way, so n = 0.
+/// Whether the stiffness of orders stays positive. The slowest waves run straight along the way, so n = 0; on a wheel,
+/// whose orders are not functions of m^2 + n^2, others are looked at, too.
 bool are_stiff(const LayerStack<double>& stack, const std::vector<double>& orders) {
+  constexpr std::array kObliquities{0.0, 0.25, 0.5, 1.0, 2.0};  // n / m
   std::vector<OrderInLayers<double>> in_layers;
-  in_layers.reserve(orders.size());
-  for (const double m : orders) in_layers.push_back({.layers = stack, .m = m, .n = 0.0});
+  for (const double m : orders) {
+    for (const double share : std::span(kObliquities).first(stack.metric.is_wheel() ? kObliquities.size() : 1)) {
+      in_layers.push_back({.layers = stack, .m = m, .n = share * m});
+    }
+  }
   return are_subcritical(in_layers);
 }
 
@@ -182,6 +189,10 @@ double critical_speed(const CoatedSphere& sphere, double highest_frequency, Curv
 
 double critical_speed(const CoatedCylinder& cylinder, double highest_frequency) {
   return detail::critical_speed(detail::layered_body(cylinder), highest_frequency);
+}
+
+double critical_speed(const CoatedWheel& wheel, double highest_frequency) {
+  return detail::critical_speed(detail::layered_body(wheel), highest_frequency);
 }
 
 double critical_speed(const CoatedPlane& plane, double highest_frequency) {

@@ -14,20 +14,69 @@ double shear_decay(std::complex<double> mach2) {
   return std::clamp(std::sqrt(1.0 - mach2).real(), kLeast, 1.0);
 }
 
+namespace {
+
+/// How an order dies out with depth.
+class Fall {
+ public:
+  /// @param[in] metric of the body
+  /// @param[in] m,n order along and across
+  /// @param[in] least e-folds per e-fold of an order 1, of all orders
+  Fall(const Metric& metric, double m, double n, double least)
+      : metric_(metric),
+        around_(std::max(metric.fall(metric.is_wheel() ? m : std::hypot(m, n)), least)),
+        across_(metric.is_wheel() ? n : 0.0) {}
+
+  /// @return e-folds between two places: of a wheel the integral of sqrt(m^2 + kappa^2) d ln r
+  [[nodiscard]] double e_folds(double outer, double inner) const {
+    const double folds = around_ * metric_.depth(outer, inner);
+    if (across_ == 0.0) return folds;
+    const double high = root(outer);
+    const double low = root(inner);
+    // sqrt - m asinh(m / kappa), in differences
+    return high - low - around_ * std::log((around_ + high) / (around_ + low)) + folds;
+  }
+
+  /// @return the place that lies so many e-folds below another one
+  [[nodiscard]] double below(double place, double folds) const {
+    if (across_ == 0.0) return metric_.below(place, folds / around_);
+    // The rate falls with depth, so that steps at the rate of where they start end above the place.
+    double deep = place;
+    for (double left = folds; left > kCloseEnough * folds; left = folds - e_folds(place, deep)) {
+      deep = metric_.below(deep, left / root(deep));
+      if (deep < kCenter * place) return 0.0;
+    }
+    return deep;
+  }
+
+ private:
+  static constexpr double kCloseEnough = 1e-3;
+  static constexpr double kCenter = 1e-9;  // of the radius: no hub is smaller
+
+  [[nodiscard]] double root(double place) const { return std::hypot(around_, across_ * place / metric_.radius); }
+
+  Metric metric_;
+  double around_;  // the rate at which it falls in one turning about the center
+  double across_;
+};
+
+}  // namespace
+
 template <class Scalar>
-double deepest_place(const LayerStack<Scalar>& layers, double m, double k, double exponent) {
+double deepest_place(const LayerStack<Scalar>& layers, double m, double n, double exponent) {
   // At order 0 what a rigid core holds reaches the surface from any depth; without one, only the uniform swelling does,
   // whose two solutions differ by the third power of the radius.
   const bool held = inner_surface(layers.within).is_core;
-  const double fall = std::max(layers.metric.fall(k), held ? 1e-300 : 0.5);
+  const Fall fall(layers.metric, m, n, held ? 1e-300 : 0.5);
+  const double k = std::hypot(m, n);
   const double cosine = k > 0.0 ? m / k : 0.0;
   double left = exponent;
   for (auto medium = layers.media.rbegin(); medium != layers.media.rend(); ++medium) {
     const bool still = medium->inertia == 0.0;
-    const double rate = fall * (still ? 1.0 : shear_decay(layers.mach2(*medium) * (cosine * cosine)));
-    const double reach = layers.metric.below(medium->outer, left / rate);
+    const double share = still ? 1.0 : shear_decay(layers.mach2(*medium) * (cosine * cosine));
+    const double reach = fall.below(medium->outer, left / share);
     if (reach >= medium->inner) return reach;
-    left -= rate * layers.metric.depth(medium->outer, medium->inner);
+    left -= share * fall.e_folds(medium->outer, medium->inner);
   }
   return -std::numeric_limits<double>::infinity();
 }

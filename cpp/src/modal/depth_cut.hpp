@@ -15,11 +15,11 @@ namespace viscoroll::detail {
 /// @brief Place below which material is out of reach of the surface. Solutions fall like exp(-k depth) or, with
 /// inertia, like shear waves; those of the lowest orders hold on to a core from any depth.
 /// @param[in] layers as the order sees them
-/// @param[in] m,k order along the way and in all
+/// @param[in] m,n order along and across
 /// @param[in] exponent what is left of the order there is exp(-exponent)
 /// @return place [m]; -infinity where everything is within reach
 template <class Scalar>
-[[nodiscard]] double deepest_place(const LayerStack<Scalar>& layers, double m, double k, double exponent);
+[[nodiscard]] double deepest_place(const LayerStack<Scalar>& layers, double m, double n, double exponent);
 
 /// @brief The reverse: up to which order anything of the surface is seen at a place.
 class DepthLimit {

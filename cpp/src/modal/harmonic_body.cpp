@@ -1,11 +1,13 @@
 #include "modal/harmonic_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "modal/compliance_recursion.hpp"
 #include "modal/critical_speed.hpp"
+#include "modal/crown.hpp"
 #include "modal/harmonic_moduli.hpp"
 #include "validate.hpp"
 
@@ -61,6 +63,7 @@ void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen:
     in_layers.push_back({.layers = stack->second, .m = orders_[i], .n = n});
   }
   surface_compliances<cplx>(in_layers, compliances);
+  if (std::isfinite(body_.crown_radius)) add_crown(in_layers, body_.crown_radius, compliances);
 }
 
 Eigen::Matrix3cd HarmonicBody::compliance(const OrderAt& order) const {

@@ -6,53 +6,98 @@ namespace {
 constexpr int kMaxTerms = 81;        // steps are short enough for 40
 constexpr double kRoundOff = 1e-17;  // of a term that is left out, relative to the sum
 
+/// The terms t_j = z_j x^j of a solution in one lane: t_j, t_{j-1} and t_{j-2}.
+template <class Scalar>
+struct Terms {
+  const SolutionLanes<Scalar>& now;
+  const SolutionLanes<Scalar>& before;
+  const SolutionLanes<Scalar>& earlier;
+  double spread;  ///< c x
+  std::size_t l;
+
+  /// Of (1 + c x) z.
+  [[nodiscard]] VISCOROLL_PART_OF_CALLER auto grown(std::size_t i) const { return now[i][l] + spread * before[i][l]; }
+  /// Of (1 + c x)^2 z.
+  [[nodiscard]] VISCOROLL_PART_OF_CALLER auto grown_twice(std::size_t i) const {
+    return now[i][l] + 2.0 * spread * before[i][l] + spread * spread * earlier[i][l];
+  }
+};
+
+/// (B - c j) z in the directions r, k and across k.
+/// @param[in] order c j
+template <class Scalar>
+VISCOROLL_PART_OF_CALLER auto turned_rates(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
+  const auto& [z, before, earlier, spread, l] = terms;
+  const double along = step.along;
+  const double across = step.across;
+  const double bends = along + across;
+  const double k = step.k[l];
+  const auto t = k * z[1][l] - bends * z[0][l];
+  const auto bt = step.b[l] * t;
+  const auto bs = step.b[l] * z[3][l];
+  const auto gamma_t = step.area * t - 4.0 * bt;
+  return std::array{t - 2.0 * bt + bs - order * z[0][l],
+                    (along - order) * z[1][l] - k * z[0][l] + z[4][l],
+                    (across - order) * z[2][l] + z[5][l],
+                    k * z[4][l] - bends * gamma_t + (along - order) * z[3][l] - 2.0 * bends * bs,
+                    k * (gamma_t - z[3][l] + 2.0 * bs) + step.membrane[l] * z[1][l] - (bends + order) * z[4][l],
+                    step.shear[l] * z[2][l] - (2.0 * across + order) * z[5][l]};
+}
+
+/// (B - j) z in the directions r, phi and z, where kappa = kappa_0 (1 + x).
+template <class Scalar>
+VISCOROLL_PART_OF_CALLER auto wheel_rates(const StepLanes<Scalar>& step, double order, const Terms<Scalar>& terms) {
+  const auto& [z, before, earlier, spread, l] = terms;
+  const double m = step.k[l];
+  const double kappa = step.kappa[l];
+  const auto a_times = [&](const auto& value) { return value - 2.0 * (step.b[l] * value); };
+  const auto e = m * z[1][l] - z[0][l];
+  const auto kappa_v_z = kappa * terms.grown(2);
+  const auto kappa_kappa_v_z = kappa * kappa * terms.grown_twice(2);
+  const auto kappa_t = kappa * (m * terms.grown(1) - terms.grown(0)) + kappa_kappa_v_z;
+  const auto a_t = a_times(e + kappa_v_z);
+  const auto a_s = a_times(z[3][l]);
+  return std::array{
+      a_t + step.b[l] * z[3][l] - order * z[0][l],
+      (1.0 - order) * z[1][l] - m * z[0][l] + z[4][l],
+      z[5][l] - kappa * terms.grown(0) - order * z[2][l],
+      a_s + m * z[4][l] + kappa * terms.grown(5) - 2.0 * (a_t + e) - order * z[3][l],
+      m * (2.0 * (a_t + e) - a_s) + kappa * kappa * terms.grown_twice(1) + m * kappa_v_z - (1.0 + order) * z[4][l],
+      2.0 * (a_times(kappa_t) + kappa_kappa_v_z) - kappa * a_times(terms.grown(3)) + m * kappa * terms.grown(1) +
+          m * m * z[2][l] - order * z[5][l]};
+}
+
 /// The next term of a solution, added to its sum: (1 + c x) dz/dx = (B + q (1 + c x)^2 M) z gives the terms t_j = z_j
-/// x^j by t_{j+1} = x / (j+1) ((B - c j) t_j + q M (t_j + 2 c x t_{j-1} + (c x)^2 t_{j-2})).
+/// x^j by t_{j+1} = x / (j+1) ((B - c j) t_j + q M (t_j + 2 c x t_{j-1} + (c x)^2 t_{j-2})); likewise what B itself
+/// has that grows along a wheel's radius.
 /// @param[in] now,before t_j and t_{j-1}
 /// @param[in,out] next t_{j-2}, which t_{j+1} takes the place of
-template <bool HasInertia, class Scalar>
+template <bool IsWheel, bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void add_term(const StepLanes<Scalar>& step, int j, const SolutionLanes<Scalar>& now,
                                        const SolutionLanes<Scalar>& before, SolutionLanes<Scalar>& next,
                                        SolutionLanes<Scalar>& sum) {
   const double share = 1.0 / (j + 1.0);
-  const double along = step.along;
-  const double across = step.across;
-  const double area = step.area;
-  const double bends = along + across;
-  const double order = along * j;
+  const double order = step.along * j;
   for (std::size_t l = 0; l < kLanes; ++l) {
-    const double k = step.k[l];
     const double x = step.growth[l];
-    const auto u = now[0][l];
-    const auto v_k = now[1][l];
-    const auto v_x = now[2][l];
-    const auto s = now[3][l];
-    const auto tau_k = now[4][l];
-    const auto tau_x = now[5][l];
-    const auto t = k * v_k - bends * u;
-    const auto bt = step.b[l] * t;
-    const auto bs = step.b[l] * s;
-    const auto gamma_t = area * t - 4.0 * bt;
-    auto s_rate = k * tau_k - bends * gamma_t + (along - order) * s - 2.0 * bends * bs;
-    auto tau_k_rate = k * (gamma_t - s + 2.0 * bs) + step.membrane[l] * v_k - (bends + order) * tau_k;
-    auto tau_x_rate = step.shear[l] * v_x - (2.0 * across + order) * tau_x;
+    const Terms<Scalar> terms{now, before, next, step.along * x, l};
+    auto rates = [&] {
+      if constexpr (IsWheel) {
+        return wheel_rates(step, order, terms);
+      } else {
+        return turned_rates(step, order, terms);
+      }
+    }();
     if constexpr (HasInertia) {
-      const double spread = along * x;
       const auto& mass = step.inertia;
       const auto q = step.q[l];
-      const auto u_sum = u + 2.0 * spread * before[0][l] + spread * spread * next[0][l];
-      const auto v_k_sum = v_k + 2.0 * spread * before[1][l] + spread * spread * next[1][l];
-      const auto v_x_sum = v_x + 2.0 * spread * before[2][l] + spread * spread * next[2][l];
-      s_rate = s_rate + q * (mass.rr[l] * u_sum + mass.rk[l] * v_k_sum + mass.rx[l] * v_x_sum);
-      tau_k_rate = tau_k_rate + q * (mass.rk[l] * u_sum + mass.kk[l] * v_k_sum + mass.kx[l] * v_x_sum);
-      tau_x_rate = tau_x_rate + q * (mass.rx[l] * u_sum + mass.kx[l] * v_k_sum + mass.xx[l] * v_x_sum);
+      const auto u = terms.grown_twice(0);
+      const auto v_k = terms.grown_twice(1);
+      const auto v_x = terms.grown_twice(2);
+      rates[3] = rates[3] + q * (mass.rr[l] * u + mass.rk[l] * v_k + mass.rx[l] * v_x);
+      rates[4] = rates[4] + q * (mass.rk[l] * u + mass.kk[l] * v_k + mass.kx[l] * v_x);
+      rates[5] = rates[5] + q * (mass.rx[l] * u + mass.kx[l] * v_k + mass.xx[l] * v_x);
     }
-    const std::array rates{t - 2.0 * bt + bs - order * u,
-                           (along - order) * v_k - k * u + tau_k,
-                           (across - order) * v_x + tau_x,
-                           s_rate,
-                           tau_k_rate,
-                           tau_x_rate};
     for (std::size_t i = 0; i < 6; ++i) {
       const auto term = share * x * rates[i];
       next[i].set(l, term);
@@ -81,15 +126,15 @@ VISCOROLL_PART_OF_CALLER bool are_negligible(const SolutionLanes<Scalar>& last, 
 }
 
 /// One solution at the outer end.
-template <bool HasInertia, class Scalar>
+template <bool IsWheel, bool HasInertia, class Scalar>
 VISCOROLL_PART_OF_CALLER void sum_series(const StepLanes<Scalar>& step, SolutionLanes<Scalar>& sum) {
   SolutionLanes<Scalar> first = sum;
   SolutionLanes<Scalar> second{};
   SolutionLanes<Scalar> third{};
   for (int j = 0; j < kMaxTerms; j += 3) {
-    add_term<HasInertia>(step, j, first, second, third, sum);
-    add_term<HasInertia>(step, j + 1, third, first, second, sum);
-    add_term<HasInertia>(step, j + 2, second, third, first, sum);
+    add_term<IsWheel, HasInertia>(step, j, first, second, third, sum);
+    add_term<IsWheel, HasInertia>(step, j + 1, third, first, second, sum);
+    add_term<IsWheel, HasInertia>(step, j + 2, second, third, first, sum);
     if (are_negligible(first, second, sum)) break;
   }
 }
@@ -154,7 +199,11 @@ VISCOROLL_PART_OF_CALLER std::array<SolutionLanes<Scalar>, 3> advanced(
     const StepLanes<Scalar>& step, const std::array<SolutionLanes<Scalar>, 3>& start) {
   std::array<SolutionLanes<Scalar>, 3> states = start;
   for (SolutionLanes<Scalar>& solution : states) {
-    step.has_inertia ? sum_series<true>(step, solution) : sum_series<false>(step, solution);
+    if (step.is_wheel) {
+      step.has_inertia ? sum_series<true, true>(step, solution) : sum_series<true, false>(step, solution);
+    } else {
+      step.has_inertia ? sum_series<false, true>(step, solution) : sum_series<false, false>(step, solution);
+    }
   }
   return states;
 }

@@ -19,6 +19,14 @@
 ///
 /// Inertia adds q M u to the rates of the stresses, q = rho Omega^2 r^2 / mu. On a ring q grows as (1 + x)^2 up to the
 /// radius r (1 + x), and M, that of `inertia_matrix` turned, couples the six; on a plane it is -m^2.
+///
+/// On a wheel, a ring along and straight across, kappa, the order across at a radius, grows with it, so that the
+/// direction of k turns from radius to radius and no direction parts from the others. The six are those of r, phi and
+/// z, with e = m v_phi - u_r, t = e + kappa v_z and a = 1 - 2b (theory.md, wheels):
+///
+///     u_r'   = a t + b s              s'       = a s + m tau_phi + kappa tau_z - 2 (a t + e)
+///     v_phi' = v_phi - m u_r + tau_phi   tau_phi' = -tau_phi - m a s + 2m (a t + e) + kappa (kappa v_phi + m v_z)
+///     v_z'   = -kappa u_r + tau_z     tau_z'   = -kappa a s + 2 kappa (a t + kappa v_z) + m (kappa v_phi + m v_z)
 #pragma once
 
 #include <array>
@@ -27,7 +35,7 @@
 
 namespace viscoroll::detail {
 
-/// @brief Symmetric 3 x 3 matrices in the directions r, k and across k.
+/// @brief Symmetric 3 x 3 matrices in the directions r, k and across k, or r, phi and z of a wheel.
 template <class Scalar>
 struct SymmetricLanes {
   Lanes<Scalar> rr, rk, rx, kk, kx, xx;
@@ -36,24 +44,26 @@ struct SymmetricLanes {
 /// @brief Coefficients of the equations in a step.
 template <class Scalar>
 struct StepLanes {
-  double along = 1.0;   ///< c
-  double across = 1.0;  ///< d
-  double area = 3.0;    ///< gamma + 4b
-  Lanes<double> k;
+  double along = 1.0;      ///< c
+  double across = 1.0;     ///< d
+  double area = 3.0;       ///< gamma + 4b
+  Lanes<double> k;         ///< m on a wheel
+  Lanes<double> kappa;     ///< at the inner end, of a wheel
   Lanes<double> membrane;  ///< f
   Lanes<double> shear;     ///< g
   Lanes<Scalar> b;         ///< `shear_ratio`
   Lanes<double> growth;    ///< x: growth of the radius, or height, per radius; 0 where a lane does not take part
+  bool is_wheel = false;
   bool has_inertia = false;
   Lanes<Scalar> q;                 ///< at the inner end
   SymmetricLanes<double> inertia;  ///< M
 };
 
-/// @brief 3 x 3 matrices in the directions r, k and across k, row-major.
+/// @brief 3 x 3 matrices in the same directions, row-major.
 template <class Scalar>
 using MatrixLanes = std::array<Lanes<Scalar>, 9>;
 
-/// @brief One solution of the equations: u_r, v_k, v_x, s, tau_k, tau_x.
+/// @brief One solution of the equations: u_r, v_k, v_x, s, tau_k, tau_x, or with phi and z for k and x.
 template <class Scalar>
 using SolutionLanes = std::array<Lanes<Scalar>, 6>;
 

@@ -51,6 +51,16 @@ LayeredBody layered_body(const CoatedCylinder& cylinder) {
           .boundaries = radii(cylinder.core_radius, cylinder.layers)};
 }
 
+LayeredBody layered_body(const CoatedWheel& wheel) {
+  validate(wheel);
+  LayeredBody body{.metric = {.radius = outer_radius(wheel), .across = Way::line},
+                   .layers = wheel.layers,
+                   .boundaries = radii(wheel.core_radius, wheel.layers)};
+  const bool follows_crown = wheel.hub == Hub::crowned || wheel.sides == Sides::endless;
+  if (follows_crown) body.crown_radius = wheel.crown_radius;
+  return body;
+}
+
 LayeredBody layered_body(const CoatedPlane& plane, double radius) {
   validate(plane);
   require_positive("radius", radius, "m");

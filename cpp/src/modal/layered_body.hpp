@@ -1,15 +1,17 @@
 /// @file
-/// @brief The one description of whatever has layers: sphere, cylinder, plane and half-space.
+/// @brief The one description of whatever has layers: sphere, cylinder, wheel, plane and half-space.
 #pragma once
 
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "modal/medium.hpp"
 #include "viscoroll/cylinder.hpp"
 #include "viscoroll/plane.hpp"
 #include "viscoroll/sphere.hpp"
+#include "viscoroll/wheel.hpp"
 
 namespace viscoroll::detail {
 
@@ -21,6 +23,8 @@ struct LayeredBody {
   InnerBoundary within = InnerBoundary::rigid;  ///< the innermost layer
   /// Where each layer begins and the outermost ends, outwards: places along the normal, see `Metric` [m].
   std::vector<double> boundaries;
+  /// Radius of the crown that the layers of a wheel follow across, see crown.hpp [m]; infinite: straight across.
+  double crown_radius = std::numeric_limits<double>::infinity();
 
   /// @brief The layers at one frequency.
   /// @param[in] moduli complex or real shear moduli of the layers [Pa]
@@ -51,6 +55,10 @@ struct LayeredBody {
 
 /// @return those of a cylinder, likewise
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
+
+/// @return those of a wheel, likewise, as of a tread without sides. On a straight hub the profile of a tread with free
+/// sides is the business of its section.
+[[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
 /// @return those of a plane, likewise, its base among them
 /// @param[in] plane layers and base

@@ -29,6 +29,7 @@ struct Metric {
 
   [[nodiscard]] constexpr bool is_curved() const { return along == Way::ring; }
   [[nodiscard]] constexpr bool is_sphere() const { return is_curved() && across == Way::ring; }
+  [[nodiscard]] constexpr bool is_wheel() const { return is_curved() && across == Way::line; }
   /// @return 1 where the surface bends towards the center that way, else 0
   static constexpr double bend(Way way) { return way == Way::ring ? 1.0 : 0.0; }
   /// @return in both ways together: times u_r / r the change of area by a displacement outwards

@@ -21,28 +21,42 @@ using cplx = std::complex<double>;
 using RowMajor3 = Eigen::Matrix<cplx, 3, 3, Eigen::RowMajor>;
 using RowMajor6 = Eigen::Matrix<cplx, 6, 6, Eigen::RowMajor>;
 
-std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
-                                               std::span<const int> n, Curvature curvature, const Observer& observer) {
+namespace {
+
+/// |m| of orders along the way.
+std::vector<double> magnitudes_of(std::span<const int> m) {
   constexpr int kHighestOrder = 1000000;
-  detail::require_orders(curvature);
-  if (m.size() != n.size()) {
-    detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
-  }
   std::vector<double> magnitudes;
   for (const int order : m) {
     if (order < -kHighestOrder || order > kHighestOrder) detail::reject("m", "in [-1e6, 1e6]", std::to_string(order));
     magnitudes.push_back(std::abs(order));
   }
-  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes);
+  return magnitudes;
+}
+
+/// The compliance at the i-th of the body's orders m, of negative m where so said. The fields are real, so order
+/// (-m, n) is the conjugate of order (m, -n).
+ComplexMatrix3 physical_compliance(const detail::HarmonicBody& body, std::size_t i, bool is_negative, double n) {
+  const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = is_negative ? -n : n}));
+  ComplexMatrix3 matrix;
+  Eigen::Map<RowMajor3>(matrix.data()) = is_negative ? compliance.conjugate() : compliance;
+  return matrix;
+}
+
+}  // namespace
+
+std::vector<ComplexMatrix3> surface_compliance(const CoatedSphere& sphere, double angular_speed, std::span<const int> m,
+                                               std::span<const int> n, Curvature curvature, const Observer& observer) {
+  detail::require_orders(curvature);
+  if (m.size() != n.size()) {
+    detail::reject("n", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(n.size()));
+  }
+  const detail::HarmonicBody body(detail::layered_body(sphere, curvature), angular_speed, magnitudes_of(m));
 
   detail::Watch watch(observer);
   std::vector<ComplexMatrix3> compliances(m.size());
   detail::parallel_for(m.size(), 0, watch, "solving layers", [&](std::size_t i, const detail::Worker&) {
-    // The fields are real, so order (-m, n) is the conjugate of order (m, -n).
-    const bool conjugate = m[i] < 0;
-    const double order = conjugate ? -n[i] : n[i];
-    const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = order}));
-    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
+    compliances[i] = physical_compliance(body, i, m[i] < 0, n[i]);
   });
   return compliances;
 }
@@ -97,11 +111,21 @@ std::vector<ComplexMatrix3> surface_compliance(const CoatedPlane& plane, double 
   const detail::HarmonicBody body(std::move(layers), speed, magnitudes);
   std::vector<ComplexMatrix3> compliances(k_xi.size());
   for (std::size_t i = 0; i < k_xi.size(); ++i) {
-    // The fields are real, so the wave (-k_xi, k_zeta) is the conjugate of (k_xi, -k_zeta).
-    const bool conjugate = k_xi[i] < 0.0;
-    const double order = conjugate ? -k_zeta[i] : k_zeta[i];
-    const Eigen::Matrix3cd compliance = detail::to_physical(body.compliance({.i = i, .n = order}));
-    Eigen::Map<RowMajor3>(compliances[i].data()) = conjugate ? compliance.conjugate() : compliance;
+    compliances[i] = physical_compliance(body, i, k_xi[i] < 0.0, k_zeta[i]);
+  }
+  return compliances;
+}
+
+std::vector<ComplexMatrix3> surface_compliance(const CoatedWheel& wheel, double angular_speed, std::span<const int> m,
+                                               std::span<const double> k) {
+  if (m.size() != k.size()) {
+    detail::reject("k", "as long as m (" + std::to_string(m.size()) + ")", std::to_string(k.size()));
+  }
+  for (const double wave_number : k) detail::require_finite("k", wave_number);
+  const detail::HarmonicBody body(detail::layered_body(wheel), angular_speed, magnitudes_of(m));
+  std::vector<ComplexMatrix3> compliances(m.size());
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    compliances[i] = physical_compliance(body, i, m[i] < 0, k[i] * body.radius());
   }
   return compliances;
 }

@@ -251,6 +251,7 @@ class InertiaSeries {
 std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const HarmonicBody& body, double highest_n,
                                                                    double inertia_tolerance, int threads,
                                                                    Watch& watch) {
+  if (body.metric().is_wheel()) return nullptr;  // not a function of m^2 + n^2
   const double density = std::ranges::max(body.body().layers, {}, &Layer::density).density;
   const std::size_t reference = softest_layer(body);
   const auto layers = scaled_layers(body, reference, density);

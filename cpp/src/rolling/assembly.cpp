@@ -57,7 +57,8 @@ ContactProblem Assembly::problem(const SurfaceWindow& window) const {
   ContactProblem problem{.surface = surface_on(window, *this),
                          .initial_gap = initial_gap(displaced_points(window), swelling, pair()),
                          .normal_force = load_case.load,
-                         .friction = std::nullopt};
+                         .friction = std::nullopt,
+                         .ends_at_sides = std::isfinite(width(pair())) && window.window().theta == nodes.widest.theta};
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
   return problem;
 }
@@ -65,8 +66,8 @@ ContactProblem Assembly::problem(const SurfaceWindow& window) const {
 Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
   const auto& [body, on] = model.pair;
   const double radius = body.radius;
-  const double contact_radius = estimate_contact_radius(model.pair, load_case.angular_speed, load_case.load);
-  const double half_chord = 0.8 * contact_radius;
+  const ContactReach contact = estimate_contact(model.pair, load_case.angular_speed, load_case.load);
+  const double half_chord = 0.8 * contact.along;
   return {.model = model,
           .load_case = load_case,
           .options = options,
@@ -76,9 +77,9 @@ Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Optio
                           .patch_load = options.patch_load,
                           .tangential = load_case.friction > 0.0,
                           .collocation = model.collocation},
-          .nodes = body.nodes(model.mesh, !on.is_rigid()),
+          .nodes = body.nodes(model.mesh, on),
           .swelling = 1.0 + model.centrifugal / radius,
-          .contact_radius = contact_radius,
+          .contact = contact,
           .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};
 }
 

@@ -19,7 +19,7 @@ struct Assembly {
   Formulation formulation;
   Nodes nodes;
   double swelling;         ///< of the free surface, by the turning
-  double contact_radius;   ///< estimated, rather from above [m]
+  ContactReach contact;    ///< estimated, rather from above
   double estimated_depth;  ///< initial gap at the rim of the estimated contact, half as wide again as the contact [m]
 
   [[nodiscard]] const RollingPair& pair() const { return model.pair; }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <complex>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "rolling/contact_form.hpp"
 #include "rolling/surface_tables.hpp"
 #include "viscoroll/options.hpp"
+#include "viscoroll/result.hpp"
 #include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll::detail {
@@ -42,11 +44,19 @@ struct Nodes {
   Window widest;  ///< beyond which no load can be borne
 };
 
+/// @brief How far a contact reaches from the lowest node.
+struct ContactReach {
+  double along;   ///< upstream or downstream, the larger one [m]
+  double across;  ///< to either side [m]
+};
+
 /// @brief How the material of both surfaces crosses the contact.
 struct Crossing {
   double angular_speed;      ///< Omega of what rolls [rad/s]
   double radius;             ///< of what rolls, at which the mesh's angles are arcs [m]
   Mesh mesh;                 ///< of what rolls
+  double theta_spacing;      ///< of its nodes across, which the mesh alone does not say of a wheel [rad]
+  double widest;             ///< largest offset across [rad]
   Curvature curvature;       ///< what is kept of it in the equations of the layers
   double inertia_tolerance;  ///< relative error of the compliance that may be left of inertia
   ContactForm form;
@@ -76,14 +86,22 @@ struct Body {
   std::function<Profile(const SurfaceWindow&)> profile;
   /// Refuses what has no room to roll on it.
   std::function<void(const Body&)> require_room_for = [](const Body&) {};
+  /// Across, within which it bears pressure; infinite where it has no sides [m].
+  double width = std::numeric_limits<double>::infinity();
+  /// Relative error of the torque by what its equations leave out, beside strain, in a contact.
+  std::function<double(const ContactReach&)> further_error = [](const ContactReach&) { return 0.0; };
+  /// What a user should know of it in a contact.
+  std::function<std::vector<Warning>(const ContactReach&)> cautions = [](const ContactReach&) {
+    return std::vector<Warning>{};
+  };
 
   // The rest of what rolls alone.
   std::string_view name = {};                       ///< in messages
   std::vector<std::string_view> counterparts = {};  ///< types of what it may roll on
   double radius = 0.0;                              ///< [m]
   ContactForm form = kSpotContact;
-  /// Of a mesh, given whether the counterpart deforms, whose nodes they are then, too.
-  std::function<Nodes(const Mesh&, bool)> nodes = {};
+  /// Of a mesh, given the counterpart, whose nodes they are, too, where it deforms.
+  std::function<Nodes(const Mesh&, const Body&)> nodes = {};
   /// Refuses options that the body knows nothing of.
   std::function<void(const Options&)> require = [](const Options&) {};
 
@@ -92,6 +110,7 @@ struct Body {
 
 [[nodiscard]] Body make_body(const CoatedSphere& sphere);
 [[nodiscard]] Body make_body(const CoatedCylinder& cylinder);
+[[nodiscard]] Body make_body(const CoatedWheel& wheel);
 [[nodiscard]] Body make_body(const CoatedPlane& plane);
 [[nodiscard]] Body make_body(const Groove& groove);
 

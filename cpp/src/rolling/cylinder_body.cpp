@@ -8,6 +8,7 @@
 
 #include "rolling/body.hpp"
 #include "rolling/line_surface.hpp"
+#include "rolling/spot_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -28,9 +29,13 @@ void require_curvature_of_cylinder(Curvature curvature) {
 }
 
 BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
-  require_line_mesh(crossing.mesh);
+  if (crossing.form.is_line()) require_line_mesh(crossing.mesh);
   require_curvature_of_cylinder(crossing.curvature);
-  return cylinder.layers.empty() ? BodySurface{} : surface_under_line(layered_body(cylinder), crossing);
+  if (cylinder.layers.empty()) return {};
+  LayeredBody layers = layered_body(cylinder);
+  if (crossing.form.is_line()) return surface_under_line(layers, crossing);
+  layers.metric.across = Way::line;  // under a wheel it is a tread without sides
+  return surface_under_spot(layers, crossing);
 }
 
 /// At the same arcs as the nodes of what rolls on it.
@@ -63,7 +68,7 @@ Body make_body(const CoatedCylinder& cylinder) {
           .counterparts = {"CoatedPlane", "CoatedCylinder"},
           .radius = radius,
           .form = kLineContact,
-          .nodes = [radius](const Mesh& mesh, bool) { return nodes_of(radius, mesh); },
+          .nodes = [radius](const Mesh& mesh, const Body&) { return nodes_of(radius, mesh); },
           .require = require_flat_patches};
 }
 

@@ -1,51 +1,34 @@
 // A plane, or a groove whose layers are a plane's, under a spot or a line: theory.md sections 14 and 15.
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
-#include "influence/coating_sum.hpp"
-#include "influence/order_bands.hpp"
-#include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
 #include "rolling/line_surface.hpp"
-#include "rolling/table_store.hpp"
+#include "rolling/spot_surface.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-/// Of a ball in a groove, radius by radius: in a closer one contact is no longer shallow.
+/// Of what rolls in a groove, radius by radius: in a closer one contact is no longer shallow.
 constexpr double kClosestFit = 1.0 / 1.02;
-
-BodySurface under_spot(const LayeredBody& layers, const Crossing& crossing) {
-  const auto& [threads, watch] = crossing.execution;
-  const Mesh& mesh = crossing.mesh;
-  BodySurface surface;
-  surface.tables = std::make_unique<const TableStore>(
-      std::make_unique<const CoatingSum>(layers, crossing.angular_speed, mesh, threads, watch), mesh);
-  const double highest = 0.5 * mesh.nodes_per_revolution;
-  const HarmonicBody harmonics(layers, crossing.angular_speed, {highest, 16.0 * highest}, measured_order(mesh));
-  const Eigen::Matrix3cd compliance = harmonics.compliance({.i = 0, .n = 0.0});
-  surface.normal = compliance(0, 0);
-  surface.along = compliance(1, 1);
-  surface.stiffest_modulus = harmonics.stiffest_modulus();
-  return surface;
-}
 
 BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
   if (is_rigid(plane)) return {};
   const LayeredBody layers = layered_body(plane, crossing.radius);
-  return crossing.form.is_line() ? surface_under_line(layers, crossing) : under_spot(layers, crossing);
+  return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
 }
 
 /// @param[in] hollow_radius > 0 where the surface is hollow [m]; none: straight
 double curvature(const std::optional<double>& hollow_radius) { return hollow_radius ? -1.0 / *hollow_radius : 0.0; }
 
-void require_room(std::string_view name, double curvature, double radius) {
-  if (-radius * curvature < kClosestFit) return;
-  reject(name, "larger than the ball's radius, " + text(radius) + " m, by 2 % at the least",
-         text(-1.0 / curvature) + " m");
+/// @param[in] own curvature of what rolls [1/m]
+void require_room(std::string_view name, double curvature, const Body& body, double own) {
+  if (-curvature <= kClosestFit * own) return;
+  const std::string room = own > 0.0 ? "larger than that of the " + std::string(body.name) + ", " + text(1.0 / own) +
+                                           " m, by 2 % at the least"
+                                     : "left out under a flat " + std::string(body.name);
+  reject(name, room, text(-1.0 / curvature) + " m");
 }
 
 }  // namespace
@@ -66,9 +49,9 @@ Body make_body(const Groove& groove) {
   body.type = "Groove";
   body.curvatures = curvatures;
   body.profile = circles(curvatures);
-  body.require_room_for = [curvatures](const Body& ball) {
-    require_room("on.radius", curvatures.across, ball.radius);
-    require_room("on.path_radius", curvatures.along, ball.radius);
+  body.require_room_for = [curvatures](const Body& rolling) {
+    require_room("on.radius", curvatures.across, rolling, rolling.curvatures.across);
+    require_room("on.path_radius", curvatures.along, rolling, rolling.curvatures.along);
   };
   return body;
 }

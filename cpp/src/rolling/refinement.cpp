@@ -25,10 +25,16 @@ constexpr double kInertiaShare = 1e-3;               // of the accuracy, that in
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 constexpr double kMostFurtherEffort = 6e6;           // nodes in contact times operator applications
 
-Mesh make_mesh(double nodes_per_revolution) {
+int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
-  return {.nodes_per_revolution =
-              static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution))};
+  return static_cast<int>(std::clamp<double>(nodes, kFewestNodesPerRevolution, kMostNodesPerRevolution));
+}
+
+/// Spacing across per that along, of a contact that is longer in one direction.
+double aspect_of(const ContactReach& contact) {
+  constexpr double kNarrowest = 0.25;
+  constexpr double kWidest = 2.0;  // what ends at sides asks for more nodes across than its length does
+  return std::clamp(contact.across / contact.along, kNarrowest, kWidest);
 }
 
 /// Nodes in the estimated contact radius that should do. Nodes that join the contact one by one leave a staircase in
@@ -92,9 +98,10 @@ class Refiner {
  public:
   Refiner(const RollingPair& pair, const LoadCase& load_case, const Options& options, Watch& watch)
       : pair_(pair), load_case_(load_case), options_(options), watch_(watch) {
-    const double radius = estimate_contact_radius(pair, load_case.angular_speed, load_case.load);
+    const ContactReach contact = estimate_contact(pair, load_case.angular_speed, load_case.load);
+    if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
     // The first mesh is to show the error of the second, which should do.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body.radius / radius;
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body.radius / contact.along;
     mesh_ = make_mesh(nodes);
   }
 
@@ -110,6 +117,12 @@ class Refiner {
   }
 
  private:
+  [[nodiscard]] Mesh make_mesh(double nodes_per_revolution) const {
+    Mesh mesh{.nodes_per_revolution = whole_nodes(nodes_per_revolution)};
+    if (aspect_) mesh.theta_nodes_per_revolution = whole_nodes(mesh.nodes_per_revolution / *aspect_);
+    return mesh;
+  }
+
   /// Solve on the next mesh. @return whether another one is to follow
   [[nodiscard]] bool advance() {
     try {
@@ -172,6 +185,7 @@ class Refiner {
   const LoadCase& load_case_;
   const Options& options_;
   Watch& watch_;
+  std::optional<double> aspect_;  // of patches, where those of the body are not square
   Mesh mesh_;
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;

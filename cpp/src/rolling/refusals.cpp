@@ -71,7 +71,7 @@ void require_bearable_load(const MeshModel& model, double load) {
 void require_lasting_stiffness(const Assembly& assembly) {
   constexpr double kLeastShare = 3e-3;  // below, sets of nodes in contact do not settle
   const double passing =
-      assembly.load_case.angular_speed * std::max(1.0, assembly.nodes.grid.radius / assembly.contact_radius);
+      assembly.load_case.angular_speed * std::max(1.0, assembly.nodes.grid.radius / assembly.contact.along);
   const Relaxation relaxation = strongest_relaxation(assembly.pair(), passing);
   if (relaxation.share >= kLeastShare) return;
   reject(relaxation.layer + ".shear_modulus",

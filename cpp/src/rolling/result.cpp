@@ -93,6 +93,8 @@ class Summary {
     r.contact_area = extent.area;
     r.semi_axis_x = extent.semi_axis_x;
     r.semi_axis_z = extent.semi_axis_z;
+    const ContactReach reach = loaded_reach();
+    r.warnings = given_.pair().body.cautions(reach);
     if (!given_.approach_exists()) return;
     const double penetration = contact_.penetration - given_.model.centrifugal;
     r.penetration = penetration;
@@ -100,7 +102,7 @@ class Summary {
     // A half-space is strained as deep as the contact is wide.
     const double width = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
     r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * width);
-    r.model_error = kErrorPerStrain * std::abs(*r.strain);
+    r.model_error = kErrorPerStrain * std::abs(*r.strain) + given_.pair().body.further_error(reach);
   }
 
   void add_forces(Result& r) const {
@@ -173,6 +175,18 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Up to the ends of the patches.
+  [[nodiscard]] ContactReach loaded_reach() const {
+    ContactReach reach{.along = 0.0, .across = 0.0};
+    for (const Index node : contact_.contact) {
+      reach.along = std::max(reach.along, std::abs(window_.x()[node]));
+      reach.across = std::max(reach.across, std::abs(window_.z()[node]));
+    }
+    const SurfaceGrid& grid = window_.grid();
+    return {.along = reach.along + 0.5 * grid.radius * grid.phi_spacing,
+            .across = reach.across + 0.5 * grid.radius * grid.theta_spacing};
+  }
 
   /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
   [[nodiscard]] double counterpart_force(const Result& r) const { return drag_ - r.resisting_torque * curvature_; }

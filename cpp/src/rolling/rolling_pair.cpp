@@ -48,6 +48,8 @@ double relative_radius(const RollingPair& pair) {
   return pair.body.radius / (1.0 + pair.body.radius * pair.on.curvatures.along);
 }
 
+double width(const RollingPair& pair) { return std::min(pair.body.width, pair.on.width); }
+
 std::vector<NamedLayer> layers(const RollingPair& pair) {
   std::vector<NamedLayer> all = pair.body.layers;
   for (const auto& [name, layer] : pair.on.layers) all.push_back({.name = "on." + name, .layer = layer});

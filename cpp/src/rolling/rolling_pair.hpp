@@ -21,6 +21,9 @@ struct RollingPair {
 /// @return R of 1/R = 1/R_1 + 1/R_2 along the path [m]
 [[nodiscard]] double relative_radius(const RollingPair& pair);
 
+/// @return across, within which they touch; infinite where neither has sides [m]
+[[nodiscard]] double width(const RollingPair& pair);
+
 /// @return all layers of both, those of the body first
 [[nodiscard]] std::vector<NamedLayer> layers(const RollingPair& pair);
 

@@ -83,7 +83,7 @@ Body make_body(const CoatedSphere& sphere) {
           .counterparts = {"CoatedPlane", "Groove"},
           .radius = radius,
           .form = kSpotContact,
-          .nodes = [radius](const Mesh& mesh, bool soft) { return nodes_of(radius, mesh, soft); }};
+          .nodes = [radius](const Mesh& mesh, const Body& on) { return nodes_of(radius, mesh, !on.is_rigid()); }};
 }
 
 }  // namespace viscoroll::detail

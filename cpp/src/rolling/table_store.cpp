@@ -36,8 +36,8 @@ TableOperator::Tables TableStore::tables(const Formulation& formulation, TableKi
   if (const TableSet* set = find(formulation, kind)) {
     if (set->phi_reach >= phi_reach && set->theta_reach >= theta_reach) return set->tables;
     // Rising loads are to ask for few sets.
-    phi_reach = std::min(std::max(phi_reach, 3 * set->phi_reach / 2), mesh_.nodes_per_revolution / 2);
-    theta_reach = std::min(std::max(theta_reach, 3 * set->theta_reach / 2), theta_nodes_per_revolution(mesh_) / 2);
+    phi_reach = std::max(phi_reach, std::min(3 * set->phi_reach / 2, mesh_.nodes_per_revolution / 2));
+    theta_reach = std::max(theta_reach, std::min(3 * set->theta_reach / 2, theta_nodes_per_revolution(mesh_) / 2));
   }
   constexpr std::array kAll{TableKind::displacement, TableKind::dissipation};
   const bool together = std::max(phi_reach, theta_reach) <= kShortReach;

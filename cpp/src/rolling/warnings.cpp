@@ -36,7 +36,7 @@ std::string coarse_mesh_text(int across, double estimate) {
 }  // namespace
 
 std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given) {
-  std::vector<Warning> warnings;
+  std::vector<Warning> warnings = result.warnings;  // those of the body
   if (result.status == Status::max_iterations) {
     warnings.push_back({WarningKind::max_iterations, "the contact still changed when the " +
                                                          std::to_string(options.max_iterations) +

@@ -10,7 +10,7 @@
 namespace viscoroll::detail {
 
 /// @brief Warnings of a finished solve.
-/// @param[in] result all but its warnings
+/// @param[in] result all but its warnings beside those of the body
 /// @param[in] options with which it was solved
 /// @param[in] mesh_given whether the mesh was the caller's
 [[nodiscard]] std::vector<Warning> warnings_of(const Result& result, const Options& options, bool mesh_given);

@@ -31,6 +31,11 @@ struct HalfWidths {
   [[nodiscard]] Window window() const { return {{-phi, phi}, {-theta, theta}}; }
 };
 
+/// As far as a body can bear a load.
+HalfWidths at_most(const Window& widest, int phi, int theta) {
+  return {.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
+}
+
 /// Smallest gap of the nodes that a box leaves out.
 double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& window) {
   for_nodes_within(window, box, [&gap](Eigen::Index, Eigen::Index node) { gap[node] = 0.0; });
@@ -97,8 +102,8 @@ bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Cur
   const LoadCase& load_case = assembly.load_case;
   const MeshModel rough = make_model(assembly.pair(), load_case.angular_speed, mesh, curvature, assembly.execution);
   const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
-  const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = coarsened(half.theta) + 1};
   const Assembly roughly = assemble(rough, pressed, assembly.options, assembly.execution.watch);
+  const HalfWidths width = at_most(roughly.nodes.widest, coarsened(half.phi) + 1, coarsened(half.theta) + 1);
   return solve_in_window(roughly, width.window(), false, true).has_value();
 }
 
@@ -129,18 +134,14 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
 
 HeldContact find_window(const Assembly& assembly, const std::optional<ContactReach>& seen) {
   const SurfaceGrid& grid = assembly.nodes.grid;
-  const double estimate = assembly.contact_radius;
-  const ContactReach likely = seen.value_or(ContactReach{.along = estimate, .across = estimate});
+  const ContactReach likely = seen.value_or(assembly.contact);
   const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing))) + 2;
   };
   const Window& widest = assembly.nodes.widest;
-  const auto at_most_widest = [&widest](int phi, int theta) {
-    return HalfWidths{.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
-  };
   HalfWidths half =
-      at_most_widest(half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
+      at_most(widest, half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
   const bool is_shallow = assembly.estimated_depth < 0.5 * thickness(assembly.pair());
   const bool is_cheap = widest.is_line();
   bool is_seen = seen.has_value();
@@ -154,7 +155,7 @@ HeldContact find_window(const Assembly& assembly, const std::optional<ContactRea
     if (is_widest) {
       reject_load(assembly.pair(), assembly.load_case.load, "is in contact over 60 degrees to a side");
     }
-    half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
+    half = at_most(widest, half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }
 }
 

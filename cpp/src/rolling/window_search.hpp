@@ -9,12 +9,6 @@
 
 namespace viscoroll::detail {
 
-/// @brief How far a contact reaches from the lowest node.
-struct ContactReach {
-  double along;   ///< upstream or downstream, the larger one [m]
-  double across;  ///< to either side [m]
-};
-
 /// @brief A contact in a window that holds it.
 struct HeldContact {
   SurfaceWindow nodes;

@@ -18,6 +18,27 @@ struct Angle {
   double versine;
 };
 
+/// The nodes at one distance from the middle, which lie on a circle about the axis of rolling.
+struct Circle {
+  double z;       ///< sideways [m]
+  double radius;  ///< [m]
+  double drop;    ///< below the largest one [m]
+};
+
+Circle circle_at(const SurfaceGrid& grid, int column) {
+  if (!grid.crown_radius) {
+    // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
+    const Angle sideways(-column * grid.theta_spacing);  // pi/2 - theta
+    return {.z = grid.radius * sideways.sine,
+            .radius = grid.radius * sideways.cosine,
+            .drop = grid.radius * sideways.versine};
+  }
+  const double z = -column * grid.theta_spacing * grid.radius;
+  const double slope = z / *grid.crown_radius;
+  const double drop = z * slope / (1.0 + std::sqrt(1.0 - slope * slope));
+  return {.z = z, .radius = grid.radius - drop, .drop = drop};
+}
+
 }  // namespace
 
 SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, double shift)
@@ -28,17 +49,16 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, doub
   y_.resize(count);
   z_.resize(count);
   height_.resize(count);
-  // Sines of the offsets from pi/2 keep the mirror symmetry to the last bit.
-  std::vector<Angle> columns;
-  for (int k = theta.first; k <= theta.last; ++k) columns.emplace_back(-k * grid.theta_spacing);  // pi/2 - theta
+  std::vector<Circle> circles;
+  for (int k = theta.first; k <= theta.last; ++k) circles.push_back(circle_at(grid, k));
   Eigen::Index node = 0;
   for (int i = phi.first; i <= phi.last; ++i) {
     const Angle forward(-(i + shift) * grid.phi_spacing);  // pi/2 - phi
-    for (const Angle& sideways : columns) {
-      x_[node] = grid.radius * sideways.cosine * forward.sine;
-      y_[node] = grid.radius * sideways.cosine * forward.cosine;
-      z_[node] = grid.radius * sideways.sine;
-      height_[node] = grid.radius * (sideways.versine + sideways.cosine * forward.versine);
+    for (const Circle& circle : circles) {
+      x_[node] = circle.radius * forward.sine;
+      y_[node] = circle.radius * forward.cosine;
+      z_[node] = circle.z;
+      height_[node] = circle.drop + circle.radius * forward.versine;
       ++node;
     }
   }
@@ -66,19 +86,22 @@ Eigen::ArrayXd SurfaceWindow::lag() const {
   for (Eigen::Index node = columns; node < lag.size(); ++node) {
     const Eigen::Index row = window_.phi.first + node / columns;
     const double middle = (static_cast<double>(row) + shift_ - 0.5) * step;
-    const double theta = static_cast<double>(window_.theta.first + node % columns) * grid_.theta_spacing;
+    const int column = window_.theta.first + static_cast<int>(node % columns);
+    if (grid_.is_paraboloid) {
+      const double theta = column * grid_.theta_spacing;
+      lag[node] = 0.5 * grid_.radius * step * (std::pow(middle, 2) + std::pow(theta, 2) + std::pow(step, 2) / 12.0);
+      continue;
+    }
     const Angle forward(middle);
-    const Angle sideways(theta);
-    lag[node] = grid_.is_paraboloid
-                    ? 0.5 * step * (std::pow(middle, 2) + std::pow(theta, 2) + std::pow(step, 2) / 12.0)
-                    : step * sideways.versine + sideways.cosine * (step - chord + chord * forward.versine);
+    const Circle circle = circle_at(grid_, column);
+    lag[node] = step * circle.drop + circle.radius * (step - chord + chord * forward.versine);
   }
-  return grid_.radius * lag;
+  return lag;
 }
 
 Eigen::ArrayXd SurfaceWindow::patch_area() const {
   const double equatorial = std::pow(grid_.radius, 2) * grid_.phi_spacing * grid_.theta_spacing;
-  if (grid_.is_paraboloid) return Eigen::ArrayXd::Constant(shape().size(), equatorial);
+  if (grid_.is_paraboloid || grid_.crown_radius) return Eigen::ArrayXd::Constant(shape().size(), equatorial);
   return equatorial * theta().sin();
 }
 
@@ -98,11 +121,18 @@ Eigen::ArrayXd SurfaceWindow::theta() const {
 }
 
 std::array<std::array<Eigen::ArrayXd, 3>, 3> SurfaceWindow::axes() const {
-  const double r = grid_.radius;
   const Eigen::ArrayXd phi = this->phi();
-  return {{{x_ / r, -phi.sin(), z_ / r * phi.cos()},
-           {y_ / r, phi.cos(), z_ / r * phi.sin()},
-           {z_ / r, Eigen::ArrayXd::Zero(phi.size()), -theta().sin()}}};
+  const Eigen::ArrayXd tilt = z_ / grid_.radius_across();  // the normal's share along z
+  // The other share is the sine of theta, by which a sphere's circles are smaller, too.
+  Eigen::ArrayXd level = theta().sin();
+  Eigen::ArrayXd circle = Eigen::ArrayXd::Constant(phi.size(), grid_.radius);
+  if (grid_.crown_radius) {
+    level = (1.0 - tilt.square()).sqrt();
+    circle = (grid_.radius - height_) / phi.sin() / level;
+  }
+  return {{{x_ / circle, -phi.sin(), tilt * phi.cos()},
+           {y_ / circle, phi.cos(), tilt * phi.sin()},
+           {tilt, Eigen::ArrayXd::Zero(phi.size()), -level}}};
 }
 
 }  // namespace viscoroll::detail

@@ -5,13 +5,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <concepts>
+#include <optional>
 
 #include "surface/window.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief The sphere with its grid of nodes at equal spacings in phi and theta, one of them at the lowest point
-/// phi = theta = pi/2.
+/// @brief A sphere, or the tread of a wheel, with its grid of nodes at equal spacings in phi and theta, one of them at
+/// the lowest point phi = theta = pi/2.
 struct SurfaceGrid {
   double radius;         ///< r_o [m]
   double phi_spacing;    ///< [rad]
@@ -19,6 +20,12 @@ struct SurfaceGrid {
   /// Whether nodes keep their distances, r_o times the spacings, along a plane, and the sphere's height above it is
   /// that of its paraboloid: over a plane that deforms, whose nodes they are, too (theory.md section 15).
   bool is_paraboloid = false;
+  /// Of a wheel, whose nodes lie at equal distances, r_o times the spacing, along its axis [m]; infinite: flat. None of
+  /// a sphere.
+  std::optional<double> crown_radius = std::nullopt;
+
+  /// @return radius of the surface across [m]
+  [[nodiscard]] double radius_across() const { return crown_radius.value_or(radius); }
 };
 
 /// @brief Beyond 60 degrees the plane runs along the surface rather than against it, and no load can be borne.
@@ -54,11 +61,12 @@ class SurfaceWindow {
   [[nodiscard]] Eigen::ArrayXd patch_area() const;
   /// @return phi of every node [rad]
   [[nodiscard]] Eigen::ArrayXd phi() const;
-  /// @return theta of every node [rad]
+  /// @return theta of every node of a sphere [rad]
   [[nodiscard]] Eigen::ArrayXd theta() const;
 
   /// @return directions x (forward), y (down) and z (sideways), each by its components (r, phi, theta) at every node:
-  /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y
+  /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y; on a wheel theta is along the
+  /// profile
   [[nodiscard]] std::array<std::array<Eigen::ArrayXd, 3>, 3> axes() const;
 
  private:

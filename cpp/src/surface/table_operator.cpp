@@ -107,7 +107,7 @@ std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& fo
       directions[0][kForward] = -formulation.counterpart_curvature * window.x();
     } else if (formulation.tangential) {
       directions[0][kForward] = window.x() / window.grid().radius;
-      directions[0][kSideways] = window.z() / window.grid().radius;
+      directions[0][kSideways] = window.z() / window.grid().radius_across();
     }
     return directions;
   }

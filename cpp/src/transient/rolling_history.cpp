@@ -357,7 +357,7 @@ RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start st
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
   const double contact_radius =
-      detail::estimate_contact_radius(detail::rolling_pair(impl.elastic, CoatedPlane{}), 1.0, load);
+      detail::estimate_contact(detail::rolling_pair(impl.elastic, CoatedPlane{}), 1.0, load).along;
   if (!impl.options.mesh) impl.options.mesh = chosen_mesh(outer_radius(sphere), contact_radius);
   const auto half_width = [&](double spacing) {
     return static_cast<Index>(std::ceil(1.1 * contact_radius / (outer_radius(sphere) * spacing))) + 2;

@@ -1,0 +1,24 @@
+/// @file
+/// @brief What the crown of a wheel changes in the compliance of its tread, to the first order in its curvature.
+///
+/// The equations of a wheel know that its surface is a ring along the path, not that it is one across. In the first
+/// order both curvatures add up, and the other one by itself is a cylinder whose axis lies along the path: theory.md
+/// wheels.
+#pragma once
+
+#include <complex>
+#include <span>
+
+#include "modal/compliance_recursion.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief Add C_cylinder - C_plane, at the same wave numbers and moduli, the cylinder curved across and of the crown's
+/// radius. Without inertia, which would change this difference in the second order.
+/// @param[in] orders (m, n) in the layers of a wheel
+/// @param[in] crown_radius R_c, finite [m]
+/// @param[in,out] compliances of these orders [m/Pa]
+void add_crown(std::span<const OrderInLayers<std::complex<double>>> orders, double crown_radius,
+               std::span<Matrix3<std::complex<double>>> compliances);
+
+}  // namespace viscoroll::detail

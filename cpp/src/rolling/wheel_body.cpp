@@ -1,0 +1,133 @@
+// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: theory.md, wheels.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "rolling/body.hpp"
+#include "rolling/spot_surface.hpp"
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+constexpr int kFewestColumns = 4;  // to either side of the middle: coarser meshes still have some
+
+void require_wheel_options(const Options& options) {
+  if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT with a wheel", "SPHERICAL");
+}
+
+void require_curvature_of_wheel(Curvature curvature) {
+  if (curvature == Curvature::sphere) return;
+  reject("curvature", "left out with a wheel, whose equations keep all of it along the path",
+         curvature == Curvature::exact ? "EXACT" : "PAPER");
+}
+
+/// The tread without sides; where they are free, this is the place for what they add to its tables.
+BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
+  require_curvature_of_wheel(crossing.curvature);
+  if (wheel.layers.empty()) return {};
+  if (wheel.sides == Sides::free) reject("sides", "\"endless\": free ones are not there yet", "\"free\"");
+  return surface_under_spot(layered_body(wheel), crossing);
+}
+
+/// At the same arcs as the nodes of what rolls on it.
+Profile profile_of(const CoatedWheel& wheel, const SurfaceWindow& points) {
+  const double radius = outer_radius(wheel);
+  const Eigen::ArrayXd forward = (std::numbers::pi / 2.0 - points.phi()) * (points.grid().radius / radius);
+  const Eigen::ArrayXd crown = points.z().unaryExpr([&](double z) { return crown_drop(wheel, z); });
+  return {.drop = crown + 2.0 * (radius - crown) * (0.5 * forward).sin().square(),
+          .slope = (1.0 - crown / radius) * forward.sin()};
+}
+
+/// Columns whose patches are of equal width, as near to the mesh's as lets an odd number of them end at the sides.
+Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
+  const double radius = outer_radius(wheel);
+  const double width = std::min(wheel.width, on.width);
+  const double columns = width / (radius * theta_spacing(mesh));
+  const int aside = std::max(kFewestColumns, static_cast<int>(std::lround(0.5 * (columns - 1.0))));
+  const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
+  return {.grid = {.radius = radius,
+                   .phi_spacing = phi_spacing(mesh),
+                   .theta_spacing = width / ((2 * aside + 1) * radius),
+                   .crown_radius = wheel.crown_radius},
+          .widest = {{-phi, phi}, {-aside, aside}}};
+}
+
+/// What the torque of a tread without sides lacks, by the distance from the contact to the sides of a tread that ends:
+/// what finite elements of its section find, at Poisson's ratio 1/2 (theory.md, wheels).
+double error_of_sides(const CoatedWheel& wheel, double across) {
+  constexpr double kAtSides = 0.11;
+  constexpr double kFall = 2.2;  // per thickness
+  return kAtSides * std::exp(-kFall * (0.5 * wheel.width - across) / coating_thickness(wheel));
+}
+
+/// Of what the crown changes, and of a profile that is taken as thin everywhere as in the middle.
+double error_of_crown(const CoatedWheel& wheel, const ContactReach& contact) {
+  if (std::isinf(wheel.crown_radius)) return 0.0;
+  // What the first order in the curvature changes, of which it leaves a sixth to a twentieth.
+  constexpr double kFirstOrder = 0.17;
+  // A tread that grows thinner to its sides is one of the thickness h - 0.1 a^2 / R_c, and twice as much softer.
+  constexpr double kThinner = 0.2;
+  const double thickness = coating_thickness(wheel);
+  const double size = std::sqrt(contact.along * contact.across);
+  const double slope = contact.across / wheel.crown_radius;
+  const double profile = wheel.hub == Hub::straight ? kThinner * slope * contact.across / thickness : 0.0;
+  return kFirstOrder * std::min(thickness, size) / wheel.crown_radius + slope * slope + profile;
+}
+
+double error_of(const CoatedWheel& wheel, const ContactReach& contact) {
+  if (wheel.layers.empty()) return 0.0;
+  return error_of_crown(wheel, contact) + (wheel.sides == Sides::endless ? error_of_sides(wheel, contact.across) : 0.0);
+}
+
+std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& contact) {
+  std::vector<Warning> cautions;
+  const double thickness = coating_thickness(wheel);
+  const double clear = 0.5 * wheel.width - contact.across;
+  const bool is_crowned = std::isfinite(wheel.crown_radius);
+  const bool is_endless = wheel.sides == Sides::endless && !wheel.layers.empty();
+  const bool touches = clear < 1e-9 * wheel.width;
+  if (is_endless && !is_crowned) {
+    cautions.push_back({WarningKind::edge_pressure,
+                        "the pressure of a flat tread with endless sides grows without bounds towards its edges: "
+                        "max_pressure is the mesh's"});
+  }
+  if (is_crowned && touches) {
+    cautions.push_back({WarningKind::contact_at_side,
+                        "the contact reaches the sides of the crowned tread, +-" + rounded(0.5 * wheel.width) + " m"});
+  } else if (is_crowned && is_endless && clear < thickness) {
+    cautions.push_back({WarningKind::contact_at_side,
+                        "the contact ends " + rounded(clear) + " m from the sides, nearer than the tread is thick (" +
+                            rounded(thickness) + " m): with endless sides the torque may be too small by " +
+                            rounded(error_of_sides(wheel, contact.across)) + " of it"});
+  }
+  if (wheel.crown_radius < thickness) {
+    cautions.push_back({WarningKind::tight_crown, "the crown is rounder than the tread is thick, " +
+                                                      rounded(wheel.crown_radius) + " m and " + rounded(thickness) +
+                                                      " m: good as long as the contact is small beside both"});
+  }
+  return cautions;
+}
+
+}  // namespace
+
+Body make_body(const CoatedWheel& wheel) {
+  return {.type = "CoatedWheel",
+          .layers = named(wheel.layers),
+          .curvatures = {.along = 1.0 / outer_radius(wheel), .across = 1.0 / wheel.crown_radius},
+          .surface = [wheel](const Crossing& crossing) { return surface_of(wheel, crossing); },
+          .profile = [wheel](const SurfaceWindow& points) { return profile_of(wheel, points); },
+          .width = wheel.width,
+          .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },
+          .cautions = [wheel](const ContactReach& contact) { return cautions_of(wheel, contact); },
+          .name = "wheel",
+          .counterparts = {"CoatedPlane", "Groove", "CoatedCylinder", "CoatedWheel"},
+          .radius = outer_radius(wheel),
+          .form = kSpotContact,
+          .nodes = [wheel](const Mesh& mesh, const Body& on) { return nodes_of(wheel, mesh, on); },
+          .require = require_wheel_options};
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,64 @@
+"""Orders of a wheel's tread: Bessel functions at 40 digits, a roller's, layers, parities, and bad input."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from reference import wheel_orders as reference
+from specimens import RUBBER
+
+SPEED = 2.5
+
+
+def wheel(hub, layers):
+    layers = [
+        vr.Layer(thickness=thickness, shear_modulus=modulus, poisson_ratio=nu) for thickness, modulus, nu in layers
+    ]
+    return vr.CoatedWheel(core_radius=hub, layers=layers, width=30e-3, sides="endless")
+
+
+def error(found, expected):
+    """Largest error of an entry, by the size of what it couples."""
+    size = np.sqrt(np.abs(np.diag(expected)))
+    return np.max(np.abs(found - expected) / np.outer(size, size))
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
+@pytest.mark.parametrize("hub", [40e-3, 15e-3])
+@pytest.mark.parametrize(("m", "k_radius"), [(0, 0.3), (1, 0.3), (2, 1.0), (3, 7.0), (5, 80.0), (20, 0.5), (60, 3.0)])
+def test_one_layer_is_bessels(m, k_radius, hub, nu):
+    k = k_radius / 50e-3
+    thickness = 50e-3 - hub
+    found = vr.surface_compliance(wheel(hub, [(thickness, RUBBER, nu)]), SPEED, m, k)
+    modulus = vr.complex_modulus(RUBBER, m * SPEED)
+    # Some hundred round-offs.
+    assert error(found, reference.surface_compliance(hub, [(thickness, complex(modulus), nu)], m, k)) < 1e-12
+
+
+@pytest.mark.parametrize(("m", "k"), [(0, 100.0), (4, 60.0), (-7, 90.0), (30, -200.0)])
+def test_layers_are_bessels(m, k):
+    soft = vr.standard_linear_solid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
+    layers = [(6e-3, RUBBER, 0.5), (4e-3, soft, 0.45)]
+    found = vr.surface_compliance(wheel(40e-3, layers), SPEED, m, k)
+    moduli = [complex(vr.complex_modulus(modulus, abs(m) * SPEED)) for _, modulus, _ in layers]
+    if m < 0:
+        moduli = np.conj(moduli)
+    given = [(thickness, mu, nu) for (thickness, _, nu), mu in zip(layers, moduli, strict=True)]
+    expected = reference.surface_compliance(40e-3, given, abs(m), abs(k))
+    # Around and across, each turns the signs of what is odd in it.
+    flip = np.diag([1.0, np.sign(m) or 1.0, np.sign(k)])
+    assert error(found, flip @ expected @ flip) < 1e-12
+
+
+def test_equal_layers_are_one():
+    parts = wheel(40e-3, [(3e-3, RUBBER, 0.45), (7e-3, RUBBER, 0.45)])
+    whole = wheel(40e-3, [(10e-3, RUBBER, 0.45)])
+    for m, k in [(0, 3.0), (2, 100.0), (300, 5e3)]:
+        one = vr.surface_compliance(whole, SPEED, m, k)
+        assert error(vr.surface_compliance(parts, SPEED, m, k), one) < 1e-12
+
+
+def test_bad_orders_are_refused():
+    with pytest.raises(ValueError, match="k must be"):
+        vr.surface_compliance(wheel(40e-3, [(10e-3, RUBBER, 0.45)]), SPEED, 2, np.nan)

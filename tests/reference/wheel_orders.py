@@ -1,0 +1,98 @@
+"""Compliance of the tread of a wheel from closed forms: Bessel functions of the order around at the wave number across.
+
+With Z_m a modified Bessel function of either kind and e = exp(i (m phi + k z)), displacements in a tube are sums of
+
+    grad(Z_m e),   curl(Z_m e e_z),   4 (1 - nu) B - grad(r B_r)   with   B = Z_{m+1} e (e_r - i e_phi),
+
+the last of which is Papkovich's and Neuber's (Y. C. Fung and P. Tong, Classical and Computational Solid Mechanics,
+section 8.6): B is harmonic, since e_r - i e_phi = exp(i phi) (e_x - i e_y). Its divergence is 2 (1 - 2 nu) div B, so
+that the pressure of an incompressible tread is finite.
+"""
+
+from __future__ import annotations
+
+import mpmath
+import numpy as np
+
+DIGITS = 40
+
+
+def _bessel(kind, order, x, slopes=0):
+    """Return I (kind 1) or K (kind -1), or a derivative."""
+    if slopes == 0:
+        return (mpmath.besseli if kind > 0 else mpmath.besselk)(order, x)
+    return kind * (_bessel(kind, order - 1, x, slopes - 1) + _bessel(kind, order + 1, x, slopes - 1)) / 2
+
+
+def _solution(kind, field, m, k, nu, r):
+    """Displacement and stress per modulus of a solution at a radius, each along r, phi and z."""
+    order = m + 1 if field == "pressure" else m
+    f, df, ddf = (k**slopes * _bessel(kind, order, k * r, slopes) for slopes in (0, 1, 2))
+    pressure = 0
+    if field == "gradient":
+        u = [df, 1j * m * f / r, 1j * k * f]
+        du = [ddf, 1j * m * (df / r - f / r**2), 1j * k * df]
+    elif field == "curl":
+        u = [1j * m * f / r, -df, 0]
+        du = [1j * m * (df / r - f / r**2), -ddf, 0]
+    else:
+        share = 4 * (1 - nu)
+        u = [share * f - f - r * df, -1j * (share + m) * f, -1j * k * r * f]
+        du = [share * df - 2 * df - r * ddf, -1j * (share + m) * df, -1j * k * (f + r * df)]
+        pressure = 4 * nu * (df + (1 + m) * f / r)  # lambda div u = 4 mu nu div B
+    stress = [pressure + 2 * du[0], 1j * m / r * u[0] + du[1] - u[1] / r, 1j * k * u[0] + du[2]]
+    return u + stress
+
+
+def _solutions(m, k, nu, r):
+    """Six columns of displacement and stress per modulus."""
+    return mpmath.matrix(
+        [_solution(kind, field, m, k, nu, r) for kind in (1, -1) for field in ("gradient", "curl", "pressure")]
+    ).T
+
+
+def surface_compliance(hub, layers, m, k):
+    """Displacement per stress [m/Pa] at the surface of layers on a rigid hub, along r, phi and z.
+
+    Parameters
+    ----------
+    hub : float
+        Radius [m].
+    layers : list of (thickness, modulus, nu)
+        From the hub outwards [m], [Pa]; moduli may be complex.
+    m : int
+        Order around.
+    k : float
+        Wave number across [1/m], > 0.
+    """
+    with mpmath.workdps(DIGITS):
+        k = mpmath.mpf(k)
+        size = 6 * len(layers)
+        matrix = mpmath.zeros(size)
+        radius = mpmath.mpf(hub)
+        for j, (thickness, modulus, nu) in enumerate(layers):
+            units = [1] * 3 + [mpmath.mpmathify(modulus)] * 3
+            inner = _solutions(m, k, mpmath.mpf(nu), radius)
+            radius += mpmath.mpf(thickness)
+            outer = _solutions(m, k, mpmath.mpf(nu), radius)
+            for column in range(6):  # of like size, which may be 1e-70 and 1e70
+                size_of = max(abs(value) for value in [*inner[:, column], *outer[:, column]])
+                inner[:, column] /= size_of
+                outer[:, column] /= size_of
+            # What one layer passes on to the next; the hub takes displacements, and the surface gives stresses.
+            for row in range(6):
+                for column in range(6):
+                    if j > 0 or row < 3:
+                        matrix[6 * j + row - (3 if j > 0 else 0), 6 * j + column] -= units[row] * inner[row, column]
+                    if j < len(layers) - 1:
+                        matrix[6 * j + 3 + row, 6 * j + column] += units[row] * outer[row, column]
+                    elif row >= 3:
+                        matrix[6 * j + row, 6 * j + column] += units[row] * outer[row, column]
+        compliance = mpmath.zeros(3)
+        for direction in range(3):
+            load = mpmath.zeros(size, 1)
+            load[size - 3 + direction] = 1
+            amplitudes = mpmath.lu_solve(matrix, load)
+            for row in range(3):
+                compliance[row, direction] = sum(outer[row, i] * amplitudes[size - 6 + i] for i in range(6))
+        return np.array(compliance.tolist(), dtype=complex)
