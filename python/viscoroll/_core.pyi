@@ -181,6 +181,9 @@ class WarningKind(enum.Enum):
     ACCURACY_NOT_REACHED = ...
     COARSE_MESH = ...
     LARGE_STRAIN = ...
+    CONTACT_AT_SIDE = ...
+    EDGE_PRESSURE = ...
+    TIGHT_CROWN = ...
 
 class Refinement:
     @property
@@ -230,6 +233,11 @@ class ResultScalars:
         contact area [m^2].
         """
     @property
+    def contact_width(self) -> float | None:
+        """
+        width of the contact, across the path [m]. From one of the outermost nodes that touch to the other, with their patches; None in line contact.
+        """
+    @property
     def counterpart_bulk_power(self) -> float:
         """
         power lost in what it rolls on [W]. The other share.
@@ -258,6 +266,11 @@ class ResultScalars:
     def error_estimate(self) -> float:
         """
         relative error estimate [1]. The power-balance error on a given mesh, else the largest of it and the changes, from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
+        """
+    @property
+    def face_distance(self) -> float | None:
+        """
+        distance of the contact from the faces [m]. Of a wheel, from the nearer one: 0 where it reaches it; None for what has no faces.
         """
     @property
     def iterations(self) -> int:
@@ -428,8 +441,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        body: CoatedSphere | CoatedCylinder,
-        on: CoatedPlane | CoatedCylinder | Groove,
+        body: CoatedSphere | CoatedCylinder | CoatedWheel,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -611,6 +624,8 @@ def critical_speed(
 def critical_speed(
     cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
+@typing.overload
+def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -676,8 +691,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    body: CoatedSphere | CoatedCylinder,
-    on: CoatedPlane | CoatedCylinder | Groove,
+    body: CoatedSphere | CoatedCylinder | CoatedWheel,
+    on: CoatedPlane | CoatedCylinder | Groove | CoatedWheel,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
@@ -708,6 +723,7 @@ def state_matrix(
     n: typing.SupportsInt | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
 def surface_compliance(
     sphere: CoatedSphere,
     m: numpy.typing.NDArray[numpy.int32],
@@ -715,6 +731,14 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
+def surface_compliance(
+    wheel: CoatedWheel,
+    m: numpy.typing.NDArray[numpy.int32],
+    k: numpy.typing.NDArray[numpy.float64],
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def validate_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,

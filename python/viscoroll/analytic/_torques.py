@@ -1,4 +1,4 @@
-"""Closed forms of the torque that balls and rollers have alike."""
+"""Closed forms of the torque that balls, rollers and wheels have alike."""
 
 from __future__ import annotations
 

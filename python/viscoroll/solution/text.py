@@ -88,7 +88,11 @@ def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     shape = ("contact's half width", f"{result.semi_axis_x:.4g} m")
     if result.semi_axis_z is not None:
         shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
-    return [("penetration", penetration), shape]
+    rows = [("penetration", penetration), shape]
+    if result.face_distance is not None:
+        reached = "0 m: it reaches a face" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
+        rows.append(("width of the contact, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))
+    return rows
 
 
 def _error_rows(result: Solution) -> list[tuple[str, str]]:

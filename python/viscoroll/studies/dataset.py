@@ -146,7 +146,7 @@ def _provenance(plan: Plan) -> dict[str, str]:
     balls = plan.balls()
     materials = dict.fromkeys(_clean(layer.shear_modulus) for ball in balls for layer in ball.layers)
     attributes = {
-        "title": f"rolling resistance of a coated {' or '.join(sorted({ball.noun for ball in balls}))}",
+        "title": f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, balls))))}",
         "source": f"viscoroll {__version__}",
         "version": __version__,
         "commit": __commit__,
@@ -161,6 +161,10 @@ def _provenance(plan: Plan) -> dict[str, str]:
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
             attributes[name] = label(plan.fixed[name])
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
+
+
+def _kind(ball: RollingBody) -> str:
+    return type(ball).__name__.removeprefix("Coated").lower()
 
 
 def _parameters(ball: RollingBody) -> str:
