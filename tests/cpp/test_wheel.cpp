@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "cases.hpp"
+#include "influence/coating_sum.hpp"
+#include "influence/line_sum.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/mesh_model.hpp"
@@ -87,7 +91,7 @@ CoatedWheel crowned(double crown_radius, double width = 0.08) {
 }
 
 TEST(WheelOrders, BothCurvaturesCountAlike) {
-  CoatedWheel wheel = crowned(0.05);
+  CoatedWheel wheel = crowned(0.05, 0.02);
   wheel.layers[0].shear_modulus = Elastic{2e6};
   const LayeredBody layers = layered_body(wheel);
   const HarmonicBody body(layers, 1.0, {3.0, 14.0});
@@ -117,6 +121,153 @@ TEST(WheelOrders, WavesAreHeardAtTheSpeedOfARollersAtTheLatest) {
   const CoatedCylinder roller{.core_radius = wheel.core_radius, .layers = wheel.layers};
   EXPECT_LE(critical_speed(wheel), critical_speed(roller));
   EXPECT_GT(critical_speed(wheel), 0.9 * critical_speed(roller));
+}
+
+/// Tables of patches whose width is no whole part of a revolution.
+class TreadTables : public ::testing::Test {
+ protected:
+  static constexpr int kReach = 40;
+
+  [[nodiscard]] std::vector<Table> tables_of(const LayeredBody& layers, double theta, int aside) {
+    const Mesh mesh{.nodes_per_revolution = kNodes, .theta_nodes_per_revolution = 500};
+    const Patches patches{.phi = phi_spacing(mesh), .theta = theta, .widest = aside * theta};
+    return CoatingSum(layers, kSpeed, mesh, patches, 1, watch_).tables(requests_, kReach, aside, 1, watch_);
+  }
+
+  static constexpr int kNodes = 720;
+  static constexpr double kSpeed = 2.5;
+  Observer observer_;
+  Watch watch_{observer_};
+  std::vector<TableRequest> requests_{
+      {.entry = Entry::rr}, {.entry = Entry::rphi}, {.entry = Entry::thetatheta}, {.entry = Entry::rr, .power = true}};
+};
+
+TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
+  CoatedWheel wheel = crowned(kInfinity);
+  wheel.layers.insert(wheel.layers.begin(), {.thickness = 0.004, .shear_modulus = Elastic{2e6}, .poisson_ratio = 0.4});
+  const double radius = outer_radius(wheel);
+  const double theta = 0.0127;
+  const int aside = 400;  // twenty thicknesses: nothing of the tread is felt as far
+  const std::vector<Table> tables = tables_of(layered_body(wheel), theta, aside);
+  const LayeredBody roller = layered_body(CoatedCylinder{.core_radius = wheel.core_radius, .layers = wheel.layers});
+  const Mesh mesh{.nodes_per_revolution = kNodes};
+  std::vector<OrderBand> bands = phi_bands(roller, kSpeed, mesh);
+  const HarmonicBody harmonics(roller, kSpeed, all_orders(bands));
+  const LineSum line(std::move(bands), harmonics, phi_spacing(mesh), radius, 1, watch_);
+  const std::vector<Table> lines = line.tables(requests_, kReach, 0, 1, watch_);
+  for (std::size_t k = 0; k < requests_.size(); ++k) {
+    double largest = 0.0;
+    double error = 0.0;
+    for (int j = -kReach; j <= kReach; ++j) {
+      double sum = 0.0;
+      for (int l = -aside; l <= aside; ++l) sum += tables[k](j, l);
+      largest = std::max(largest, std::abs(lines[k](j, 0)));
+      error = std::max(error, std::abs(sum * radius * theta - lines[k](j, 0)));
+    }
+    EXPECT_LT(error, 4e-7 * largest) << k;  // nine digits of a table's center, at each of 801 offsets
+  }
+}
+
+/// Of a wheel on the rigid plane.
+Result roll(const CoatedWheel& wheel, double load, double angular_speed, const Mesh& mesh,
+            bool knows_its_crown = true) {
+  RollingPair pair = rolling_pair(wheel, CoatedPlane{});
+  CoatedWheel flat = wheel;
+  flat.crown_radius = kInfinity;
+  if (!knows_its_crown) pair.body.surface = make_body(flat).surface;
+  const Options options;
+  Watch watch(options.observer);
+  const MeshModel model = make_model(pair, angular_speed, mesh, options.curvature, {.threads = 1, .watch = watch});
+  return solve_load_case(model, {.load = load, .angular_speed = angular_speed}, options, watch);
+}
+
+/// Torque by the power lost, which is smoother in the nodes than that of the pressure [N m].
+double torque_of(const Result& result, double angular_speed) { return result.bulk_power / angular_speed; }
+
+struct Rolling {
+  double speed;     ///< [rad/s]
+  double torque;    ///< [N m]
+  double approach;  ///< [m]
+};
+
+// An independent program in plain NumPy, with periodic sums of its own over both wave numbers and the crown in the gap
+// alone: to its five digits or the mesh's 2e-4.
+TEST(WheelRolling, IsThatOfAnotherProgram) {
+  for (const Rolling& known : {Rolling{2.5, 0.24749, 0.58429e-3}, Rolling{25.0, 0.028318, 0.55510e-3}}) {
+    const Result r = roll(crowned(0.3), 500.0, known.speed, {.nodes_per_revolution = 1600}, false);
+    EXPECT_NEAR(torque_of(r, known.speed), known.torque, 2e-4 * known.torque);
+    EXPECT_NEAR(*r.penetration, known.approach, 3e-5 * known.approach);
+  }
+}
+
+TEST(WheelRolling, UnlikeLayersAreThatOfAnotherProgram) {
+  CoatedWheel wheel = crowned(0.3);
+  wheel.layers = {{.thickness = 0.006, .shear_modulus = cases::rubber(), .poisson_ratio = 0.5},
+                  {.thickness = 0.004, .shear_modulus = standard_linear_solid(4e6, 1e6, 0.02), .poisson_ratio = 0.45}};
+  const Result r = roll(wheel, 300.0, 2.5, {.nodes_per_revolution = 1600}, false);
+  EXPECT_NEAR(torque_of(r, 2.5), 0.45161, 2e-4 * 0.45161);
+  EXPECT_NEAR(*r.penetration, 0.65879e-3, 3e-5 * 0.65879e-3);
+  EXPECT_NEAR(r.max_pressure, 1.1856e6, 5e-4 * 1.1856e6);
+}
+
+TEST(WheelRolling, FlatTreadsConvergeLikeTheirSpacing) {
+  for (const Rolling& known : {Rolling{2.5, 0.24121, 0.4595e-3}, Rolling{25.0, 0.026760, 0.4278e-3}}) {
+    const auto at = [&](int nodes) {
+      return roll(crowned(kInfinity, 0.03), 500.0, known.speed, {.nodes_per_revolution = nodes}, false);
+    };
+    const Result coarse = at(800);
+    const Result fine = at(1600);
+    const double torque = 2.0 * torque_of(fine, known.speed) - torque_of(coarse, known.speed);
+    EXPECT_NEAR(torque, known.torque, 5e-4 * known.torque);
+    EXPECT_NEAR(2.0 * *fine.penetration - *coarse.penetration, known.approach, 5e-4 * known.approach);
+    ASSERT_EQ(fine.warnings.size(), 1U);
+    EXPECT_EQ(fine.warnings.front().kind, WarningKind::edge_pressure);
+  }
+}
+
+TEST(WheelRolling, WithTheRadiusOfItsCrownIsABalls) {
+  const Mesh mesh{.nodes_per_revolution = 1600};
+  CoatedWheel wheel = crowned(0.05, 0.06);
+  wheel.core_radius = 0.048;
+  wheel.layers[0].thickness = 0.002;
+  wheel.hub = Hub::crowned;
+  Options options;
+  options.mesh = mesh;
+  options.curvature = Curvature::exact;
+  const Result ball = solve(CoatedSphere{.core_radius = wheel.core_radius, .layers = wheel.layers},
+                            LoadCase{.load = 100.0, .angular_speed = 2.5}, options);
+  const Result r = roll(wheel, 100.0, 2.5, mesh);
+  EXPECT_NEAR(torque_of(r, 2.5), torque_of(ball, 2.5), 3e-4 * torque_of(ball, 2.5));
+  EXPECT_NEAR(*r.penetration, *ball.penetration, 3e-4 * *ball.penetration);
+  const Result plain = roll(wheel, 100.0, 2.5, mesh, false);  // what the first order in the curvature is there for
+  EXPECT_GT(std::abs(torque_of(plain, 2.5) / torque_of(ball, 2.5) - 1.0), 5e-3);
+}
+
+TEST(WheelRolling, TorqueGrowsWithTheWidthAsARollersPerLength) {
+  const Mesh mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 400};
+  const double per_length = 500.0 / 0.03;
+  const auto at = [&](double width) {
+    return torque_of(roll(crowned(kInfinity, width), per_length * width, 2.5, mesh), 2.5);
+  };
+  const double added = (at(0.24) - at(0.12)) / 0.12;
+  const CoatedWheel wheel = crowned(kInfinity);
+  Options options;
+  options.mesh = Mesh{.nodes_per_revolution = 1600};
+  const Result roller = solve(CoatedCylinder{.core_radius = wheel.core_radius, .layers = wheel.layers},
+                              LoadCase{.load = per_length, .angular_speed = 2.5}, options);
+  EXPECT_NEAR(added, torque_of(roller, 2.5), 1e-3 * added);
+}
+
+TEST(WheelRolling, TwoAlikeAreOneOnItsMirrorPlane) {
+  Options options;
+  options.mesh = Mesh{.nodes_per_revolution = 600};
+  const LoadCase load_case{.load = 500.0, .angular_speed = 2.5};
+  const CoatedWheel wheel = crowned(0.3);
+  const Result both = solve(wheel, wheel, load_case, options);
+  const Result one = solve(wheel, CoatedPlane{}, load_case, options);
+  EXPECT_NEAR(both.resisting_torque, one.resisting_torque, 1e-9 * one.resisting_torque);
+  EXPECT_NEAR(*both.penetration, 2.0 * *one.penetration, 1e-9 * *both.penetration);
+  EXPECT_NEAR(both.counterpart_bulk_power, both.rolling_bulk_power, 1e-9 * both.rolling_bulk_power);
 }
 
 }  // namespace

@@ -105,6 +105,13 @@ double highest_order(int nodes_per_revolution, double finest_order) {
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
 }
 
+/// On a hub the lowest order stands for all below it, whose weights fall in its ratio to the next one: by loads on all of
+/// a wide wheel they displace nodes as others do.
+void count_longest(OrderBand& band) {
+  const double ratio = band.orders[1] / band.orders[0];
+  band.weights[0] *= ratio / (ratio - 1.0);
+}
+
 /// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
 OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution, double widest) {
   // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
@@ -219,7 +226,9 @@ std::vector<OrderBand> theta_bands(const LayeredBody& body, double angular_speed
   const int nodes = theta_nodes_per_revolution(mesh);
   if (body.metric.across == Way::line) {
     require_all_orders(body.metric, mesh);
-    return unbounded_octaves(nodes, finest_order(body, angular_speed), 1.0, widest);
+    std::vector<OrderBand> bands = unbounded_octaves(nodes, finest_order(body, angular_speed), 1.0, widest);
+    if (body.metric.is_wheel()) count_longest(bands.front());
+    return bands;
   }
   return mesh.max_order ? whole_orders(*mesh.max_order, nodes)
                         : octaves(nodes, finest_order(body, angular_speed), rough_orders);
