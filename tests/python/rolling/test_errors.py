@@ -188,7 +188,10 @@ def tables(ball=None, mesh=None, **options):
     ("call", "message"),
     [
         (lambda: vr.critical_speed(3), "ball must be a viscoroll.CoatedSphere or .*CoatedWheel, got 3"),
-        (lambda: vr.surface_compliance(3, 2.5, 1, 1), "ball must be a viscoroll.CoatedSphere, got 3"),
+        (
+            lambda: vr.surface_compliance(3, 2.5, 1, 1),
+            "ball must be a viscoroll.CoatedSphere or viscoroll.CoatedWheel, got 3",
+        ),
         (lambda: vr.centrifugal_displacement(3, 1.0), "ball must be a viscoroll.CoatedSphere, got 3"),
         (lambda: vr.state_matrix(3, 2.5, 1.0, 1, 1), "layer must be a viscoroll.Layer, got 3"),
         (lambda: tables(ball=3), "ball must be a viscoroll.CoatedSphere, got 3"),
