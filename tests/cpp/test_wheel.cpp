@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/mesh_model.hpp"
+#include "rolling/rigid_slip.hpp"
 #include "rolling/rolling_contact.hpp"
 #include "viscoroll/modal.hpp"
 #include "viscoroll/solve.hpp"
@@ -257,6 +259,88 @@ TEST(WheelRolling, TorqueGrowsWithTheWidthAsARollersPerLength) {
                               LoadCase{.load = per_length, .angular_speed = 2.5}, options);
   EXPECT_NEAR(added, torque_of(roller, 2.5), 1e-3 * added);
 }
+
+TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
+  const CoatedWheel wheel = crowned(0.3);
+  const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
+  const Nodes nodes = pair.body.nodes({.nodes_per_revolution = 2000}, pair.on);
+  const SurfaceWindow window(nodes.grid, {{-1, 1}, {-60, 60}});
+  const RigidSlip slip = rigid_slip(window, 1.0, SlipKinematics::exact, pair, {});
+  const double step = window.grid().radius * window.grid().phi_spacing;
+  const Window& range = window.window();
+  for (const int k : {-60, -7, 0, 31}) {
+    const Eigen::Index node = range.number_of(1, k);
+    const double z = window.z()[node];
+    const double drop = z * z / 0.6;  // Heathcote's z^2 / 2 R_c, of a parabola
+    const double more = slip.own(node, 0) - slip.own(range.number_of(1, 0), 0);
+    EXPECT_NEAR(more, step / window.grid().radius * drop, 4e-3 * step / window.grid().radius * drop + 1e-18) << k;
+  }
+  EXPECT_NEAR(-window.z()[range.number_of(0, 60)], 60.0 * nodes.grid.radius * nodes.grid.theta_spacing, 1e-12);
+  EXPECT_NEAR((2 * nodes.widest.theta.last + 1) * nodes.grid.radius * nodes.grid.theta_spacing, wheel.width, 1e-12);
+}
+
+// On 70 to 85 rows of nodes in contact. Power is lost by what the tables say, and comes in by forces and their arms.
+TEST(WheelRolling, PowersBalanceWithFriction) {
+  Options options;
+  options.mesh = Mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 800};
+  LoadCase load_case{.load = 500.0, .angular_speed = 2.5, .friction = 0.5};
+  const CoatedWheel crown = crowned(0.3);
+  const auto error = [&](const CoatedWheel& wheel, const Counterpart& on, const viscoroll::Drive& drive) {
+    load_case.drive = drive;
+    return solve(wheel, on, load_case, options).power_balance_error;
+  };
+  const CoatedPlane soft{.layers = crown.layers};
+  EXPECT_LT(error(crown, CoatedPlane{}, DriveForce{0.0}), 3e-3);
+  EXPECT_LT(error(crown, CoatedPlane{}, DriveCreepage{.creepage = 0.01, .lateral_creepage = 0.005, .spin = 0.5}), 3e-3);
+  EXPECT_LT(error(crowned(kInfinity, 0.03), CoatedPlane{}, DriveForce{0.0}), 3e-3);
+  EXPECT_LT(error(crown, soft, DriveTorque{1.0}), 3e-3);
+}
+
+/// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the semi-axis along
+/// per that across. Against a rigid plane the combined modulus is twice that of the tread.
+struct Kalker {
+  double ratio;  ///< R_c / R: by Hertz, 6.24 has the semi-axes 0.3 and 1
+  double along, across, spin;
+};
+
+class KalkersCoefficients : public ::testing::TestWithParam<Kalker> {};
+
+TEST_P(KalkersCoefficients, AreThoseOfASmallContactOnAThickTread) {
+  const Kalker& known = GetParam();
+  constexpr double kModulus = 1e6;
+  constexpr double kRadius = 0.05;
+  CoatedWheel wheel = crowned(kRadius * known.ratio, std::min(0.02, 0.5 * kRadius * known.ratio));
+  wheel.core_radius = 0.002;
+  wheel.layers[0] = {
+      .thickness = kRadius - wheel.core_radius, .shear_modulus = Elastic{kModulus}, .poisson_ratio = 0.5};
+  wheel.hub = Hub::crowned;
+  LoadCase load_case{.load = 1e-3 * std::min(1.0, known.ratio), .angular_speed = 1.0};
+  Options options;
+  options.accuracy = 0.05;
+  const Result pressed = solve(wheel, load_case, options);
+  const double along = pressed.semi_axis_x;
+  const double across = *pressed.semi_axis_z;
+  const auto nodes = [&](double axis) { return static_cast<int>(2.0 * std::numbers::pi * kRadius / (axis / 20.0)); };
+  options.mesh = Mesh{.nodes_per_revolution = nodes(along), .theta_nodes_per_revolution = nodes(across)};
+  options.slip_kinematics = SlipKinematics::flat;  // Kalker's bodies have no Heathcote slip
+  load_case.friction = 1.0;
+  const double creepage = 1e-3 * along / kRadius;
+  const auto rolled = [&](const DriveCreepage& drive) {
+    load_case.drive = drive;
+    return solve(wheel, load_case, options);
+  };
+  const Result ahead = rolled({.creepage = creepage, .lateral_creepage = 0.0, .spin = 0.0});
+  const Result behind = rolled({.creepage = -creepage, .lateral_creepage = 0.0, .spin = 0.0});
+  const Result aside = rolled({.creepage = 0.0, .lateral_creepage = creepage, .spin = 0.0});
+  const double unit = 2.0 * kModulus * creepage * ahead.contact_area / std::numbers::pi;
+  EXPECT_NEAR((ahead.driving_force - behind.driving_force) / (2.0 * unit), known.along, 0.04 * known.along);
+  EXPECT_NEAR(-aside.lateral_force / unit, known.across, 0.04 * known.across);
+  const double size = std::sqrt(ahead.contact_area / std::numbers::pi);
+  EXPECT_NEAR(-aside.spin_moment / (unit * size), known.spin, 0.04 * known.spin);
+}
+
+INSTANTIATE_TEST_SUITE_P(AlongPerAcross, KalkersCoefficients,
+                         ::testing::Values(Kalker{6.24, 4.80, 2.81, 0.889}, Kalker{1.0, 5.20, 3.98, 1.63}));
 
 TEST(WheelRolling, TwoAlikeAreOneOnItsMirrorPlane) {
   Options options;

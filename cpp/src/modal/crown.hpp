@@ -2,8 +2,8 @@
 /// @brief What the crown of a wheel changes in the compliance of its tread, to the first order in its curvature.
 ///
 /// The equations of a wheel know that its surface is a ring along the path, not that it is one across. In the first
-/// order both curvatures add up, and the other one by itself is a cylinder whose axis lies along the path: theory.md
-/// wheels.
+/// order both curvatures add up, and the other one by itself is a cylinder whose axis lies along the path
+/// (theory.md, wheels).
 #pragma once
 
 #include <complex>
@@ -18,7 +18,12 @@ namespace viscoroll::detail {
 /// @param[in] orders (m, n) in the layers of a wheel
 /// @param[in] crown_radius R_c, finite [m]
 /// @param[in,out] compliances of these orders [m/Pa]
-void add_crown(std::span<const OrderInLayers<std::complex<double>>> orders, double crown_radius,
-               std::span<Matrix3<std::complex<double>>> compliances);
+template <class Scalar>
+void add_crown(std::span<const OrderInLayers<Scalar>> orders, double crown_radius,
+               std::span<Matrix3<Scalar>> compliances);
+
+extern template void add_crown(std::span<const OrderInLayers<double>>, double, std::span<Matrix3<double>>);
+extern template void add_crown(std::span<const OrderInLayers<std::complex<double>>>, double,
+                               std::span<Matrix3<std::complex<double>>>);
 
 }  // namespace viscoroll::detail

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "modal/compliance_recursion.hpp"
 #include "modal/critical_speed.hpp"
 #include "modal/crown.hpp"
 #include "modal/harmonic_moduli.hpp"
+#include "modal/shared_relaxation.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -53,7 +55,35 @@ LayerStack<cplx> HarmonicBody::layers_at(std::size_t i) const {
   return body_.stack(moduli, angular_speed_);
 }
 
+namespace {
+
+/// Of orders in layers, and the crown that these may follow.
+template <class Scalar>
+void solve(std::span<const OrderInLayers<Scalar>> orders, double crown_radius, std::span<Matrix3<Scalar>> compliances) {
+  surface_compliances<Scalar>(orders, compliances);
+  if (std::isfinite(crown_radius)) add_crown<Scalar>(orders, crown_radius, compliances);
+}
+
+/// Of a wheel without inertia whose layers share one relaxation function: a real problem for all orders.
+/// @param[in] layers in units of the innermost one's modulus
+void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std::span<const OrderAt> orders,
+                std::span<Eigen::Matrix3cd> compliances) {
+  std::vector<OrderInLayers<double>> in_layers;
+  in_layers.reserve(orders.size());
+  for (const auto& [i, n] : orders) in_layers.push_back({.layers = layers, .m = body.orders()[i], .n = n});
+  std::vector<Eigen::Matrix3d> solved(orders.size());
+  solve<double>(in_layers, body.body().crown_radius, solved);
+  for (std::size_t j = 0; j < orders.size(); ++j) {
+    compliances[j] = solved[j].cast<cplx>() / body.modulus(0, orders[j].i);
+  }
+}
+
+}  // namespace
+
 void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen::Matrix3cd> compliances) const {
+  const bool is_light = std::ranges::all_of(body_.layers, [](const Layer& layer) { return layer.density == 0.0; });
+  const auto shared = metric().is_wheel() && is_light ? layers_per_modulus(*this, 0, 0.0) : std::nullopt;
+  if (shared) return solve_real(*this, *shared, orders, compliances);
   std::map<std::size_t, LayerStack<cplx>> stacks;
   std::vector<OrderInLayers<cplx>> in_layers;
   in_layers.reserve(orders.size());
@@ -62,8 +92,7 @@ void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen:
     if (stack == stacks.end()) stack = stacks.emplace(i, layers_at(i)).first;
     in_layers.push_back({.layers = stack->second, .m = orders_[i], .n = n});
   }
-  surface_compliances<cplx>(in_layers, compliances);
-  if (std::isfinite(body_.crown_radius)) add_crown(in_layers, body_.crown_radius, compliances);
+  solve<cplx>(in_layers, body_.crown_radius, compliances);
 }
 
 Eigen::Matrix3cd HarmonicBody::compliance(const OrderAt& order) const {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "modal/compliance_recursion.hpp"
+#include "modal/shared_relaxation.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -16,41 +17,6 @@ using cplx = std::complex<double>;
 
 constexpr double kInertiaGrowth = 8.0;  // |f_{j+1}| / |f_j| stays below this in coatings of a rigid core
 constexpr int kMaxInertiaOrder = 3;
-
-/// The real factor by which one layer's modulus exceeds another's at every harmonic, if there is one.
-std::optional<double> common_ratio(const HarmonicBody& body, std::size_t layer, std::size_t reference) {
-  const cplx ratio = body.modulus(layer, 0) / body.modulus(reference, 0);
-  for (std::size_t i = 0; i < body.orders().size(); ++i) {
-    const cplx expected = ratio * body.modulus(reference, i);
-    if (std::abs(body.modulus(layer, i) - expected) > 1e-14 * std::abs(expected)) return std::nullopt;
-  }
-  return ratio.real();
-}
-
-/// Whether the layer's Poisson's ratio is real and the same at every harmonic.
-bool has_constant_poisson_ratio(const HarmonicBody& body, std::size_t layer) {
-  const Layer& properties = body.body().layers[layer];
-  return properties.poisson_ratio || std::holds_alternative<Elastic>(properties.shear_modulus);
-}
-
-/// Layers in units of g, with rho Omega^2 r_o^2 = eta for the densest; nothing where they are not self-similar.
-std::optional<LayerStack<double>> scaled_layers(const HarmonicBody& body, std::size_t reference,
-                                                double highest_density) {
-  const auto at_rest = body.layers_at(0);
-  LayerStack<double> layers{.metric = at_rest.metric, .within = at_rest.within, .media = {}};
-  for (std::size_t l = 0; l < at_rest.media.size(); ++l) {
-    const std::optional<double> ratio = common_ratio(body, l, reference);
-    if (!ratio || !has_constant_poisson_ratio(body, l)) return std::nullopt;
-    const double share = highest_density > 0.0 ? body.body().layers[l].density / highest_density : 0.0;
-    const Medium<cplx>& medium = at_rest.media[l];
-    layers.media.push_back({.inner = medium.inner,
-                            .outer = medium.outer,
-                            .mu = *ratio,
-                            .b = medium.b.real(),
-                            .inertia = share / (body.radius() * body.radius())});
-  }
-  return layers;
-}
 
 std::size_t softest_layer(const HarmonicBody& body) {
   std::size_t softest = 0;
@@ -254,7 +220,7 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   if (body.metric().is_wheel()) return nullptr;  // not a function of m^2 + n^2
   const double density = std::ranges::max(body.body().layers, {}, &Layer::density).density;
   const std::size_t reference = softest_layer(body);
-  const auto layers = scaled_layers(body, reference, density);
+  const auto layers = layers_per_modulus(body, reference, density);
   if (!layers) return nullptr;
 
   std::unique_ptr<SelfSimilarSpectrum> spectrum(new SelfSimilarSpectrum);
