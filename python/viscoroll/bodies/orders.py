@@ -89,10 +89,10 @@ def surface_compliance(
     speed, orders = as_float("angular_speed", angular_speed), as_orders("m", m)
     if isinstance(ball, CoatedWheel):
         orders, waves = _broadcast("m and n", orders, as_float_array("n", n))
-        compliance = _core.surface_compliance(ball._to_core(), orders.ravel(), waves.ravel(), angular_speed=speed)
+        compliance = _core.surface_compliance(ball._to_core(), _flat(orders), _flat(waves), angular_speed=speed)
     else:
         orders, others = _broadcast("m and n", orders, as_orders("n", n))
-        given = (orders.ravel(), others.ravel())
+        given = (_flat(orders), _flat(others))
         compliance = _core.surface_compliance(ball._to_core(), *given, angular_speed=speed, curvature=curvature)
     return compliance.reshape(*orders.shape, 3, 3)
 
@@ -139,8 +139,8 @@ def degree_compliance(
     degrees, orders = _broadcast("degree and order", as_orders("degree", degree), as_orders("order", order))
     compliance = _core.degree_compliance(
         ball._to_core(),
-        degrees.ravel(),
-        orders.ravel(),
+        _flat(degrees),
+        _flat(orders),
         angular_speed=as_float("angular_speed", angular_speed),
     )
     return compliance.reshape(*degrees.shape, 3, 3)
@@ -324,7 +324,12 @@ def _broadcast(names: str, m: NDArray[_First], n: NDArray[_Second]) -> tuple[NDA
         shape = np.broadcast_shapes(m.shape, n.shape)
     except ValueError:
         raise ValueError(f"{names} must have shapes that broadcast, got {m.shape} and {n.shape}") from None
-    return np.ascontiguousarray(np.broadcast_to(m, shape)), np.ascontiguousarray(np.broadcast_to(n, shape))
+    return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
+
+
+def _flat(numbers: NDArray[_First]) -> NDArray[_First]:
+    """Return numbers one after the other, as the core reads them."""
+    return np.ascontiguousarray(numbers.ravel())
 
 
 def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:

@@ -71,7 +71,11 @@ def result_html(result: Solution) -> str:
 
 def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     """Return what it is, value and unit of all scalar results [SI]."""
-    rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
+    rows = [
+        (label, getattr(result, name), result.unit(name))
+        for name, (_, label) in SCALARS.items()
+        if name != "face_distance" or result.face_distance is not None  # only wheels have faces
+    ]
     if (share := extrapolated_loss(result)) is not None:
         rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
     return rows

@@ -331,5 +331,5 @@ def test_a_rigid_ball_and_a_roller_have_no_inside():
     with pytest.raises(ValueError, match="must have a layer"):
         rigid.loss()
     roller = vr.solve(vr.CoatedCylinder(core_radius=20e-3, layers=layers), load=1e3, angular_speed=2.5, mesh=mesh)
-    with pytest.raises(TypeError, match="CoatedSphere"):
+    with pytest.raises(TypeError, match="of a roller is not there yet"):
         roller.interior(depth=[0.5e-3])
