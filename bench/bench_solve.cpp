@@ -185,6 +185,48 @@ void speed_sweep(benchmark::State& state) {
   state.counters["error"] = relative_error(torque, 11.348e-3);
 }
 
+/// A crowned wheel to 1 %, of a tread that was not there before; the error is against the torque of fine meshes [N m],
+/// or without it the power balance.
+void wheel(benchmark::State& state, Sides sides, std::optional<double> reference) {
+  Result result;
+  int number = 0;
+  for (auto _ : state) {
+    result = solve(cases::crowned_wheel(sides, number++), cases::kWheelRolling, {.accuracy = 0.01});
+  }
+  state.counters["error"] =
+      reference ? relative_error(result.resisting_torque, *reference) : result.power_balance_error;
+  state.counters["power_balance_error"] = result.power_balance_error;
+  count(result, state);
+}
+
+/// The same under loads from 400 to 600 N, of a tread that has rolled before; the error is the power balance.
+void wheel_next_load(benchmark::State& state, Sides sides) {
+  const CoatedWheel tread = cases::crowned_wheel(sides);
+  LoadCase rolling = cases::kWheelRolling;
+  Result result = solve(tread, rolling, {.accuracy = 0.01});
+  int number = 0;
+  for (auto _ : state) {
+    rolling.load = 400.0 + 200.0 * std::fmod(0.618 * ++number, 1.0);
+    result = solve(tread, rolling, {.accuracy = 0.01});
+  }
+  state.counters["error"] = result.power_balance_error;
+  count(result, state);
+}
+
+/// Twenty speeds from 0.25 to 25 rad/s of a tread that was not there before; the error is the largest power balance.
+void wheel_speeds(benchmark::State& state, Sides sides) {
+  double error = 0.0;
+  int number = 1000;
+  for (auto _ : state) {
+    const CoatedWheel tread = cases::crowned_wheel(sides, number++);
+    for (int i = 0; i < 20; ++i) {
+      const LoadCase rolling{.load = 500.0, .angular_speed = 0.25 * std::pow(100.0, i / 19.0)};
+      error = std::max(error, solve(tread, rolling, {.accuracy = 0.01}).power_balance_error);
+    }
+  }
+  state.counters["error"] = error;
+}
+
 /// The paper's example at pi/800, solved outside the clock.
 struct SolvedExample {
   CoatedSphere sphere = cases::paper_sphere();
@@ -282,6 +324,14 @@ BENCHMARK_CAPTURE(friction, mu_001_pi_250, 0.01, 500)->Unit(kUnit)->UseRealTime(
 BENCHMARK_CAPTURE(friction, mu_03_pi_400, 0.3, 800)->Unit(kUnit)->UseRealTime();
 BENCHMARK(friction_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
 BENCHMARK(speed_sweep)->Unit(kUnit)->UseRealTime()->Iterations(1);
+// On meshes of 3200 nodes per revolution.
+constexpr double kEndlessWheelTorque = 247.82e-3;
+BENCHMARK_CAPTURE(wheel, endless, Sides::endless, kEndlessWheelTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(wheel, free, Sides::free, std::nullopt)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(wheel_next_load, endless, Sides::endless)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(wheel_next_load, free, Sides::free)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(wheel_speeds, endless, Sides::endless)->Unit(kUnit)->UseRealTime()->Iterations(1);
+BENCHMARK_CAPTURE(wheel_speeds, free, Sides::free)->Unit(kUnit)->UseRealTime()->Iterations(1);
 // On meshes of 1600 nodes per revolution without friction and 800 with it.
 constexpr double kThickTorque = 52.74e-3;
 constexpr double kThickFrictionTorque = 52.80e-3;

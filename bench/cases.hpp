@@ -66,7 +66,21 @@ inline viscoroll::CoatedSphere measured_skin() {
   return sphere;
 }
 
+/// A crowned wheel, 40 mm wide, whose contact is 37 mm wide under `kWheelRolling`; by a nanometer more of its tread it
+/// is another one each time, of which nothing is known yet.
+inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number = 0) {
+  return {.core_radius = 40e-3,
+          .layers = {{.thickness = 10e-3 + 1e-9 * number,
+                      .shear_modulus = viscoroll::standard_linear_solid(6e6, 3e6, 0.125),
+                      .poisson_ratio = 0.5}},
+          .width = 40e-3,
+          .crown_radius = 300e-3,
+          .hub = viscoroll::Hub::crowned,
+          .sides = sides};
+}
+
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};
+inline const viscoroll::LoadCase kWheelRolling{.load = 500.0, .angular_speed = 2.5};
 
 /// An entry of table 2 of the paper.
 struct TableEntry {

@@ -1,4 +1,4 @@
-"""Rolling resistance of balls and rollers with viscoelastic layers.
+"""Rolling resistance of balls, rollers and wheels with viscoelastic layers.
 
     >>> import viscoroll as vr
     >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
@@ -17,8 +17,10 @@ from ._core import (
     ConvergenceError,
     Curvature,
     Extrapolation,
+    Hub,
     InnerBoundary,
     PatchLoad,
+    Sides,
     SlipKinematics,
     Start,
     Status,
@@ -27,7 +29,7 @@ from ._core import (
 )
 from ._support.cautions import ResultWarning
 from ._support.keywords import explain_keywords
-from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Drive, Groove, HalfSpace, Layer, Mesh
+from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel, Drive, Groove, HalfSpace, Layer, Mesh
 from .bodies.orders import (
     centrifugal_displacement,
     critical_speed,
@@ -74,6 +76,7 @@ __all__ = [
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
+    "CoatedWheel",
     "Compliance",
     "ConvergenceError",
     "Core",
@@ -86,6 +89,7 @@ __all__ = [
     "Groove",
     "HalfSpace",
     "History",
+    "Hub",
     "InnerBoundary",
     "KelvinVoigt",
     "Layer",
@@ -105,6 +109,7 @@ __all__ = [
     "RollingState",
     "ShearModulus",
     "ShiftFactors",
+    "Sides",
     "SlipKinematics",
     "StandardLinearSolid",
     "Start",

@@ -106,6 +106,30 @@ class CoatedCylinder:
         self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
     ) -> None: ...
 
+class Hub(enum.Enum):
+    """What the hub of a crowned wheel looks like under the tread."""
+
+    STRAIGHT = ...
+    CROWNED = ...
+
+class Sides(enum.Enum):
+    """What a tread ends in."""
+
+    FREE = ...
+    ENDLESS = ...
+
+class CoatedWheel:
+    def __init__(
+        self,
+        *,
+        core_radius: typing.SupportsFloat | typing.SupportsIndex,
+        layers: collections.abc.Sequence[Layer],
+        width: typing.SupportsFloat | typing.SupportsIndex,
+        crown_radius: typing.SupportsFloat | typing.SupportsIndex,
+        hub: Hub,
+        sides: Sides,
+    ) -> None: ...
+
 class HalfSpace:
     def __init__(
         self,
@@ -157,6 +181,9 @@ class WarningKind(enum.Enum):
     ACCURACY_NOT_REACHED = ...
     COARSE_MESH = ...
     LARGE_STRAIN = ...
+    CONTACT_AT_SIDE = ...
+    EDGE_PRESSURE = ...
+    TIGHT_CROWN = ...
 
 class Refinement:
     @property
@@ -206,6 +233,11 @@ class ResultScalars:
         contact area [m^2].
         """
     @property
+    def contact_width(self) -> float | None:
+        """
+        width of the contact, across the path [m]. From one of the outermost nodes that touch to the other, with their patches; None in line contact.
+        """
+    @property
     def counterpart_bulk_power(self) -> float:
         """
         power lost in what it rolls on [W]. The other share.
@@ -234,6 +266,11 @@ class ResultScalars:
     def error_estimate(self) -> float:
         """
         relative error estimate [1]. The power-balance error on a given mesh, else the largest of it and the changes, from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
+        """
+    @property
+    def face_distance(self) -> float | None:
+        """
+        distance of the contact from the faces [m]. Of a wheel, from the nearer one: 0 where it reaches it; None for what has no faces.
         """
     @property
     def iterations(self) -> int:
@@ -593,6 +630,8 @@ def critical_speed(
 def critical_speed(
     cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
+@typing.overload
+def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -691,6 +730,7 @@ def state_matrix(
     n: typing.SupportsInt | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
 def surface_compliance(
     sphere: CoatedSphere,
     m: numpy.typing.NDArray[numpy.int32],
@@ -698,6 +738,14 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
+def surface_compliance(
+    wheel: CoatedWheel,
+    m: numpy.typing.NDArray[numpy.int32],
+    k: numpy.typing.NDArray[numpy.float64],
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def validate_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,

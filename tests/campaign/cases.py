@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
 from typing import Any
 
@@ -23,8 +23,8 @@ class Case:
     ----------
     name : str
         "SEED:NUMBER".
-    ball : CoatedSphere
-        The ball.
+    ball : CoatedSphere or CoatedWheel
+        What rolls.
     arguments : dict
         The other arguments of `viscoroll.solve`.
     absurd : str
@@ -32,7 +32,7 @@ class Case:
     """
 
     name: str
-    ball: vr.CoatedSphere
+    ball: vr.CoatedSphere | vr.CoatedWheel
     arguments: dict[str, Any] = field(default_factory=dict)
     absurd: str = ""
 
@@ -98,7 +98,45 @@ def draw(seed: int, number: int) -> Case:
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
     absurd = _make_absurd(rng, arguments)
+    apart = np.random.default_rng([seed, number, 2])  # as above
+    if apart.random() < _WHEELS and geometry.inner_boundary is vr.InnerBoundary.RIGID:
+        return Case(name=f"{seed}:{number}", absurd=absurd, **_on_a_wheel(apart, ball, contact_radius, arguments))
     return Case(name=f"{seed}:{number}", ball=ball, arguments=arguments, absurd=absurd)
+
+
+#: Share of the cases on a rigid core in which its layers are the tread of a wheel.
+_WHEELS = 0.2
+
+
+def _on_a_wheel(
+    rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str, Any]
+) -> dict[str, Any]:
+    """Return a wheel with the layers of a ball, and its arguments: about as much load for each width of the contact."""
+    width = contact_radius * 10.0 ** rng.uniform(-0.3, 1.0)
+    is_flat = rng.random() < 0.4
+    # The crown falls by so much to the faces, and lies within the outermost layer, as straight hubs need it.
+    drop = min(0.8 * ball.layers[-1].thickness, 0.5 * width) * 10.0 ** rng.uniform(-1.5, 0.0)
+    crown_radius = math.inf if is_flat else (0.25 * width**2 + drop**2) / (2.0 * drop)
+    wheel = vr.CoatedWheel(
+        core_radius=ball.core_radius,
+        layers=ball.layers,
+        width=width,
+        crown_radius=crown_radius,
+        hub=vr.Hub.STRAIGHT if rng.random() < 0.5 else vr.Hub.CROWNED,
+        sides=vr.Sides.FREE if rng.random() < 0.3 else vr.Sides.ENDLESS,
+    )
+    wider = min(math.sqrt(crown_radius / ball.outer_radius), 0.5 * width / contact_radius)
+    drive = arguments["drive"]
+    pulled = {name: None if (f := getattr(drive, name)) is None else f * wider for name in ("force", "torque")}
+    mesh = arguments.get("mesh")
+    changed = {
+        "load": arguments["load"] * wider,
+        "drive": replace(drive, **pulled),
+        "curvature": vr.Curvature.SPHERE,
+        "patch_load": vr.PatchLoad.FLAT,
+        **({} if mesh is None else {"mesh": replace(mesh, max_order=None)}),
+    }
+    return {"ball": wheel, "arguments": arguments | changed}
 
 
 @dataclass(frozen=True, kw_only=True)

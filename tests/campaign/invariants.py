@@ -36,6 +36,8 @@ def _is_finite(result: vr.Result) -> bool:
 def _areas(result: vr.Result) -> NDArray[np.float64]:
     """Return the areas on which tractions act [m²]."""
     radius = result.ball.outer_radius
+    if isinstance(result.ball, vr.CoatedWheel):  # whose columns are so wide that they end at its faces
+        return np.full(result.z.shape, radius * result.mesh.spacing * abs(result.z[0, 1] - result.z[0, 0]))
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
     if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
         return np.full(result.z.shape, flat)

@@ -58,7 +58,8 @@ class Twin:
 def twins(case: Case) -> Iterator[Twin]:
     """Yield all twins that the case has."""
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
-    yield Twin(kind="split layer", case=_split(case), differences=_differences)
+    if not (isinstance(case.ball, vr.CoatedWheel) and case.ball.hub is vr.Hub.STRAIGHT):  # its crown cuts one layer
+        yield Twin(kind="split layer", case=_split(case), differences=_differences)
     drive = case.arguments["drive"]
     if drive.lateral_creepage:
         mirrored = replace(drive, lateral_creepage=-drive.lateral_creepage)
@@ -80,7 +81,8 @@ def _scaled(case: Case) -> Case:
         )
         for layer in case.ball.layers
     ]
-    ball = replace(case.ball, core_radius=LENGTH * case.ball.core_radius, layers=layers)
+    lengths = [name for name in ("core_radius", "width", "crown_radius") if hasattr(case.ball, name)]
+    ball = replace(case.ball, layers=layers, **{name: LENGTH * getattr(case.ball, name) for name in lengths})
     given = case.arguments
     drive = given["drive"]
     if drive.force is not None:

@@ -13,6 +13,7 @@ struct ContactExtent {
   double area;                        ///< [m^2], of a line per length [m]
   double semi_axis_x;                 ///< of the ellipse with its second moments; half of the width of a line [m]
   std::optional<double> semi_axis_z;  ///< likewise; a line has none
+  std::optional<double> width;        ///< across the path, from patch to patch [m]; a line has none
 };
 
 /// @param[in] nodes of a window

@@ -93,7 +93,11 @@ class Summary {
     r.contact_area = extent.area;
     r.semi_axis_x = extent.semi_axis_x;
     r.semi_axis_z = extent.semi_axis_z;
+    r.contact_width = extent.width;
     const ContactReach reach = loaded_reach();
+    const double clear = 0.5 * width(given_.pair()) - reach.across;
+    // Patches end at the sides but for round-off.
+    if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
     r.warnings = given_.pair().body.cautions(reach);
     if (!given_.approach_exists()) return;
     const double penetration = contact_.penetration - given_.model.centrifugal;

@@ -7,7 +7,8 @@ import sys
 from collections.abc import Callable, Sequence
 from enum import Enum
 from numbers import Real
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from types import UnionType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,24 +32,23 @@ __all__ = [
     "as_kelvin",
     "as_member",
     "as_orders",
+    "kind_names",
     "require_callable",
     "require_type",
     "store_floats",
 ]
 
 
-def require_type(name: str, value: object, *kinds: type, optional: bool = False) -> None:
-    """Refuse a value that is of none of some classes of this package.
-
-    Raises
-    ------
-    TypeError
-        Where `value` is of none of the `kinds`, nor None where that is `optional`.
-    """
-    if not (isinstance(value, kinds) or (optional and value is None)):
-        names = " or ".join(f"viscoroll.{kind.__name__}" for kind in kinds)
-        wanted = f"a {names}{' or None' if optional else ''}"
+def require_type(name: str, value: object, kind: type | UnionType, *, optional: bool = False) -> None:
+    """Raise a TypeError for what is of another class of this package, or of none of several."""
+    if not (isinstance(value, kind) or (optional and value is None)):
+        wanted = f"a {kind_names(kind)}{' or None' if optional else ''}"
         raise TypeError(f"{name} must be {wanted}, got {shown(value)}")
+
+
+def kind_names(kind: type | UnionType) -> str:
+    """Return the public name of a class of this package, or those of several."""
+    return " or ".join(f"viscoroll.{one.__name__}" for one in get_args(kind) or (kind,))
 
 
 def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
@@ -72,13 +72,7 @@ def as_member(name: str, value: Member | str, kind: type[Member]) -> Member:
 
 
 def require_callable(name: str, value: object) -> None:
-    """Refuse a value that is neither callable nor None.
-
-    Raises
-    ------
-    TypeError
-        Where it is something else.
-    """
+    """Raise a TypeError for what is neither callable nor None."""
     if value is not None and not callable(value):
         raise TypeError(f"{name} must be callable or None, got {shown(value)}")
 
@@ -104,15 +98,7 @@ def as_float(name: str, value: object) -> float:
 
 
 def as_kelvin(name: str, value: object) -> float:
-    """Return a temperature [K].
-
-    Raises
-    ------
-    TypeError
-        Where `value` is not a real number.
-    ValueError
-        Where it is not finite or is below 100 K, where no rubber is rubber: degrees Celsius, most likely.
-    """
+    """Return a temperature [K], which is refused below 100 K, where no rubber is rubber: most likely degrees C."""
     temperature = as_float(name, value)
     if not 100.0 <= temperature < float("inf"):
         raise ValueError(f"{name} must be finite and >= 100 K (20 °C are 293.15 K), got {temperature:g} K")

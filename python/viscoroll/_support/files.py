@@ -18,13 +18,7 @@ _Saved = TypeVar("_Saved")
 
 
 def save(saved: _Saved, path: str | Path, formats: Mapping[str, Callable[[_Saved, Path], object]]) -> None:
-    """Write a file by that one of some functions, by suffix, which the path names.
-
-    Raises
-    ------
-    ValueError
-        For another suffix.
-    """
+    """Write a file by that one of some functions, by suffix, which the path names; refuse other suffixes."""
     path = Path(path)
     if (write := formats.get(path.suffix.lower())) is None:
         *others, last = formats
@@ -41,13 +35,7 @@ def write_csv(columns: Mapping[str, Sequence[Any]], path: Path) -> None:
 
 
 def write_netcdf(dataset: xarray.Dataset, path: Path) -> None:
-    """Write a dataset as netCDF.
-
-    Raises
-    ------
-    ImportError
-        Without the extra `viscoroll[files]`.
-    """
+    """Write a dataset as netCDF."""
     with extra("files"):
         import netCDF4  # noqa: F401  (what xarray writes with)
     dataset.to_netcdf(path, engine="netcdf4")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["one_line", "shown"]
+__all__ = ["one_line", "parsed_range", "shown"]
 
 _LONGEST = 120
 
@@ -19,6 +19,15 @@ def shown(value: object) -> str:
     except Exception:  # a repr may fail in any way: this is on the way to another error
         text = f"<{type(value).__name__}>"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+
+
+def parsed_range(text: str) -> tuple[float, float] | None:
+    """Return the numbers of "from..to", or None for any other text."""
+    low, dots, high = text.partition("..")
+    try:
+        return (float(low), float(high)) if dots else None
+    except ValueError:
+        return None
 
 
 def one_line(message: str) -> str:

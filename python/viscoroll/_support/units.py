@@ -18,6 +18,8 @@ UNITS = {
     "outer_radius": "m",
     "radius": "m",
     "path_radius": "m",
+    "crown_radius": "m",
+    "width": "m",
     "thickness": "m",
     "density": "kg/m^3",
     "conductivity": "W/(m K)",

@@ -7,12 +7,12 @@
     >>> f"{torque * 1e3:.4f} mN m"
     '0.2625 mN m'
 
-Contacts at rest: `hertz`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques: `low_speed_torque`
-with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`; `greenwood_tabor_torque`;
-`persson_torque`; `winkler_torque` of a thin coating. Of rollers, per length: `hertz_line`,
-`thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest, `winkler_torque_line` of a thin coating,
-`hunter` on a half-plane, and the traction of `carter_force`. `applicable` says which torques a ball or roller has.
-Loads and speeds may be arrays.
+Contacts at rest: `hertz`, `hertz_ellipse`, `thin_compressible_layer`, `thin_incompressible_layer`. Resisting torques:
+`low_speed_torque` with one of the times `loss_time`, `sphere_loss_time` and `brilliantov_poschel_time`;
+`greenwood_tabor_torque` and `persson_torque`, of crowned wheels, too; `winkler_torque` of a thin coating. Of rollers,
+per length: `hertz_line`, `thin_compressible_layer_line` and `thin_incompressible_layer_line` at rest,
+`winkler_torque_line` of a thin coating, `hunter` on a half-plane, and the traction of `carter_force`. `applicable` says
+which torques a body has. Loads and speeds may be arrays.
 
 All quantities are in SI units and all moduli are shear moduli, but where a name says otherwise.
 """
@@ -20,6 +20,7 @@ All quantities are in SI units and all moduli are shear moduli, but where a name
 from .._support.keywords import explain_keywords
 from .applicable import ClosedForm, applicable
 from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
+from .ellipse import EllipticContact, hertz_ellipse
 from .half_space import greenwood_tabor_torque, persson_torque
 from .hunter import HunterContact, hunter
 from .line_contact import (
@@ -34,6 +35,7 @@ from .winkler import winkler_torque, winkler_torque_line
 
 __all__ = [
     "ClosedForm",
+    "EllipticContact",
     "HunterContact",
     "LineContact",
     "PointContact",
@@ -42,6 +44,7 @@ __all__ = [
     "carter_force",
     "greenwood_tabor_torque",
     "hertz",
+    "hertz_ellipse",
     "hertz_line",
     "hunter",
     "loss_time",

@@ -14,22 +14,24 @@ from ..materials.moduli import to_core
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Floats", "complex_modulus", "fraction", "nonnegative", "plain", "poisson", "positive", "positives"]
+__all__ = [
+    "Floats",
+    "complex_modulus",
+    "fraction",
+    "nonnegative",
+    "one_volume",
+    "plain",
+    "poisson",
+    "positive",
+    "positives",
+]
 
 #: A float where all arguments are numbers, else an array of their common shape.
 Floats: TypeAlias = "float | NDArray[np.float64]"
 
 
 def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
-    """Return numbers > 0 of any shape.
-
-    Raises
-    ------
-    TypeError
-        Where an entry is not a real number.
-    ValueError
-        Where one is not finite and > 0.
-    """
+    """Return numbers > 0 of any shape, or raise a TypeError or ValueError, as all of these functions do."""
     array = as_float_array(name, values)
     bad = array[~(np.isfinite(array) & (array > 0.0))]
     if bad.size:
@@ -38,18 +40,12 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
 
 
 def positive(name: str, value: object, unit: str) -> float:
-    """Return one number > 0, or raise as `positives` does."""
+    """Return one number > 0."""
     return float(positives(name, as_float(name, value), unit))
 
 
 def nonnegative(name: str, value: object, unit: str = "") -> float:
-    """Return one number ≥ 0.
-
-    Raises
-    ------
-    ValueError
-        Where it is not finite and ≥ 0.
-    """
+    """Return one finite number ≥ 0."""
     number = as_float(name, value)
     if not (np.isfinite(number) and number >= 0.0):
         raise ValueError(f"{name} must be >= {f'0 {unit}'.strip()}, got {number:g}")
@@ -57,13 +53,7 @@ def nonnegative(name: str, value: object, unit: str = "") -> float:
 
 
 def fraction(name: str, value: object) -> float:
-    """Return a number in [0, 1].
-
-    Raises
-    ------
-    ValueError
-        Where it is outside.
-    """
+    """Return a number in [0, 1]."""
     number = as_float(name, value)
     if not 0.0 <= number <= 1.0:
         raise ValueError(f"{name} must be in [0, 1], got {number:g}")
@@ -71,17 +61,18 @@ def fraction(name: str, value: object) -> float:
 
 
 def poisson(value: object, *, compressible: bool = False) -> float:
-    """Return a Poisson's ratio in (-1, 0.5], or in (-1, 0.5) for a `compressible` material.
-
-    Raises
-    ------
-    ValueError
-        Where it is outside.
-    """
+    """Return a Poisson's ratio in (-1, 0.5], or in (-1, 0.5) for a `compressible` material."""
     number = as_float("poisson_ratio", value)
     if not (-1.0 < number < 0.5 or (number == 0.5 and not compressible)):
         raise ValueError(f"poisson_ratio must be in (-1, 0.5{')' if compressible else ']'}, got {number:g}")
     return number
+
+
+def one_volume(poisson_ratio: float | None, bulk_modulus: float | None) -> None:
+    """Refuse both Poisson's ratio and bulk modulus, and neither."""
+    if (poisson_ratio is None) == (bulk_modulus is None):
+        given = "none" if poisson_ratio is None else "both"
+        raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
 
 
 def complex_modulus(modulus: ShearModulusLike, angular_frequency: ArrayLike) -> NDArray[np.complex128]:

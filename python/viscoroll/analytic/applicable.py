@@ -1,32 +1,42 @@
-"""Which closed forms a ball or a roller has."""
+"""Which closed forms a body has on a rigid plane, or a ball on another one."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
 from .._core import InnerBoundary
 from .._support.arguments import as_float_array, require_type
-from ..bodies import CoatedCylinder, CoatedSphere, Layer, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Layer, RollingBody
+from ..materials import StandardLinearSolid
+from ._at_rest import Coating, reach_at_rest
 from ._closed_form import ClosedForm, at_rest, is_homogeneous, is_known_throughout, is_real, shared_loss_time
 from ._inputs import Floats, plain, positives
-from .applicable_roller import forms_of_roller
-from .contact import hertz, thin_compressible_layer, thin_incompressible_layer
+from ._torques import Reach, slow_form, thin_form
+from .contact import PointContact, hertz, thin_compressible_layer, thin_incompressible_layer
+from .ellipse import hertz_ellipse
 from .half_space import greenwood_tabor_torque, persson_torque
-from .low_speed import low_speed_torque, sphere_loss_time
-from .winkler import KNOWN_IN_TIME, longest_time, winkler_torque
+from .hunter import hunter
+from .line_contact import hertz_line, thin_compressible_layer_line, thin_incompressible_layer_line
+from .low_speed import sphere_loss_time
+from .winkler import winkler_torque, winkler_torque_line
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["ClosedForm", "applicable"]
 
+#: Width of a flat tread from which on its faces count for no more than 10 %, in thicknesses: three make 27 %, as h/w.
+_WIDE = 10.0
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Coating:
+class _BallCoating:
     """Layers between a ball and a plane, or two balls, whose gap is that of a ball of the outer radius on a plane."""
 
     layers: Sequence[Layer]
@@ -36,11 +46,11 @@ class _Coating:
 
 
 def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str, ClosedForm]:
-    """Find the closed forms of the resisting torque that suit the materials and layers of a ball or roller.
+    """Find the closed forms of the resisting torque that suit the materials and layers of a body.
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
     on : CoatedSphere, optional
         Another ball that a ball rolls on; without it a rigid plane.
@@ -51,14 +61,15 @@ def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
         ``"low_speed"`` for layers that share one loss time at rest, each with a real Poisson's ratio, or for one
         material with a bulk modulus; ``"greenwood_tabor"`` (the paper's equation (64), all lost) and ``"persson"`` for
         one material throughout; ``"winkler"`` for one that is compressible and known in time, on a rigid core. Of a
-        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``. Of two balls those
-        of the coated one where the other is rigid, with 1/R = 1/R₁ + 1/R₂, and those on the plane between two alike.
-        Empty where none suits. Ask each form's `holds` about loads and speeds.
+        roller ``"low_speed"``, ``"hunter"`` for one standard linear solid, and ``"winkler_line"``; of a flat wheel the
+        same, per length times its width, and of a crowned one ``"low_speed"``, ``"greenwood_tabor"`` and ``"persson"``.
+        Of two balls those of the coated one where the other is rigid, with 1/R = 1/R₁ + 1/R₂, and those on the plane
+        between two alike. Empty where none suits. Ask each form's `holds` about loads and speeds.
 
     Raises
     ------
     TypeError
-        For something else than a ball, and for a roller on one.
+        For something else than a body that rolls, and for a roller or wheel on a ball.
     ValueError
         For materials that are not known at rest.
 
@@ -73,28 +84,46 @@ def applicable(ball: RollingBody, *, on: CoatedSphere | None = None) -> dict[str
     '20.0 nN m'
     """
     require_type("on", on, CoatedSphere, optional=True)
-    require_type("ball", ball, *((CoatedSphere, CoatedCylinder) if on is None else (CoatedSphere,)))
-    if isinstance(ball, CoatedCylinder):
-        return forms_of_roller(ball)
-    if on is None or on == ball:
-        return _forms(_coating(ball, ball.outer_radius))
-    if ball.layers and on.layers:
+    if on is None:
+        require_type("ball", ball, RollingBody)
+        return _forms(ball) if ball.layers else {}
+    require_type("ball", ball, CoatedSphere)
+    assert isinstance(ball, CoatedSphere)
+    return _forms_of_two(ball, on)
+
+
+def _forms(body: RollingBody) -> dict[str, ClosedForm]:
+    match body:
+        case CoatedSphere():
+            forms = _of_ball(_coating(body, body.outer_radius))
+        case CoatedCylinder():
+            forms = _of_roller(body)
+        case CoatedWheel():
+            forms = _of_wheel(body)
+        case _:
+            assert_never(body)
+    return _known(forms)
+
+
+def _forms_of_two(ball: CoatedSphere, on: CoatedSphere) -> dict[str, ClosedForm]:
+    coated = [sphere for sphere in (ball, on) if sphere.layers]
+    if coated and on == ball:
+        return _forms(ball)
+    if len(coated) != 1:
         return {}
     radius = ball.outer_radius * on.outer_radius / (ball.outer_radius + on.outer_radius)
-    forms = _forms(_coating(ball if ball.layers else on, radius))
+    forms = _known(_of_ball(_coating(coated[0], radius)))
     return {name: _faster(form, ball.outer_radius / radius) for name, form in forms.items()}
 
 
-def _coating(ball: CoatedSphere, radius: float) -> _Coating:
-    return _Coating(
+def _known(forms: dict[str, ClosedForm | None]) -> dict[str, ClosedForm]:
+    return {name: form for name, form in forms.items() if form is not None}
+
+
+def _coating(ball: CoatedSphere, radius: float) -> _BallCoating:
+    return _BallCoating(
         layers=ball.layers, thickness=ball.thickness, outer_radius=radius, inner_boundary=ball.inner_boundary
     )
-
-
-def _forms(coating: _Coating) -> dict[str, ClosedForm]:
-    if not coating.layers:
-        return {}
-    return _low_speed(coating) | (_half_space(coating) | _thin(coating) if is_homogeneous(coating.layers) else {})
 
 
 def _faster(form: ClosedForm, turns: float) -> ClosedForm:
@@ -109,30 +138,32 @@ def _faster(form: ClosedForm, turns: float) -> ClosedForm:
     return ClosedForm(torque=torque, holds=holds, validity=form.validity)
 
 
-def _low_speed(ball: _Coating) -> dict[str, ClosedForm]:
+def _of_ball(ball: _BallCoating) -> dict[str, ClosedForm | None]:
+    contact_radius = partial(
+        reach_at_rest, ball, thick=hertz, squeezed=thin_incompressible_layer, springs=thin_compressible_layer
+    )
     time = _loss_time(ball)
-    if time is None:
-        return {}
-
-    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        return low_speed_torque(load=load, angular_speed=angular_speed, radius=ball.outer_radius, loss_time=time)
-
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        a = _contact_radius(ball, load)
-        path = positives("angular_speed", angular_speed, "rad/s") * ball.outer_radius * time
-        met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(ball.layers) | (a <= 0.2 * ball.thickness))
-        return met
-
-    moves = "the surface moves by less than 5 % of the contact radius in the loss time; no inertia"
-    return {"low_speed": ClosedForm(torque=torque, holds=holds, validity=moves)}
+    forms: dict[str, ClosedForm | None] = {
+        "low_speed": None if time is None else slow_form(ball, time, contact_radius, "contact radius")
+    }
+    if is_homogeneous(ball.layers):
+        forms |= _half_space(ball, contact_radius, room=ball.thickness)
+        if ball.inner_boundary is InnerBoundary.RIGID:
+            forms["winkler"] = thin_form(ball, winkler_torque, contact_radius, "contact radius")
+    return forms
 
 
-def _half_space(ball: _Coating) -> dict[str, ClosedForm]:
-    layer, radius = ball.layers[0], ball.outer_radius
+def _half_space(
+    body: Coating, reach: Reach, *, room: float, crown_radius: float | None = None
+) -> dict[str, ClosedForm | None]:
+    """Return the forms of contacts that reach no farther than a fifth of the room around them."""
+    layer, radius = body.layers[0], body.outer_radius
     modulus, nu = at_rest(layer)
 
     def greenwood_tabor(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        torque = greenwood_tabor_torque(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu)
+        torque = greenwood_tabor_torque(
+            load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu, crown_radius=crown_radius
+        )
         return plain(torque * np.ones_like(positives("angular_speed", angular_speed, "rad/s")))
 
     def persson(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
@@ -143,55 +174,27 @@ def _half_space(ball: _Coating) -> dict[str, ClosedForm]:
             shear_modulus=layer.shear_modulus,
             poisson_ratio=layer.poisson_ratio,
             bulk_modulus=layer.bulk_modulus,
+            crown_radius=crown_radius,
         )
 
     def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
         any_speed = positives("angular_speed", angular_speed, "rad/s") > 0.0
-        met: NDArray[np.bool_] = (_contact_radius(ball, load) <= 0.2 * ball.thickness) & any_speed
+        met: NDArray[np.bool_] = (reach(load) <= 0.2 * room) & any_speed
         return met
 
-    small = "contact radius below a fifth of the thickness; no inertia"
-    forms = {"greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}")}
-    if is_known_throughout(layer.shear_modulus):
-        forms["persson"] = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
-    return forms
-
-
-def _thin(ball: _Coating) -> dict[str, ClosedForm]:
-    layer, h = ball.layers[0], ball.thickness
-    modulus, nu = at_rest(layer)
-    material = layer.shear_modulus
-    if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5 or ball.inner_boundary is not InnerBoundary.RIGID:
-        return {}
-
-    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        return winkler_torque(
-            load=load,
-            angular_speed=angular_speed,
-            radius=ball.outer_radius,
-            thickness=h,
-            shear_modulus=material,
-            poisson_ratio=layer.poisson_ratio,
-            bulk_modulus=layer.bulk_modulus,
-        )
-
-    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
-        contact = thin_compressible_layer(
-            load=load, radius=ball.outer_radius, thickness=h, shear_modulus=modulus, poisson_ratio=nu
-        )
-        slow = positives("angular_speed", angular_speed, "rad/s") * longest_time(material) <= 0.2 * np.pi
-        a = np.asarray(contact.radius)
-        met: NDArray[np.bool_] = (a >= 5.0 * h) & ((1.0 - 2.0 * nu) * a >= h) & (a <= 0.2 * ball.outer_radius) & slow
-        return met
-
-    wide = (
-        "contact radius a above 5 thicknesses h and h/(1-2ν), below a fifth of the radius; forgets in a tenth of a "  # noqa: RUF001
-        "revolution; no inertia"
+    small = (
+        "contact radius below a fifth of the thickness; no inertia"
+        if crown_radius is None
+        else "longer semi-axis below a fifth of the thickness and of half the width; no inertia"
     )
-    return {"winkler": ClosedForm(torque=torque, holds=holds, validity=wide)}
+    lagging = ClosedForm(torque=persson, holds=holds, validity=f"pressure as at rest; {small}")
+    return {
+        "greenwood_tabor": ClosedForm(torque=greenwood_tabor, holds=holds, validity=f"all work lost; {small}"),
+        "persson": lagging if is_known_throughout(layer.shear_modulus) else None,
+    }
 
 
-def _loss_time(ball: _Coating) -> float | None:
+def _loss_time(ball: _BallCoating) -> float | None:
     """Return t of a compliance C(0) (1 - iωt), if the ball has one."""
     time = shared_loss_time(ball.layers)
     if time is None or is_real(ball.layers):
@@ -202,20 +205,100 @@ def _loss_time(ball: _Coating) -> float | None:
     return sphere_loss_time(shear_modulus=modulus, poisson_ratio=nu, shear_viscosity=time * modulus)
 
 
-def _contact_radius(ball: _Coating, load: ArrayLike) -> NDArray[np.float64]:
-    """Estimate the contact radius at rest [m], of layers as if mixed: the lesser of the thick and the thin limit.
+def _of_roller(roller: CoatedCylinder) -> dict[str, ClosedForm | None]:
+    half_width = partial(_half_width, roller)
+    time = shared_loss_time(roller.layers) if is_real(roller.layers) else None
+    one_material = is_homogeneous(roller.layers)
+    return {
+        "low_speed": None if time is None else slow_form(roller, time, half_width, "half width"),
+        "hunter": _hunter(roller, half_width) if one_material else None,
+        "winkler_line": thin_form(roller, winkler_torque_line, half_width, "half width") if one_material else None,
+    }
 
-    Of the thin limits the larger one counts, since a thin layer gives way in both manners at once.
-    """
-    h, radius = ball.thickness, ball.outer_radius
-    mixed = [(layer.thickness / h, *at_rest(layer)) for layer in ball.layers]
-    modulus = 1.0 / sum(share / g for share, g, _ in mixed)
-    nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
-    thick = hertz(load=load, radius=radius, shear_modulus=modulus, poisson_ratio=nu).radius
-    thin = thin_incompressible_layer(load=load, radius=radius, thickness=h, shear_modulus=modulus).radius
-    if nu < 0.5:
-        springs = thin_compressible_layer(
-            load=load, radius=radius, thickness=h, shear_modulus=modulus, poisson_ratio=nu
-        ).radius
-        thin = np.maximum(thin, springs)
-    return np.minimum(thick, thin)
+
+def _half_width(roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+    return reach_at_rest(
+        roller,
+        load,
+        thick=hertz_line,
+        squeezed=thin_incompressible_layer_line,
+        springs=thin_compressible_layer_line,
+    )
+
+
+def _hunter(roller: CoatedCylinder, half_width: Reach) -> ClosedForm | None:
+    layer, radius = roller.layers[0], roller.outer_radius
+    material, nu = layer.shear_modulus, layer.poisson_ratio
+    if not isinstance(material, StandardLinearSolid) or nu is None:
+        return None
+
+    retardation = material.relaxation_time * material.instantaneous_modulus / material.relaxed_modulus
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        speed = positives("angular_speed", angular_speed, "rad/s") * radius
+        return hunter(load=load, speed=speed, radius=radius, shear_modulus=material, poisson_ratio=nu).moment
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        # The wake of the contact, f V τ long, must not feel the core either.
+        wake = positives("angular_speed", angular_speed, "rad/s") * radius * retardation
+        met: NDArray[np.bool_] = (half_width(load) <= 0.2 * roller.thickness) & (wake <= 0.5 * roller.thickness)
+        return met
+
+    small = "half width below a fifth of the thickness, way in the retardation time below half of it; no inertia"
+    return ClosedForm(torque=torque, holds=holds, validity=small)
+
+
+def _of_wheel(wheel: CoatedWheel) -> dict[str, ClosedForm | None]:
+    roller = CoatedCylinder(core_radius=wheel.core_radius, layers=wheel.layers)
+    time = shared_loss_time(wheel.layers) if is_real(wheel.layers) else None
+    reach = partial(_along_path, wheel, roller)
+    slow = None if time is None else slow_form(wheel, time, reach, "contact's half length")
+    if math.isinf(wheel.crown_radius):
+        of_roller = _of_roller(roller).items()
+        return {name: form and _over_width(form, wheel) for name, form in of_roller} | {"low_speed": slow}
+    if not is_homogeneous(wheel.layers):
+        return {"low_speed": slow}
+    room = min(wheel.thickness, 0.5 * wheel.width)
+    longer_axis = partial(_longer_axis, wheel)
+    return {"low_speed": slow, **_half_space(wheel, longer_axis, room=room, crown_radius=wheel.crown_radius)}
+
+
+def _over_width(form: ClosedForm, wheel: CoatedWheel) -> ClosedForm:
+    """Return a form of line contact for all of a flat wheel, which is so wide that its faces do not count."""
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return form(np.asarray(load) / wheel.width, angular_speed) * wheel.width
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        met: NDArray[np.bool_] = form.holds(np.asarray(load) / wheel.width, angular_speed)
+        return met & (wheel.width >= _WIDE * wheel.thickness)
+
+    return ClosedForm(torque=torque, holds=holds, validity=f"{form.validity}; width above {_WIDE:g} thicknesses")
+
+
+def _along_path(wheel: CoatedWheel, roller: CoatedCylinder, load: ArrayLike) -> NDArray[np.float64]:
+    """Estimate half the contact's length at rest [m]: on an ellipse, or all of the width where that is narrower."""
+    line = _half_width(roller, np.asarray(load) / wheel.width)
+    if math.isinf(wheel.crown_radius):
+        return line
+    share = math.sqrt(wheel.outer_radius / wheel.crown_radius)
+
+    def of_ball(thin: Callable[..., PointContact], *, load: ArrayLike, **layer: float) -> PointContact:
+        """Contact of a thin layer on an ellipse as wide, for its length, as the gap around it."""
+        return thin(load=np.asarray(load) * share, **layer)
+
+    ellipse = reach_at_rest(
+        wheel,
+        load,
+        thick=partial(hertz_ellipse, crown_radius=wheel.crown_radius),
+        squeezed=partial(of_ball, thin_incompressible_layer),
+        springs=partial(of_ball, thin_compressible_layer),
+    )
+    return np.maximum(line, ellipse)
+
+
+def _longer_axis(wheel: CoatedWheel, load: ArrayLike) -> NDArray[np.float64]:
+    modulus, nu = at_rest(wheel.layers[0])
+    radii = {"radius": wheel.outer_radius, "crown_radius": wheel.crown_radius}
+    contact = hertz_ellipse(load=load, **radii, shear_modulus=modulus, poisson_ratio=nu)
+    return np.asarray(np.maximum(contact.semi_axis_x, contact.semi_axis_z))

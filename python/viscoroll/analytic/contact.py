@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._at_rest import PressureBell, load_and_sizes
 from ._inputs import Floats, plain, poisson, positive, positives
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ __all__ = ["PointContact", "hertz", "thin_compressible_layer", "thin_incompressi
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class PointContact:
+class PointContact(PressureBell):
     """Contact on a disk, with the pressure p₀ (1 - r²/a²)ᵏ.
 
     Attributes
@@ -36,26 +37,10 @@ class PointContact:
     max_pressure: Floats
     exponent: float
 
-    def pressure(self, distance: ArrayLike) -> Floats:
-        """Pressure at a distance from the center [Pa], 0 outside of the contact.
-
-        Parameters
-        ----------
-        distance : array_like
-            r [m], of a shape that broadcasts with the radius.
-
-        Returns
-        -------
-        float or ndarray
-            p(r) [Pa].
-
-        Examples
-        --------
-        >>> hertz(load=100.0, radius=20e-3, shear_modulus=3e6, poisson_ratio=0.5).pressure(1.0)
-        0.0
-        """
-        inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.radius) ** 2, 0.0, None)
-        return plain(self.max_pressure * inside**self.exponent)
+    @property
+    def reach(self) -> Floats:
+        """The radius."""
+        return self.radius
 
 
 def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> PointContact:
@@ -154,11 +139,7 @@ def thin_compressible_layer(
     >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
     '22.2 thicknesses'
     """
-    force, size, h = (
-        positives("load", load, "N"),
-        positive("radius", radius, "m"),
-        positive("thickness", thickness, "m"),
-    )
+    force, size, h = load_and_sizes(load, "N", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
     confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     a = (4.0 * force * size * h / (np.pi * confined)) ** 0.25
@@ -207,11 +188,7 @@ def thin_incompressible_layer(
     >>> f"{contact.radius / 0.1e-3:.1f} thicknesses"
     '13.8 thicknesses'
     """
-    force, size, h = (
-        positives("load", load, "N"),
-        positive("radius", radius, "m"),
-        positive("thickness", thickness, "m"),
-    )
+    force, size, h = load_and_sizes(load, "N", radius, thickness)
     stiffness = positive("shear_modulus", shear_modulus, "Pa")
     a = (32.0 * force * size * h**3 / (np.pi * stiffness)) ** (1.0 / 6.0)
     return _on_disk(force, a, approach=a**2 / (4.0 * size), exponent=2.0)

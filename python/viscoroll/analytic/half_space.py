@@ -1,4 +1,4 @@
-"""Rolling torque of a solid sphere, whose contact is so small that it sees a half-space, at any speed."""
+"""Rolling torque of a ball or crowned wheel whose contact is so small that it sees a half-space, at any speed."""
 
 from __future__ import annotations
 
@@ -7,8 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._inputs import Floats, complex_modulus, fraction, nonnegative, plain, poisson, positive, positives
-from .contact import hertz
+from ._inputs import (
+    Floats,
+    complex_modulus,
+    fraction,
+    nonnegative,
+    one_volume,
+    plain,
+    poisson,
+    positive,
+    positives,
+)
+from .ellipse import hertz_ellipse
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,7 +31,13 @@ __all__ = ["greenwood_tabor_torque", "persson_torque"]
 
 
 def greenwood_tabor_torque(
-    *, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float, loss_fraction: float = 1.0
+    *,
+    load: ArrayLike,
+    radius: float,
+    shear_modulus: float,
+    poisson_ratio: float,
+    loss_fraction: float = 1.0,
+    crown_radius: float | None = None,
 ) -> Floats:
     """Torque of Greenwood and Tabor, T = α (3⁴ (1-ν) R P⁴ / (2¹⁵ G))^(1/3) = (3/16) α P a.
 
@@ -41,6 +57,9 @@ def greenwood_tabor_torque(
         ν [-], in (-1, 0.5].
     loss_fraction : float, default 1
         α [-], in [0, 1].
+    crown_radius : float, optional
+        R_c across the path [m], > 0, of a crowned wheel: a is then the semi-axis along the path of `hertz_ellipse`.
+        Without it, R.
 
     Returns
     -------
@@ -64,8 +83,14 @@ def greenwood_tabor_torque(
     '93.75 mN m'
     """
     alpha = fraction("loss_fraction", loss_fraction)
-    contact = hertz(load=load, radius=radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio)
-    return plain(3.0 / 16.0 * alpha * np.asarray(load, dtype=np.float64) * contact.radius)
+    contact = hertz_ellipse(
+        load=load,
+        radius=radius,
+        crown_radius=radius if crown_radius is None else crown_radius,
+        shear_modulus=shear_modulus,
+        poisson_ratio=poisson_ratio,
+    )
+    return plain(3.0 / 16.0 * alpha * np.asarray(load, dtype=np.float64) * contact.semi_axis_x)
 
 
 def persson_torque(
@@ -77,6 +102,7 @@ def persson_torque(
     poisson_ratio: float | None = None,
     bulk_modulus: float | None = None,
     frequency_factor: float = 1.0,
+    crown_radius: float | None = None,
 ) -> Floats:
     """Torque of a solid sphere from the spectrum of Hertz's pressure, at any speed and for any material.
 
@@ -116,6 +142,9 @@ def persson_torque(
         ν [-] in (-1, 0.5], or K [Pa] > 0: one of them, as in `Layer`.
     frequency_factor : float, default 1
         c [-], ≥ 0: the radius of the contact belongs to the modulus at the frequency c V/a; 0 for the relaxed one.
+    crown_radius : float, optional
+        R_c across the path [m], > 0, of a crowned wheel, whose contact is the ellipse of `hertz_ellipse`: a is its
+        semi-axis along the path, and qa stands for √((q_x a)² + (q_z b)²). Without it, R.
 
     Returns
     -------
@@ -140,13 +169,17 @@ def persson_torque(
     '2.86 mN m'
     """
     size, factor = positive("radius", radius, "m"), nonnegative("frequency_factor", frequency_factor)
+    across = size if crown_radius is None else positive("crown_radius", crown_radius, "m")
     compliance = _half_space_compliance(shear_modulus, poisson_ratio, bulk_modulus)
-    frequencies, weights = _spectrum()
+    # Of one G, for a unit load on a unit 1/E*: all others have the same shape.
+    unit = hertz_ellipse(load=1.0, radius=size, crown_radius=across, shear_modulus=1.0, poisson_ratio=0.5)
+    slender = float(unit.semi_axis_x / unit.semi_axis_z)
+    frequencies, weights = _spectrum(slender)
 
     def torque(force: float, speed: float) -> float:
-        a = _contact_radius(compliance, force, speed, size, factor)
+        a = _semi_axis(compliance, force, speed, size, factor, float(unit.semi_axis_x) ** 3)
         loss = -compliance(speed * size / a * frequencies).imag
-        return float(size * (force / (np.pi * a)) ** 2 * (weights @ loss))
+        return float(size * slender * (force / (np.pi * a)) ** 2 * (weights @ loss))
 
     forces, speeds = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
     return plain(np.vectorize(torque, otypes=[np.float64])(forces, speeds))
@@ -156,9 +189,7 @@ def _half_space_compliance(
     shear_modulus: ShearModulusLike, poisson_ratio: float | None, bulk_modulus: float | None
 ) -> Callable[[ArrayLike], NDArray[np.complex128]]:
     """Return (1-ν*)/G* [1/Pa] as a function of ω: the displacement by a pressure p is (1-ν*)/G* p/|q|."""
-    if (poisson_ratio is None) == (bulk_modulus is None):
-        given = "none" if poisson_ratio is None else "both"
-        raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
+    one_volume(poisson_ratio, bulk_modulus)
     if bulk_modulus is None:
         nu = poisson(poisson_ratio)
         return lambda omega: (1.0 - nu) / complex_modulus(shear_modulus, omega)
@@ -171,34 +202,40 @@ def _half_space_compliance(
     return compliance
 
 
-def _contact_radius(
-    compliance: Callable[[ArrayLike], NDArray[np.complex128]], load: float, speed: float, radius: float, factor: float
+def _semi_axis(
+    compliance: Callable[[ArrayLike], NDArray[np.complex128]],
+    load: float,
+    speed: float,
+    radius: float,
+    factor: float,
+    unit_cube: float,
 ) -> float:
-    """Solve a³ = (3/8) P R |S(c V/a)| for a.
+    """Solve a³ = a₁³ P |S(c V/a)|/S₁ for a, with a₁ under a unit load on S₁ = 1/2: of a ball a₁³ = 3R/16.
 
     The modulus of a material that relaxes grows no faster than ω, so that a step divides the relative error by three at
     least.
     """
     a = radius
     for _ in range(40):
-        a = float(np.cbrt(0.375 * load * radius * np.abs(compliance(factor * speed * radius / a))))
+        a = float(np.cbrt(2.0 * unit_cube * load * np.abs(compliance(factor * speed * radius / a))))
     return a
 
 
 @cache
-def _spectrum() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Quadrature ∫∫ f(x) x cosφ L(x cosφ) dφ dx ≈ Σ w_j L(s_j) over a quarter plane, with f = |p̂|²/P² at x = qa.
+def _spectrum(slender: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Quadrature ∫∫ f(x) x c(φ) L(x cosφ) dφ dx ≈ Σ w_j L(s_j) over a quarter plane, with f = |p̂|²/P² at x = qa.
 
-    With cosφ = sech t the trapezoidal rule in t converges exponentially. Beyond x = 20π, f is replaced by its mean over
-    an oscillation.
+    c is q_x/|q| = cosφ/√(cos²φ + (a/b)² sin²φ), with φ in the plane in which the ellipse is round. With cosφ = sech t
+    the trapezoidal rule in t converges exponentially. Beyond x = 20π, f is replaced by its mean over an oscillation.
     """
     edges = [*np.geomspace(1e-5, np.pi, 15), *np.pi * np.arange(2, 20), *np.geomspace(20 * np.pi, 1e5, 9)]
     x, dx = _gauss_panels(edges)
     exact = 9.0 * ((np.sin(x) - x * np.cos(x)) / x**3) ** 2
     f = np.where(x < 20 * np.pi, exact, 4.5 * (x**-4 + x**-6))
-    step = 0.5
-    cosine = 1.0 / np.cosh(step * np.arange(25))
-    dphi_cosine = step * cosine**2
+    step = 0.5 / max(1.0, slender)  # c has its poles at sinh t = ±i b/a
+    t = np.arange(0.0, 12.5, step)
+    cosine = 1.0 / np.cosh(t)
+    dphi_cosine = step * cosine**2 / np.hypot(cosine, slender * np.tanh(t))
     dphi_cosine[0] *= 0.5
     return np.outer(x, cosine).ravel(), np.outer(f * x * dx, dphi_cosine).ravel()
 

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float_array
+from ._at_rest import PressureBell, load_and_sizes
 from ._inputs import Floats, plain, poisson, positive, positives
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 __all__ = [
     "LineContact",
@@ -26,7 +27,7 @@ __all__ = [
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class LineContact:
+class LineContact(PressureBell):
     """Contact on a strip, with the pressure p₀ (1 - x²/a²)ᵏ.
 
     Attributes
@@ -46,26 +47,10 @@ class LineContact:
     max_pressure: Floats
     exponent: float
 
-    def pressure(self, distance: ArrayLike) -> Floats:
-        """Pressure at a distance from the middle [Pa], 0 outside of the contact.
-
-        Parameters
-        ----------
-        distance : array_like
-            x [m], of a shape that broadcasts with the half width.
-
-        Returns
-        -------
-        float or ndarray
-            p(x) [Pa].
-
-        Examples
-        --------
-        >>> hertz_line(load=5e3, radius=50e-3, shear_modulus=3e6, poisson_ratio=0.5).pressure(1.0)
-        0.0
-        """
-        inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.half_width) ** 2, 0.0, None)
-        return plain(self.max_pressure * inside**self.exponent)
+    @property
+    def reach(self) -> Floats:
+        """The half width."""
+        return self.half_width
 
 
 def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio: float) -> LineContact:
@@ -152,7 +137,7 @@ def thin_compressible_layer_line(
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '2.614 mm'
     """
-    force, size, h = _load_and_sizes(load, radius, thickness)
+    force, size, h = load_and_sizes(load, "N/m", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
     confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     a = np.cbrt(1.5 * force * size * h / confined)
@@ -200,7 +185,7 @@ def thin_incompressible_layer_line(
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '2.391 mm'
     """
-    force, size, h = _load_and_sizes(load, radius, thickness)
+    force, size, h = load_and_sizes(load, "N/m", radius, thickness)
     stiffness = positive("shear_modulus", shear_modulus, "Pa")
     a = (7.5 * force * size * h**3 / stiffness) ** 0.2
     return LineContact(
@@ -266,7 +251,3 @@ def carter_force(
     sliding = np.minimum(np.abs(creep) * radius / (coefficient * np.asarray(contact.half_width)), 1.0)
     force = coefficient * positives("load", load, "N/m") * (1.0 - (1.0 - sliding) ** 2)
     return plain(np.copysign(force, creep))
-
-
-def _load_and_sizes(load: ArrayLike, radius: float, thickness: float) -> tuple[NDArray[np.float64], float, float]:
-    return positives("load", load, "N/m"), positive("radius", radius, "m"), positive("thickness", thickness, "m")

@@ -10,7 +10,7 @@ import numpy as np
 from .._support.arguments import require_type
 from .._support.text import shown
 from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
-from ._inputs import Floats, plain, poisson, positive, positives
+from ._inputs import Floats, one_volume, plain, poisson, positive, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -227,9 +227,7 @@ def _repeated_integrals(u: NDArray[np.float64], rate: NDArray[np.float64]) -> li
 
 def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modulus: float | None) -> _Springs:
     """Return M(t) = 2 (1-ν)/(1-2ν) G(t), or K + 4/3 G(t)."""
-    if (poisson_ratio is None) == (bulk_modulus is None):
-        given = "none" if poisson_ratio is None else "both"
-        raise ValueError(f"poisson_ratio or bulk_modulus must be given, and not both, got {given}")
+    one_volume(poisson_ratio, bulk_modulus)
     shear = _shear_springs(shear_modulus)
     factor, bulk = 4.0 / 3.0, 0.0
     if poisson_ratio is not None:

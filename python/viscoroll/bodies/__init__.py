@@ -1,15 +1,16 @@
 """What rolls, what it rolls on, how it is meshed and driven; `orders` is how its layers answer."""
 
-from .bodies import COUNTERPARTS, CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody
+from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody, require_body
 from .drive import Drive
 from .layers import HalfSpace, Layer
 from .mesh import Mesh
+from .wheel import CoatedWheel
 
 __all__ = [
-    "COUNTERPARTS",
     "CoatedCylinder",
     "CoatedPlane",
     "CoatedSphere",
+    "CoatedWheel",
     "Counterpart",
     "Drive",
     "Groove",
@@ -17,4 +18,5 @@ __all__ = [
     "Layer",
     "Mesh",
     "RollingBody",
+    "require_body",
 ]

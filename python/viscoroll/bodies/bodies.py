@@ -4,46 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, TypeAlias, get_args
+from enum import Enum
+from typing import ClassVar, TypeAlias
 
 from .. import _core
 from .._core import InnerBoundary
-from .._support.arguments import as_member, require_type, store_floats
-from .._support.tables import ParameterTable
-from .layers import HalfSpace, Layer, as_layers
-from .si_hints import si_hint
+from .._support.arguments import require_type
+from .layered import LayeredBody, RoundBody
+from .layers import HalfSpace, Layer
+from .wheel import CoatedWheel
 
-__all__ = ["COUNTERPARTS", "CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody"]
-
-
-class _RoundBody(ParameterTable):
-    """What balls and rollers have in common: layers around a core."""
-
-    __slots__ = ()
-
-    core_radius: float
-    layers: Sequence[Layer]
-
-    #: Whether loads, forces and torques are per length.
-    line_contact: ClassVar[bool] = False
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
-    @property
-    def outer_radius(self) -> float:
-        """Outer radius r_o [m]."""
-        return self.core_radius + self.thickness
-
-    def __str__(self) -> str:
-        """Return the parameters, and how they read in SI units where that is implausible."""
-        return "\n".join(filter(None, [repr(self), si_hint(self)]))
+__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody", "require_body"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedSphere(_RoundBody):
+class CoatedSphere(RoundBody):
     """Layers bonded to one another, and to a rigid core if there is one.
 
     Parameters
@@ -68,23 +43,17 @@ class CoatedSphere(_RoundBody):
     layers: Sequence[Layer] = ()
     inner_boundary: InnerBoundary = InnerBoundary.RIGID
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers, store the radius as a float, and check the parameters."""
-        store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        object.__setattr__(self, "inner_boundary", as_member("inner_boundary", self.inner_boundary, InnerBoundary))
-        self._to_core()
+    noun = "ball"
+    _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(
-            core_radius=self.core_radius,
-            layers=[layer._to_core() for layer in self.layers],
-            inner_boundary=self.inner_boundary,
+            core_radius=self.core_radius, layers=self._core_layers(), inner_boundary=self.inner_boundary
         )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedCylinder(_RoundBody):
+class CoatedCylinder(RoundBody):
     """A roller: layers bonded to one another and to a rigid core, in line contact.
 
     It is as long as one likes, in plane strain: load, forces, torques and powers are per length. Without a core a line
@@ -106,23 +75,30 @@ class CoatedCylinder(_RoundBody):
     0.060000000000000005
     """
 
-    line_contact: ClassVar[bool] = True
-
     core_radius: float
     layers: Sequence[Layer] = ()
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers, store the radius as a float, and check the parameters."""
-        store_floats(self, ("core_radius",))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        self._to_core()
+    noun = "roller"
+    line_contact = True
 
     def _to_core(self) -> _core.CoatedCylinder:
-        return _core.CoatedCylinder(core_radius=self.core_radius, layers=[layer._to_core() for layer in self.layers])
+        return _core.CoatedCylinder(core_radius=self.core_radius, layers=self._core_layers())
+
+
+class _Ground(LayeredBody):
+    """What planes and grooves have in common: a base."""
+
+    __slots__ = ()
+
+    base: HalfSpace | None
+
+    def _core_plane(self) -> _core.CoatedPlane:
+        require_type("base", self.base, HalfSpace, optional=True)
+        return _core.CoatedPlane(layers=self._core_layers(), base=None if self.base is None else self.base._to_core())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CoatedPlane(ParameterTable):
+class CoatedPlane(_Ground):
     """An unbounded plane of bonded layers on a rigid base or a half-space.
 
     Parameters
@@ -143,26 +119,12 @@ class CoatedPlane(ParameterTable):
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
 
-    def __post_init__(self) -> None:
-        """Freeze the list of layers and check the parameters."""
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        require_type("base", self.base, HalfSpace, optional=True)
-        self._to_core()
-
-    @property
-    def thickness(self) -> float:
-        """Thickness of all layers together [m]."""
-        return sum(layer.thickness for layer in self.layers)
-
     def _to_core(self) -> _core.CoatedPlane:
-        return _core.CoatedPlane(
-            layers=[layer._to_core() for layer in self.layers],
-            base=None if self.base is None else self.base._to_core(),
-        )
+        return self._core_plane()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Groove(ParameterTable):
+class Groove(_Ground):
     """What a ball rolls along or in: a surface that is hollow, or bulges, across the path, along it, or both ways.
 
     A roller rolls along it, in a ring or on a drum: there it is straight across.
@@ -192,23 +154,22 @@ class Groove(ParameterTable):
     layers: Sequence[Layer] = ()
     base: HalfSpace | None = None
 
-    def __post_init__(self) -> None:
-        """Store the numbers as floats, freeze the list of layers and check the parameters."""
-        store_floats(self, (), optional=("radius", "path_radius"))
-        object.__setattr__(self, "layers", as_layers(self.layers))
-        require_type("base", self.base, HalfSpace, optional=True)
-        self._to_core()
+    _optional_lengths = ("radius", "path_radius")
 
     def _to_core(self) -> _core.Groove:
-        surface = CoatedPlane(layers=self.layers, base=self.base)
-        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=surface._to_core())
+        return _core.Groove(radius=self.radius, path_radius=self.path_radius, surface=self._core_plane())
 
 
-#: What rolls: a ball, or a roller, whose load and results are per length.
-RollingBody: TypeAlias = CoatedSphere | CoatedCylinder
+#: What rolls: a ball, a roller, whose load and results are per length, or a wheel.
+RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
-#: What it rolls on: a plane, a groove, or another one of its kind.
-Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder
+#: What it rolls on: a plane, a groove, or another body that turns.
+Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
 
-#: The classes of these.
-COUNTERPARTS: tuple[type, ...] = get_args(Counterpart)
+
+def require_body(name: str, body: object, *kinds: type[RoundBody], what: str) -> None:
+    """Raise a TypeError unless a body is of these kinds; of others that roll it says that `what` is not there yet."""
+    if isinstance(body, RollingBody) and not isinstance(body, kinds):
+        wanted = " or ".join(kind.noun for kind in kinds)
+        raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not there yet")
+    require_type(name, body, *kinds)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from .. import _core
 from .._support.arguments import require_type, store_floats
@@ -63,13 +64,7 @@ density=0.0, conductivity=None)
         self._to_core()
 
     def _to_core(self) -> _core.Layer:
-        return _core.Layer(
-            thickness=self.thickness,
-            shear_modulus=to_core(self.shear_modulus),
-            poisson_ratio=self.poisson_ratio,
-            bulk_modulus=self.bulk_modulus,
-            density=self.density,
-        )
+        return _core.Layer(thickness=self.thickness, **_material(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,12 +94,12 @@ class HalfSpace(ParameterTable):
         _core.CoatedPlane(layers=[], base=self._to_core())
 
     def _to_core(self) -> _core.HalfSpace:
-        return _core.HalfSpace(
-            shear_modulus=to_core(self.shear_modulus),
-            poisson_ratio=self.poisson_ratio,
-            bulk_modulus=self.bulk_modulus,
-            density=self.density,
-        )
+        return _core.HalfSpace(**_material(self))
+
+
+def _material(of: Layer | HalfSpace) -> dict[str, Any]:
+    given = {name: getattr(of, name) for name in ("poisson_ratio", "bulk_modulus", "density")}
+    return {"shear_modulus": to_core(of.shear_modulus), **given}
 
 
 def as_layers(layers: object) -> tuple[Layer, ...]:

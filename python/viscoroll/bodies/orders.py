@@ -6,21 +6,25 @@ angular frequency mΩ. Components are ordered (r, φ, θ).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, assert_never
 
 import numpy as np
 
 from .. import _core
 from .._core import Curvature
-from .._support.arguments import as_float, as_int, as_member, as_orders, require_type
+from .._support.arguments import as_float, as_float_array, as_int, as_member, as_orders, require_type
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
 from .bodies import CoatedCylinder, CoatedSphere, RollingBody
 from .layers import Layer
 from .mesh import Mesh
+from .wheel import CoatedWheel
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
+
+_First = TypeVar("_First", bound=np.generic)
+_Second = TypeVar("_Second", bound=np.generic)
 
 __all__ = [
     "centrifugal_displacement",
@@ -33,7 +37,7 @@ __all__ = [
 
 
 def surface_compliance(
-    ball: CoatedSphere,
+    ball: CoatedSphere | CoatedWheel,
     angular_speed: float,
     m: ArrayLike,
     n: ArrayLike,
@@ -44,19 +48,21 @@ def surface_compliance(
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Rigid core and layers.
+    ball : CoatedSphere or CoatedWheel
+        Rigid core and layers. Of a wheel the tread as if it had no faces, with the curvature of its crown.
     angular_speed : float
         Ω [rad/s], > 0.
     m, n : array_like of int
-        Orders in φ and θ, of any sign and of shapes that broadcast.
+        Orders in φ and θ, of any sign and of shapes that broadcast. Of a wheel real numbers take the place of `n`, the
+        wave numbers k along its axis [1/m].
     curvature : Curvature or str, default Curvature.SPHERE
-        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n).
+        The membrane stiffness of a sphere, or PAPER's; the exact sphere has no orders (m, n). Without effect on
+        a wheel, whose equations keep all of it.
 
     Returns
     -------
     ndarray of complex, shape (..., 3, 3)
-        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ).
+        C_mn [m/Pa]: d_mn(r_o) = C_mn f_mn(r_o), rows and columns in the order (r, φ, θ), of a wheel (r, φ, z).
 
     Raises
     ------
@@ -78,17 +84,17 @@ def surface_compliance(
     >>> surface_compliance(ball, 1.0, [10, 20], 0).shape
     (2, 3, 3)
     """
-    require_type("ball", ball, CoatedSphere)
+    require_type("ball", ball, CoatedSphere | CoatedWheel)
     curvature = as_member("curvature", curvature, Curvature)
-    orders_m, orders_n = _broadcast("m and n", as_orders("m", m), as_orders("n", n))
-    compliance = _core.surface_compliance(
-        ball._to_core(),
-        np.ascontiguousarray(orders_m.ravel()),
-        np.ascontiguousarray(orders_n.ravel()),
-        angular_speed=as_float("angular_speed", angular_speed),
-        curvature=curvature,
-    )
-    return compliance.reshape(*orders_m.shape, 3, 3)
+    speed, orders = as_float("angular_speed", angular_speed), as_orders("m", m)
+    if isinstance(ball, CoatedWheel):
+        orders, waves = _broadcast("m and n", orders, as_float_array("n", n))
+        compliance = _core.surface_compliance(ball._to_core(), _flat(orders), _flat(waves), angular_speed=speed)
+    else:
+        orders, others = _broadcast("m and n", orders, as_orders("n", n))
+        given = (_flat(orders), _flat(others))
+        compliance = _core.surface_compliance(ball._to_core(), *given, angular_speed=speed, curvature=curvature)
+    return compliance.reshape(*orders.shape, 3, 3)
 
 
 def degree_compliance(
@@ -133,8 +139,8 @@ def degree_compliance(
     degrees, orders = _broadcast("degree and order", as_orders("degree", degree), as_orders("order", order))
     compliance = _core.degree_compliance(
         ball._to_core(),
-        np.ascontiguousarray(degrees.ravel()),
-        np.ascontiguousarray(orders.ravel()),
+        _flat(degrees),
+        _flat(orders),
         angular_speed=as_float("angular_speed", angular_speed),
     )
     return compliance.reshape(*degrees.shape, 3, 3)
@@ -222,7 +228,7 @@ def critical_speed(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         Rigid core and layers.
     highest_frequency : float, default 1e9
         Angular frequency [rad/s] at which a modulus given as a function stands for its short-time limit.
@@ -241,12 +247,16 @@ def critical_speed(
     ValueError
         For bad input.
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_type("ball", ball, RollingBody)
     curvature = as_member("curvature", curvature, Curvature)
     frequency = as_float("highest_frequency", highest_frequency)
-    if isinstance(ball, CoatedCylinder):
-        return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
-    return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+    match ball:
+        case CoatedSphere():
+            return _core.critical_speed(ball._to_core(), highest_frequency=frequency, curvature=curvature)
+        case CoatedCylinder() | CoatedWheel():
+            return _core.critical_speed(ball._to_core(), highest_frequency=frequency)
+        case _:
+            assert_never(ball)
 
 
 def influence_tables(
@@ -309,12 +319,17 @@ def influence_tables(
         )
 
 
-def _broadcast(names: str, m: NDArray[np.int32], n: NDArray[np.int32]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+def _broadcast(names: str, m: NDArray[_First], n: NDArray[_Second]) -> tuple[NDArray[_First], NDArray[_Second]]:
     try:
         shape = np.broadcast_shapes(m.shape, n.shape)
     except ValueError:
         raise ValueError(f"{names} must have shapes that broadcast, got {m.shape} and {n.shape}") from None
     return np.broadcast_to(m, shape), np.broadcast_to(n, shape)
+
+
+def _flat(numbers: NDArray[_First]) -> NDArray[_First]:
+    """Return numbers one after the other, as the core reads them."""
+    return np.ascontiguousarray(numbers.ravel())
 
 
 def _pair(name: str, value: int | tuple[int, int]) -> tuple[int, int]:

@@ -25,7 +25,7 @@ class _Layered(Protocol):
         """From the inside outwards."""
 
 
-#: What is hardly meant: no ball or roller is as large, no layer as thick, no solid as soft.
+#: What is hardly meant: no ball, roller or wheel is as large or as wide, no layer as thick, no solid as soft.
 _LARGEST_RADIUS = 1.5  # [m]
 _LARGEST_THICKNESS = 0.5  # [m]
 _SMALLEST_MODULUS = 1e3  # [Pa]
@@ -60,6 +60,8 @@ def si_hints(body: _Layered, on: _Layered | None = None, *, angular_speed: float
 def _doubtful(body: _Layered, where: str) -> Iterator[str]:
     if (radius := getattr(body, "outer_radius", 0.0)) > _LARGEST_RADIUS:
         yield f"{where}outer_radius = {radius:g} m"
+    if (width := getattr(body, "width", 0.0)) > _LARGEST_RADIUS:
+        yield f"{where}width = {width:g} m"
     for j, layer in enumerate(body.layers):
         if layer.thickness > _LARGEST_THICKNESS:
             yield f"{where}layers[{j}].thickness = {layer.thickness:g} m"

@@ -17,6 +17,7 @@ from ..bodies import (
     CoatedCylinder,
     CoatedPlane,
     CoatedSphere,
+    CoatedWheel,
     Counterpart,
     Drive,
     Groove,
@@ -34,17 +35,7 @@ from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in
 with extra("cli"):
     from pydantic import BeforeValidator, Field, ValidationInfo
 
-__all__ = [
-    "BODIES",
-    "COUNTERPARTS",
-    "BallTable",
-    "Case",
-    "MeshTable",
-    "Thermal",
-    "build_case",
-    "example_text",
-    "load_case",
-]
+__all__ = ["BODIES", "COUNTERPARTS", "BallTable", "Case", "MeshTable", "Thermal", "build_case", "example_text", "load_case"]
 
 
 def _measured(
@@ -112,13 +103,14 @@ _Base: TypeAlias = Annotated[HalfSpace, Table(shear_modulus=_Modulus)]
 
 #: The table `ball`.
 BallTable: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
+_Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
+_Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
 
-_CylinderTable: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
+#: Tables of what rolls, of which a file has one.
+BODIES = ("ball", "cylinder", "wheel")
 
-
-#: Tables of what rolls, and of what it rolls on.
-BODIES = ("ball", "cylinder")
-COUNTERPARTS = ("plane", "groove", "other_ball", "other_cylinder")
+#: Tables of what a body rolls on.
+COUNTERPARTS = ("plane", "groove", "other_ball", "other_cylinder", "other_wheel")
 
 
 class _Rolling(StrictTable):
@@ -183,11 +175,13 @@ class Thermal(StrictTable):
 
 class _File(StrictTable):
     ball: BallTable | None = None
-    cylinder: _CylinderTable | None = None
+    cylinder: _Cylinder | None = None
+    wheel: _Wheel | None = None
     plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
     other_ball: BallTable | None = None
-    other_cylinder: _CylinderTable | None = None
+    other_cylinder: _Cylinder | None = None
+    other_wheel: _Wheel | None = None
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: Thermal | None = None
@@ -271,17 +265,19 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
         Where the content is not valid.
     """
     file = checked(_File, document, folder)
-    bodies = [body for name in BODIES if (body := getattr(file, name)) is not None]
-    counterparts = {name: on for name in COUNTERPARTS if (on := getattr(file, name)) is not None}
+    bodies, counterparts = (
+        {name: getattr(file, name) for name in names if getattr(file, name) is not None}
+        for names in (BODIES, COUNTERPARTS)
+    )
     if len(bodies) != 1:
-        raise ValueError(f"ball or cylinder must be given, and not both, got {'both' if bodies else 'none'}")
+        raise ValueError(f"one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
     if len(counterparts) > 1:
         raise ValueError(f"one of {', '.join(COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}")
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise ValueError("numerics.accuracy must be left out where a mesh is given")
     return Case(
-        ball=bodies[0],
+        ball=next(iter(bodies.values())),
         on=next(iter(counterparts.values()), None),
         thermal=file.thermal,
         **dict(file.rolling),

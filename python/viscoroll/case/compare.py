@@ -13,6 +13,7 @@ from .._support.arguments import Floats
 from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
+from .._support.text import parsed_range
 from ..analytic import ClosedForm, applicable
 from ..bodies import CoatedSphere, Drive
 from ..bodies.orders import critical_speed
@@ -133,19 +134,9 @@ def _forms(case: Case) -> dict[str, ClosedForm]:
 
 
 def parse_speeds(text: str) -> tuple[float, float]:
-    """Read a range of speeds, as 0.05..25 [rad/s].
-
-    Raises
-    ------
-    ValueError
-        For anything else, and unless 0 < from < to < ∞.
-    """
-    first, found, last = text.partition("..")
-    try:
-        low, high = float(first), float(last)
-    except ValueError:
-        low = high = 0.0
-    if not (found and 0.0 < low < high < np.inf):
+    """Read a range of speeds, as 0.05..25 [rad/s], with 0 < from < to < ∞."""
+    low, high = parsed_range(text) or (0.0, 0.0)
+    if not 0.0 < low < high < np.inf:
         raise ValueError(f"speeds must be from..to with 0 < from < to in rad/s, got {text!r}")
     return low, high
 

@@ -113,23 +113,20 @@ class Design:
         matplotlib.figure.Figure or matplotlib.axes.Axes
             A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
         """
-        from .._support.pictures import Picture, drawn
+        from .._support.pictures import drawn
 
-        if ax is not None:
-            drawn(self._draw_power, ax, figsize=(7.0, 4.0))
-            ax.set_xlabel(self.variable)
-            return ax
-        figure = Picture(figsize=(7.0, 5.0), layout="constrained")
+        return drawn(self._draw_power, ax, figsize=(7.0, 5.0), compose=self._compose)
+
+    def _compose(self, figure: Figure) -> None:
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
         self._draw_power(above)
+        above.label_outer()
         for name, limit in self.limits.items():
             x, values = _column(self._solved(), name)
             below.plot(x, np.array(values) / limit, label=name.replace("_", " "))
         below.axhline(1.0, color="gray", linewidth=0.8)
-        below.set_ylabel("result / limit")
-        below.set_xlabel(self.variable)
+        below.set(xlabel=self.variable, ylabel="result / limit")
         below.legend()
-        return figure
 
     def _solved(self) -> list[tuple[float, Outcome]]:
         return [(v, r) for v, r in zip(self.values, self.outcomes, strict=True) if r is not None]
@@ -142,7 +139,7 @@ class Design:
         left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
         axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
         axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        axes.set_ylabel("power lost [W]")
+        axes.set(xlabel=self.variable, ylabel="power lost [W]")
         axes.legend()
 
 

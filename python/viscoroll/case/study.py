@@ -121,13 +121,7 @@ def _arguments(case: Case) -> dict[str, Any]:
 
 
 def place_of(key: str) -> _Place:
-    """Return the place in a document that a key names, as "ball.layers[0].thickness".
-
-    Raises
-    ------
-    ValueError
-        Where it names none.
-    """
+    """Return the place in a document that a key names, as "ball.layers[0].thickness"."""
     if not _PLACE.fullmatch(key):
         raise ValueError(f'sweep: keys must be places like "ball.layers[0].thickness", got {key!r}')
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))

@@ -43,8 +43,8 @@ app = typer.Typer(
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
-    help="Rolling resistance of balls and rollers with soft viscoelastic layers: on a plane or in a groove, rigid or "
-    "as soft, or on another of their kind; steady, or starting, stopping and turning back. SI units throughout.",
+    help="Rolling resistance of balls, rollers and wheels with soft viscoelastic layers: on a plane or in a groove, "
+    "rigid or as soft, or on one another; steady, or starting, stopping and turning back. SI units throughout.",
 )
 
 _INVALID, _FAILED, _STOPPED = 2, 1, 130

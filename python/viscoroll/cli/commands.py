@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from .._support.extras import extra
-from .._support.text import shown
+from .._support.text import parsed_range, shown
 from .output import PICTURES, check_target, progress_bar, write_line
 
 with extra("cli"):
@@ -58,7 +58,9 @@ def material(
     check_target("--save", save, (".toml",))
     measured = read_rheology(data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio)
     if between is not None:
-        measured = measured.between(*_range("--between", between))
+        if (ends := parsed_range(between)) is None:
+            raise ValueError(f"--between must be like -35..160, got {between!r}")
+        measured = measured.between(*ends)
     write_line(repr(measured))
     curve: Superposition | Isotherm
     if len(measured.isotherms) > 1:
@@ -134,16 +136,6 @@ def _columns(text: str | None) -> dict[str, str | tuple[str, str]] | None:
         name, colon, unit = name.rpartition(":")
         columns[role.strip()] = (name, unit) if colon else unit
     return columns
-
-
-def _range(option: str, text: str) -> tuple[float, float]:
-    low, dots, high = text.partition("..")
-    try:
-        if not dots:
-            raise ValueError
-        return float(low), float(high)
-    except ValueError:
-        raise ValueError(f"{option} must be like -35..160, got {text!r}") from None
 
 
 def _reference(data: RheologyData, reference: float | None) -> float:

@@ -71,6 +71,9 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
     ValueError
         For rollers, balls on something else or on several things, several balls, and other dimensions.
     """
+    *_, kind = str(study.attrs.get("title", "sphere")).split()
+    if kind != "sphere":
+        raise ValueError(f"{_WANTED}, got a study of a {kind}")
     if study["load"].attrs["units"] != "N":
         raise ValueError(f"{_WANTED}, got a study of loads in {study['load'].attrs['units']}")
     power = study["dissipated_power"]

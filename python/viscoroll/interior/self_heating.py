@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import ConvergenceError
-from .._support.arguments import as_float, as_int, as_kelvin, require_type
+from .._support.arguments import as_float, as_int, as_kelvin
 from .._support.cautions import kept_in_results, warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, counted, reporting
 from .._support.tables import html_table, number_text
-from ..bodies import CoatedCylinder, CoatedSphere, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
 from ..materials import Shift
 from ..materials.shift import scaled, shift_factor, shifted
 from ..rolling import solve
@@ -296,7 +296,7 @@ def self_heating(
     with extra("studies"):  # before the first solve
         from scipy.optimize import brentq
 
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_body("ball", ball, CoatedSphere, CoatedCylinder, what="self-heating")
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)

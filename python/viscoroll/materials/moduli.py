@@ -104,7 +104,7 @@ class Elastic(ShearModulus):
     modulus: float
 
     def _to_core(self) -> _core.Elastic:
-        return _core.Elastic(modulus=self.modulus)
+        return _core.Elastic(**_given(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -147,11 +147,7 @@ class Prony(ShearModulus):
             object.__setattr__(self, name, column)
 
     def _to_core(self) -> _core.Prony:
-        return _core.Prony(
-            instantaneous_modulus=self.instantaneous_modulus,
-            weights=as_floats("weights", self.weights),
-            relaxation_times=as_floats("relaxation_times", self.relaxation_times),
-        )
+        return _core.Prony(**_given(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,11 +175,7 @@ class StandardLinearSolid(ShearModulus):
     relaxation_time: float
 
     def _to_core(self) -> _core.Prony:
-        series = _core.standard_linear_solid(
-            instantaneous_modulus=self.instantaneous_modulus,
-            relaxed_modulus=self.relaxed_modulus,
-            relaxation_time=self.relaxation_time,
-        )
+        series = _core.standard_linear_solid(**_given(self))
         # The series holds 1 - relaxed / instantaneous: of a smaller ratio that difference keeps less than four digits.
         if self.relaxed_modulus < 1e-12 * self.instantaneous_modulus:
             raise ValueError(
@@ -214,7 +206,7 @@ class KelvinVoigt(ShearModulus):
     viscosity: float
 
     def _to_core(self) -> _core.KelvinVoigt:
-        return _core.KelvinVoigt(modulus=self.modulus, viscosity=self.viscosity)
+        return _core.KelvinVoigt(**_given(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -249,12 +241,7 @@ class FractionalZener(ShearModulus):
     order: float
 
     def _to_core(self) -> _core.FractionalZener:
-        return _core.FractionalZener(
-            instantaneous_modulus=self.instantaneous_modulus,
-            relaxed_modulus=self.relaxed_modulus,
-            relaxation_time=self.relaxation_time,
-            order=self.order,
-        )
+        return _core.FractionalZener(**_given(self))
 
 
 @dataclass(frozen=True, slots=True)
@@ -296,12 +283,7 @@ class MasterCurve(ShearModulus):
         ShearModulus.__post_init__(self)
 
     def _to_core(self) -> _core.MasterCurve:
-        return _core.MasterCurve(
-            frequency=as_floats("frequency", self.frequency),
-            storage=as_floats("storage", self.storage),
-            loss=as_floats("loss", self.loss),
-            extrapolation=self.extrapolation,
-        )
+        return _core.MasterCurve(**_given(self))
 
 
 def to_core(modulus: ShearModulusLike) -> _CoreModulus:
@@ -317,13 +299,7 @@ def to_core(modulus: ShearModulusLike) -> _CoreModulus:
 
 
 def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]:
-    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means.
-
-    Raises
-    ------
-    TypeError
-        Where `modulus` is none of these.
-    """
+    """Return a modulus or a function as it is, and a number as the elastic modulus [Pa] that it means."""
     if isinstance(modulus, ShearModulus) or callable(modulus):
         return modulus
     try:
@@ -334,6 +310,11 @@ def as_modulus(modulus: ShearModulusLike) -> ShearModulus | Callable[[Any], Any]
             f"{_way_to_a_modulus(modulus)}"
         ) from None
     return Elastic(modulus=number)
+
+
+def _given(modulus: ShearModulus) -> dict[str, Any]:
+    """Return the parameters of a modulus, whose names and types are the core's."""
+    return {field.name: getattr(modulus, field.name) for field in fields(modulus)}  # type: ignore[arg-type]
 
 
 def _way_to_a_modulus(measured: object) -> str:

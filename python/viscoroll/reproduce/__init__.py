@@ -2,14 +2,13 @@
 
 from .convergence import compute_table2
 from .friction import compute_figure9
-from .frictional_start import compute_figure8
 from .inertia import compute_figure13
 from .item import Item, Outcome, Runner, Verdict, write_files, write_verdicts
 from .load import compute_figure10, compute_table3
 from .radial import compute_figure4
 from .sigmoid import compute_table4
 from .speed import compute_figure7, compute_figure12
-from .start import compute_figure6
+from .start import compute_figure6, compute_figure8
 from .thickness import compute_figure11
 
 __all__ = ["ITEMS", "Item", "Outcome", "Runner", "Verdict", "write_files", "write_verdicts"]

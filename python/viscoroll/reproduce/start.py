@@ -1,14 +1,15 @@
-"""Figure 6: the resisting torque after a sudden start, at many speeds."""
+"""Figures 6 and 8: the resisting torque after a sudden start, at many speeds and coefficients of friction."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .. import paper
-from .._core import Start
+from .._core import Compliance, Start
 from .._support.pictures import Picture
 from ..bodies import Mesh
 from ..rolling import solve
@@ -16,22 +17,65 @@ from ..transient import roll
 from .item import Runner, Table, Verdict
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from ..transient import History
 
-__all__ = ["Figure6", "compute_figure6"]
+__all__ = ["Figure6", "Figure8", "compute_figure6", "compute_figure8"]
+
+#: Both states to start from, and what they are.
+_STARTS = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
 
 #: Ω of figure 6 [rad/s], which its text gives the ends of.
-_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0)
-_COARSE = (0.5, 2.5, 4.0)
+_SPEEDS, _COARSE_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0), (0.5, 2.5, 4.0)
 _TURN = 0.8  # [rad]: more than three times the contact's length
 _STEADY = 0.02  # within which a torque counts as steady [-]
 
+#: Ω of section 14.3 [rad/s], and μ of figure 8 [-].
+_SPEED = 0.2
+_FRICTIONS, _COARSE_FRICTIONS = (0.0, 0.1, 0.3, 0.5, 1.0, 2.0), (0.0, 0.5, 2.0)
+_FRICTION_TURN = 0.6  # [rad]: 3 s
+_NOTHING = 1e-3  # of an overshoot [-]
+_NODES, _COARSE_NODES = 300, 240
+
+#: A starting state, and the number that varies.
+Key = tuple[Start, float]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Figure6:
+class SuddenStarts:
+    """Histories by starting state and the number that varies."""
+
+    histories: dict[Key, History]
+
+    def _columns(self, varied: str) -> tuple[Table, Table]:
+        """Return the columns of a table with a row for each history, and of one with a row for each instant."""
+        rows = [(key, i) for key, history in self.histories.items() for i in range(len(history.time))]
+        return {
+            "start": [start.name for start, _ in self.histories],
+            varied: [number for _, number in self.histories],
+        }, {
+            "start": [start.name for (start, _), _ in rows],
+            varied: [number for (_, number), _ in rows],
+            "time [s]": [float(self.histories[key].time[i]) for key, i in rows],
+            "resisting_torque [N m]": [float(self.histories[key].resisting_torque[i]) for key, i in rows],
+        }
+
+    def _panels(self, figure: Picture, label: str, *, sharey: bool) -> Iterator[Axes]:
+        """Draw torque over time, for one starting state after the other."""
+        for axes, (start, title) in zip(figure.subplots(1, 2, sharey=sharey), _STARTS.items(), strict=True):
+            found = [(number, history) for (known, number), history in self.histories.items() if known is start]
+            for place, (number, history) in enumerate(found):
+                torque = history.resisting_torque * 1e3
+                axes.plot(history.time, torque, color=f"C{place}", label=label.format(number))
+            axes.set(title=title, xlabel="time [s]", ylabel="$T_r$ [mN m]")
+            yield axes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figure6(SuddenStarts):
     """Histories by starting state and speed, and the steady torque at each speed [N m]."""
 
-    histories: dict[tuple[Start, float], History]
     steady: dict[float, float]
 
     def overshoot(self, start: Start, speed: float) -> float:
@@ -47,34 +91,21 @@ class Figure6:
 
     def tables(self) -> dict[str, Table]:
         """Return a row for each start and speed, and the histories."""
-        keys = list(self.histories)
-        rows = [(key, i) for key in keys for i in range(len(self.histories[key].time))]
-        return {
-            "": {
-                "start": [start.name for start, _ in keys],
-                "angular_speed [rad/s]": [speed for _, speed in keys],
-                "steady_torque [N m]": [self.steady[speed] for _, speed in keys],
-                "overshoot [1]": [self.overshoot(*key) for key in keys],
-                "settling_time [s]": [self.settling_time(*key) for key in keys],
-            },
-            "-histories": {
-                "start": [start.name for (start, _), _ in rows],
-                "angular_speed [rad/s]": [speed for (_, speed), _ in rows],
-                "time [s]": [float(self.histories[key].time[i]) for key, i in rows],
-                "resisting_torque [N m]": [float(self.histories[key].resisting_torque[i]) for key, i in rows],
-            },
+        keys, (summary, instants) = list(self.histories), self._columns("angular_speed [rad/s]")
+        found = {
+            "steady_torque [N m]": [self.steady[speed] for _, speed in keys],
+            "overshoot [1]": [self.overshoot(*key) for key in keys],
+            "settling_time [s]": [self.settling_time(*key) for key in keys],
         }
+        return {"": {**summary, **found}, "-histories": instants}
 
     def draw(self) -> Picture:
         """Torque over time, for both starting states."""
         figure = Picture(figsize=(11.0, 4.6), layout="constrained")
-        titles = {Start.FRESH: "pressed on in no time", Start.RELAXED: "has borne the load for ever"}
-        for axes, (start, title) in zip(figure.subplots(1, 2), titles.items(), strict=True):
-            for place, speed in enumerate(self.steady):
-                history = self.histories[start, speed]
-                axes.plot(history.time, history.resisting_torque * 1e3, color=f"C{place}", label=f"{speed:g} rad/s")
-                axes.axhline(self.steady[speed] * 1e3, color=f"C{place}", linewidth=0.6, linestyle=":")
-            axes.set(title=title, xlabel="time [s]", ylabel="$T_r$ [mN m]", xlim=(0.0, 0.8))
+        for axes in self._panels(figure, "{:g} rad/s", sharey=False):
+            for place, torque in enumerate(self.steady.values()):
+                axes.axhline(torque * 1e3, color=f"C{place}", linewidth=0.6, linestyle=":")
+            axes.set(xlim=(0.0, 0.8))
         figure.axes[0].legend(fontsize="small", title="dotted: steady", title_fontsize="small")
         return figure
 
@@ -82,7 +113,7 @@ class Figure6:
         """Judge what the text says, for both starting states."""
         speeds = list(self.steady)
         verdicts = []
-        for start in (Start.FRESH, Start.RELAXED):
+        for start in _STARTS:
             settling = [self.settling_time(start, speed) for speed in speeds]
             verdicts.append(
                 Verdict(
@@ -92,7 +123,7 @@ class Figure6:
                     agrees=all(np.isfinite(settling)),
                 )
             )
-        fresh, relaxed = ([self.overshoot(start, s) for s in speeds] for start in (Start.FRESH, Start.RELAXED))
+        fresh, relaxed = ([self.overshoot(start, s) for s in speeds] for start in _STARTS)
         verdicts.append(
             Verdict(
                 statement="the load is applied somehow before the start",
@@ -105,13 +136,61 @@ class Figure6:
         return verdicts
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figure8(SuddenStarts):
+    """Histories by starting state and coefficient of friction."""
+
+    def overshoot(self, start: Start, friction: float) -> float:
+        """How far the largest torque lies above the last one [-]."""
+        torque = self.histories[start, friction].resisting_torque
+        return float(torque.max() / torque[-1]) - 1.0
+
+    def overshoots(self, start: Start) -> list[float]:
+        """Overshoots by rising friction."""
+        return [self.overshoot(start, friction) for known, friction in self.histories if known is start]
+
+    def tables(self) -> dict[str, Table]:
+        """Return a row for each start and coefficient, and the histories."""
+        keys, (summary, instants) = list(self.histories), self._columns("friction [1]")
+        found = {
+            "last_torque [N m]": [float(history.resisting_torque[-1]) for history in self.histories.values()],
+            "overshoot [1]": [self.overshoot(*key) for key in keys],
+        }
+        return {"": {**summary, **found}, "-histories": instants}
+
+    def draw(self) -> Picture:
+        """Torque over time, for both starting states."""
+        figure = Picture(figsize=(11.0, 4.6), layout="constrained")
+        for axes in self._panels(figure, "$μ$ = {:g}", sharey=True):
+            axes.label_outer()
+        figure.axes[0].legend(fontsize="small")
+        return figure
+
+    def verdicts(self) -> list[Verdict]:
+        """Judge what the text says of the overshoot, for both starting states."""
+        verdicts = []
+        for start in _STARTS:
+            overshoots = self.overshoots(start)
+            rises = bool(np.all(np.diff(overshoots) > -_NOTHING)) and overshoots[-1] > _NOTHING
+            verdicts.append(
+                Verdict(
+                    statement=f"the overshoot increases with μ ({start.name} start)",
+                    found=", ".join(f"{overshoot:.2%}" for overshoot in overshoots)
+                    + f" at μ = {', '.join(f'{friction:g}' for known, friction in self.histories if known is start)}",
+                    agrees=rises,
+                    unclear="" if rises else "unclear: the text does not say how the load was put on",
+                )
+            )
+        return verdicts
+
+
 def compute_figure6(runner: Runner) -> Figure6:
     """Start at once at every speed, from both states, at the paper's load."""
     ball = paper.ball()
-    speeds = _COARSE if runner.coarse else _SPEEDS
+    speeds = _COARSE_SPEEDS if runner.coarse else _SPEEDS
     mesh = Mesh(nodes_per_revolution=runner.mesh.nodes_per_revolution)  # all orders, as in the steady torque
 
-    def history(key: tuple[Start, float]) -> History:
+    def history(key: Key) -> History:
         start, speed = key
         return roll(
             ball,
@@ -126,6 +205,32 @@ def compute_figure6(runner: Runner) -> Figure6:
     def steady(speed: float) -> float:
         return solve(ball, load=paper.LOAD, angular_speed=speed, accuracy=2e-3, threads=1).resisting_torque
 
-    keys = [(start, speed) for start in (Start.FRESH, Start.RELAXED) for speed in speeds]
+    keys = [(start, speed) for start in _STARTS for speed in speeds]
     histories = dict(zip(keys, runner.map(history, keys), strict=True))
     return Figure6(histories=histories, steady=dict(zip(speeds, runner.map(steady, speeds), strict=True)))
+
+
+def compute_figure8(runner: Runner) -> Figure8:
+    """Start at once at every coefficient, from both states; node by node, so that no staircase blurs the overshoot."""
+    ball = paper.ball()
+    mesh = Mesh(nodes_per_revolution=_COARSE_NODES if runner.coarse else _NODES)
+    angle = np.arange(int(_FRICTION_TURN / mesh.spacing) + 1) * mesh.spacing
+
+    def history(key: Key) -> History:
+        start, friction = key
+        return roll(
+            ball,
+            time=angle / _SPEED,
+            angle=angle,
+            load=paper.LOAD,
+            start=start,
+            friction=friction,
+            compliance=Compliance.VERTICAL,
+            mesh=mesh,
+            lattices=1,
+            steps_per_spacing=None,
+            threads=1,
+        )
+
+    keys = [(start, mu) for start in _STARTS for mu in (_COARSE_FRICTIONS if runner.coarse else _FRICTIONS)]
+    return Figure8(histories=dict(zip(keys, runner.map(history, keys), strict=True)))

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import assert_never
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float
-from ..bodies import CoatedSphere
+from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, RollingBody
 from ..materials import MasterCurve
 from ..materials.moduli import to_core
 from .prony_fit import MeasuredModulus, fit_prony, measured
@@ -140,7 +141,7 @@ def check_range(curve: MeasuredModulus, *, lowest: float, highest: float) -> Che
     )
 
 
-def rolling_range(ball: CoatedSphere, *, load: float, angular_speed: float) -> tuple[float, float]:
+def rolling_range(ball: RollingBody, *, load: float, angular_speed: float) -> tuple[float, float]:
     """Estimate between which frequencies rolling dissipates, before solving.
 
     The lowest harmonic is the speed, the highest that counts about 8 R/a times the speed, with the contact's half-width
@@ -148,10 +149,10 @@ def rolling_range(ball: CoatedSphere, *, load: float, angular_speed: float) -> t
 
     Parameters
     ----------
-    ball : CoatedSphere
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         The body.
     load : float
-        P [N], > 0.
+        P [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
         Ω [rad/s], > 0.
 
@@ -168,9 +169,28 @@ def rolling_range(ball: CoatedSphere, *, load: float, angular_speed: float) -> t
     for _ in range(20):  # a changes with the third root of the modulus, which changes little with a
         frequency = np.array([angular_speed * order])
         modulus = float(np.abs(_core.complex_modulus(to_core(outer.shear_modulus), frequency))[0])
-        half_width = (3.0 * (1.0 - nu) * load * radius / (8.0 * modulus)) ** (1.0 / 3.0)
-        order = max(1.0, radius / half_width)
+        order = max(1.0, radius / _half_length(ball, load, (1.0 - nu) / modulus))
     return angular_speed, angular_speed * _ORDERS_ACROSS * order
+
+
+def _half_length(body: RollingBody, load: float, compliance: float) -> float:
+    """Half of Hertz's contact along the path [m], of (1 - ν)/G [1/Pa]; of a crown to a tenth, or of all its width."""
+
+    def on_line(load: float) -> float:
+        return float(np.sqrt(2.0 / np.pi * compliance * load * body.outer_radius))
+
+    def on_spot(radius_ratio: float) -> float:
+        return float(np.cbrt(0.375 * compliance * load * body.outer_radius * np.sqrt(radius_ratio)))
+
+    match body:
+        case CoatedSphere():
+            return on_spot(1.0)
+        case CoatedCylinder():
+            return on_line(load)
+        case CoatedWheel():
+            return max(on_line(load / body.width), on_spot(body.outer_radius / body.crown_radius))
+        case _:
+            assert_never(body)
 
 
 def _signed_residual(frequency: Floats, storage: Floats, loss: Floats) -> float:

@@ -66,7 +66,8 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
         raise TypeError(f"{error}; its scale is given apart, as scale='A' or scale='D'") from None
     low, high = ranges[shore_scale]
     if not low <= shore <= high:
-        raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}")
+        harder = "; give what is harder in Shore D" if shore_scale == "A" and shore > high else ""
+        raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}{harder}")
     if shore_scale == "D":
         value = _qi(shore + 50.0)
         return Parameter(value=value, lower=0.5 * value, upper=2.0 * value, unit="Pa")

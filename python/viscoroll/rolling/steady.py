@@ -1,4 +1,4 @@
-"""Steady rolling contact of a coated sphere or cylinder on a rigid plane."""
+"""Steady rolling contact of a coated ball, roller or wheel."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .._support.cautions import warn
 from .._support.keywords import explained
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from ..bodies import COUNTERPARTS, CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Drive, Mesh, RollingBody
+from ..bodies import CoatedPlane, Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hints
 from .result import Result
 
@@ -43,12 +43,13 @@ def solve(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove, CoatedSphere or CoatedCylinder, optional
-        What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball, a
-        cylinder on a plane, in a groove that is curved along its path, or on another cylinder. One of the two may be
-        rigid, without layers. The material of both passes the contact at Ω r_o.
+    on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
+        What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball; a
+        cylinder on a plane, in a groove that is curved along its path, or on another cylinder; a wheel on a plane, in a
+        groove, on a cylinder or another wheel, whose axis is parallel. One of the two may be rigid, without layers. The
+        material of both passes the contact at Ω r_o.
     load : float
         P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
     angular_speed : float
@@ -123,7 +124,7 @@ def solve(
     >>> r.status.name
     'CONVERGED'
     """
-    require_type("ball", ball, CoatedSphere, CoatedCylinder)
+    require_type("ball", ball, RollingBody)
     require_type("mesh", mesh, Mesh, optional=True)
     curvature = as_member("curvature", curvature, Curvature)
     if mesh is not None and accuracy is not None:
@@ -152,9 +153,9 @@ class RollingModel:
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         What rolls: rigid core and layers.
-    on : CoatedPlane, Groove, CoatedSphere or CoatedCylinder, optional
+    on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         As of `solve`.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`.
@@ -191,7 +192,7 @@ class RollingModel:
         threads: int = 0,
         progress: ProgressLike = None,
     ) -> None:
-        require_type("ball", ball, CoatedSphere, CoatedCylinder)
+        require_type("ball", ball, RollingBody)
         require_type("mesh", mesh, Mesh)
         curvature = as_member("curvature", curvature, Curvature)
         self.ball = ball
@@ -245,9 +246,9 @@ class RollingModel:
 
 def _counterpart(
     on: Counterpart | None,
-) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder:
+) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder | _core.CoatedWheel:
     """Return what the core knows it as; without any, the rigid plane."""
-    require_type("on", on, *COUNTERPARTS, optional=True)
+    require_type("on", on, Counterpart, optional=True)
     return CoatedPlane()._to_core() if on is None else on._to_core()
 
 

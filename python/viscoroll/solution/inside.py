@@ -10,7 +10,7 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_float_array
 from .._support.text import shown
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer, RollingBody, require_body
 from .solution import Solution, node_angles
 
 if TYPE_CHECKING:
@@ -147,6 +147,9 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
     if of not in (None, "ball", "counterpart"):
         raise ValueError(f"of must be 'ball' or 'counterpart', got {shown(of)}")
     on = result.on
+    for name, body in (("result.ball", result.ball), ("result.on", on)):
+        if isinstance(body, RollingBody):
+            require_body(name, body, CoatedSphere, CoatedCylinder, what="what happens inside")
     if of is None:
         of = "ball" if result.ball.layers or on is None else "counterpart"
     radius = result.ball.outer_radius

@@ -14,7 +14,7 @@ from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere
 from .inside import Inside, LayeredBody, Of, finite_line, inside_of, places_of
-from .solution import Solution
+from .solution import Solution, described, given_of
 
 if TYPE_CHECKING:
     import xarray
@@ -215,10 +215,7 @@ def interior(
         "shear_traction": (where, np.hypot(stress[3], stress[4])),
     }
     return xarray.Dataset(
-        {
-            name: (dimensions, array, {"units": _TEXT[name][0], "long_name": _TEXT[name][1]})
-            for name, (dimensions, array) in variables.items()
-        },
+        {name: (*variable, described(*_TEXT[name])) for name, variable in variables.items()},
         {
             **place_coordinates(inside, positions),
             "layer": ("depth", layers, {"long_name": "number of the layer, from the center or the base outwards"}),
@@ -230,14 +227,7 @@ def interior(
             "component": list(COMPONENTS),
             "principal": [1, 2, 3],
         },
-        attrs={
-            "load": result.load,
-            "angular_speed": result.angular_speed,
-            "of": inside.of,
-            **({"outer_radius": inside.radius} if inside.turns else {}),
-            "compliance": result.compliance.name,
-            "curvature": result.curvature.name,
-        },
+        attrs=given_of(result) | {"of": inside.of} | ({"outer_radius": inside.radius} if inside.turns else {}),
     )
 
 
@@ -296,9 +286,6 @@ def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_node
     spacing = result.ball.outer_radius * max(result.mesh.spacing, sideways)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
     if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
-        warn(
-            [
-                f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m: "
-                "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
-            ]
-        )
+        shallow = f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m"
+        steps = "stresses there show the steps of the pressure from patch to patch; a finer mesh has them smaller"
+        warn([f"{shallow}: {steps}"])

@@ -13,7 +13,7 @@ from .._support.progress import ProgressLike, reporting
 from ..materials import Prony, StandardLinearSolid
 from .inside import Of, inside_of
 from .interior_fields import place_coordinates
-from .solution import Solution
+from .solution import Solution, described, given_of
 
 if TYPE_CHECKING:
     import xarray
@@ -134,21 +134,19 @@ def loss(
     for power, share, row in zip(order_power, shares, relaxation_power, strict=True):
         row[: len(share)] = share @ power
     where = ("depth", "theta")
-    densities = {
-        "loss_density": (where, density, {"units": "J m-3", "long_name": "energy lost per volume and passage"})
-    }
+    densities = {"loss_density": (where, density, described("J m-3", "energy lost per volume and passage"))}
     if inside.turns:
-        mean = {"units": "W m-3", "long_name": "power lost per volume, mean over a revolution"}
+        mean = described("W m-3", "power lost per volume, mean over a revolution")
         densities["power_density"] = (where, density * inside.passes / (2.0 * np.pi), mean)
     watt = "W m-1" if inside.line_contact else "W"
     return xarray.Dataset(
         {
             **densities,
-            "layer_power": ("layer", order_power.sum(axis=1), {"units": watt, "long_name": "power lost in each layer"}),
+            "layer_power": ("layer", order_power.sum(axis=1), described(watt, "power lost in each layer")),
             "relaxation_power": (
                 ("layer", "term"),
                 relaxation_power,
-                {"units": watt, "long_name": "power lost in each relaxation time of a Prony series"},
+                described(watt, "power lost in each relaxation time of a Prony series"),
             ),
         },
         {
@@ -161,16 +159,13 @@ def loss(
             "theta": ("theta", lost.theta[shown], {"units": "rad"}),
             "z": ("theta", inside.radius * (0.5 * np.pi - lost.theta[shown]), {"units": "m"}),
         },
-        attrs={
+        attrs=given_of(result)
+        | {
             "of": inside.of,
             "power": float(order_power.sum()),
             "surface_power": lost.surface_power * inside.passes / as_solved,
             "bulk_power": inside.bulk_power,
             "max_order": order,
-            "angular_speed": result.angular_speed,
-            "load": result.load,
-            "compliance": result.compliance.name,
-            "curvature": result.curvature.name,
         },
     )
 

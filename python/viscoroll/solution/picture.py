@@ -8,6 +8,7 @@ import numpy as np
 
 from .._support.extras import extra
 from .._support.pictures import Picture, drawn
+from ..bodies import CoatedWheel
 from .solution import Solution
 
 with extra("plot"):
@@ -22,6 +23,9 @@ __all__ = ["plot_contact"]
 
 _MM = 1e3
 _MPA = 1e-6
+
+#: Width of a map over its length from which on both have scales of their own.
+_SLENDER = 5.0
 
 
 def plot_contact(result: Solution, ax: Axes | None = None) -> Picture | Axes:
@@ -86,10 +90,25 @@ def _offset(result: Solution) -> float:
     return result.resisting_torque / result.load
 
 
-def _half_width(result: Solution) -> float:
-    """Half of what is shown along both axes [mm]: the contact and some margin, within the window."""
-    contact = max(np.abs(result.x[result.contact]).max(), np.abs(result.z[result.contact]).max())
-    return min(1.35 * float(contact) + 2.0 * _spacing(result), float(result.x.max())) * _MM
+def _limits(result: Solution) -> tuple[float, float]:
+    """Half of what is shown along x and z [mm]: the contact and some margin, in the window; of a wheel its faces."""
+    along, across = (float(np.abs(part[result.contact]).max()) for part in (result.x, result.z))
+    margin, ends = 2.0 * _spacing(result), float(result.x.max())
+    if isinstance(result.ball, CoatedWheel):
+        return min(1.35 * along + margin, ends) * _MM, 0.54 * result.ball.width * _MM
+    limit = min(1.35 * max(along, across) + margin, ends) * _MM
+    return limit, limit
+
+
+def _frame(axes: Axes, result: Solution) -> None:
+    """Set what is shown of a map, and draw the faces of a wheel."""
+    along, across = _limits(result)
+    axes.set(xlim=(-along, along), ylim=(-across, across), xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    # The contact of a wide wheel is a line, of which nothing is to be seen at one scale.
+    axes.set_aspect("equal" if across < _SLENDER * along else "auto")
+    if isinstance(result.ball, CoatedWheel):
+        for side in (-0.5, 0.5):
+            axes.axhline(side * result.ball.width * _MM, color="0.3", linewidth=1.5)
 
 
 def _spacing(result: Solution) -> float:
@@ -106,9 +125,7 @@ def _draw_map(axes: Axes, result: Solution) -> None:
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
     offset = _offset(result) * _MM
     axes.plot(offset, 0.0, "o", color="tab:cyan", markeredgecolor="w", label=f"resultant at x = {offset:.3g} mm")
-    limit = _half_width(result)
-    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
-    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    _frame(axes, result)
     axes.legend(loc="upper left", fontsize="small")
     axes.figure.colorbar(image, ax=axes, label="contact pressure [MPa]")
 
@@ -122,9 +139,7 @@ def _draw_stick_and_slip(axes: Axes, result: Solution) -> None:
     traction_x, traction_z = (part[rows, columns] * _MPA for part in result.shear_traction)
     where = (result.x[rows, columns] * _MM, result.z[rows, columns] * _MM)
     axes.quiver(*where, traction_x, traction_z, angles="xy", pivot="middle", width=0.004)
-    limit = _half_width(result)
-    axes.set(xlim=(-limit, limit), ylim=(-limit, limit), aspect="equal")
-    axes.set(xlabel="x [mm], rolling to the right", ylabel="z [mm]")
+    _frame(axes, result)
     handles = [Patch(color=colors(i), alpha=0.45, label=name) for i, name in enumerate(("stick", "slip"))]
     axes.legend(
         handles=handles, loc="upper left", fontsize="small", title="traction on the coating", title_fontsize="small"
@@ -154,7 +169,7 @@ def _draw_profile(axes: Axes, result: Solution) -> None:
             bound = result.friction * pressure
             axes.fill_between(x, -bound, bound, color="0.5", alpha=0.15, label="bound ±$μp$")
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle=":")
-    limit = _half_width(result)
+    limit, _ = _limits(result)
     axes.set(xlim=(-limit, limit), xlabel="x [mm], rolling to the right")
     axes.set(ylabel="tractions in the middle plane [MPa]")
     axes.set_ylim(min(0.0, 1.15 * result.shear_traction[0][:, middle].min() * _MPA), 1.15 * pressure.max())

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
-from ..bodies import Counterpart, Drive, Mesh, RollingBody
+from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hint
 from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from .. import _core
 
-__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "node_angles"]
+__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "given_of", "node_angles"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -190,7 +190,7 @@ class Solution(ScalarFields):
             "status": self.status.name,
             "contact_nodes": int(self.contact.sum()),
             "nodes_per_revolution": self.mesh.nodes_per_revolution,
-            "theta_nodes_per_revolution": self.mesh.theta_nodes_per_revolution or self.mesh.nodes_per_revolution,
+            "theta_nodes_per_revolution": _theta_nodes_per_revolution(self),
             "max_order": self.mesh.max_order,
             "compliance": self.compliance.name,
             "curvature": self.curvature.name,
@@ -218,22 +218,45 @@ class Solution(ScalarFields):
         angles = zip(("phi", "theta"), node_angles(self), strict=True)
         coordinates = {name: (name, values, {"units": "rad"}) for name, values in angles}
         variables = {
-            name: (dimensions, getattr(self, name), {"units": unit, "long_name": description})
+            name: (dimensions, getattr(self, name), described(*text))
             for table, dimensions in ((FIELDS, ("phi", "theta")), (VECTOR_FIELDS, ("direction", "phi", "theta")))
-            for name, (unit, description) in table.items()
+            for name, text in table.items()
         }
         attributes = {name: value for name, value in self.scalars().items() if value is not None}
         return xarray.Dataset(variables, coordinates | {"direction": ["x", "z"]}, attrs=attributes)
 
 
+def described(unit: str, text: str) -> dict[str, str]:
+    """Return the attributes of a field in a dataset."""
+    return {"units": unit, "long_name": text}
+
+
+def given_of(solution: Solution) -> dict[str, float | str]:
+    """Return what a solution was asked for, as the attributes of what looks into it."""
+    return {
+        "load": solution.load,
+        "angular_speed": solution.angular_speed,
+        "compliance": solution.compliance.name,
+        "curvature": solution.curvature.name,
+    }
+
+
 def node_angles(solution: Solution) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return φ of the rows and θ of the columns of the fields [rad]."""
-    mesh = solution.mesh
+    per_revolution = (solution.mesh.nodes_per_revolution, _theta_nodes_per_revolution(solution))
     phi, theta = (
-        0.5 * np.pi + spacing * (np.arange(count) - count // 2)
-        for count, spacing in zip(solution.pressure.shape, (mesh.spacing, mesh.theta_spacing), strict=True)
+        0.5 * np.pi + 2.0 * np.pi / nodes * (np.arange(count) - count // 2)
+        for count, nodes in zip(solution.pressure.shape, per_revolution, strict=True)
     )
     return phi, theta
+
+
+def _theta_nodes_per_revolution(solution: Solution) -> float:
+    """Return 2π/Δθ: the mesh's, but of a wheel what makes a whole number of columns as wide as it."""
+    columns = solution.z.shape[1]
+    if isinstance(solution.ball, CoatedWheel) and columns > 1:
+        return float(2.0 * np.pi * solution.ball.outer_radius * (columns - 1) / np.ptp(solution.z[0]))
+    return solution.mesh.theta_nodes_per_revolution or solution.mesh.nodes_per_revolution
 
 
 def _rebuilt(kind: type[Solution], values: dict[str, Any]) -> Solution:

@@ -71,7 +71,11 @@ def result_html(result: Solution) -> str:
 
 def _scalar_rows(result: Solution) -> list[tuple[str, float | None, str]]:
     """Return what it is, value and unit of all scalar results [SI]."""
-    rows = [(label, getattr(result, name), result.unit(name)) for name, (_, label) in SCALARS.items()]
+    rows = [
+        (label, getattr(result, name), result.unit(name))
+        for name, (_, label) in SCALARS.items()
+        if name != "face_distance" or result.face_distance is not None  # only wheels have faces
+    ]
     if (share := extrapolated_loss(result)) is not None:
         rows.append(("share of that loss at harmonics outside the measured table", share, "1"))
     return rows
@@ -88,7 +92,11 @@ def _shape_rows(result: Solution) -> list[tuple[str, str]]:
     shape = ("contact's half width", f"{result.semi_axis_x:.4g} m")
     if result.semi_axis_z is not None:
         shape = ("contact semi-axes x, z", f"{result.semi_axis_x:.4g}, {result.semi_axis_z:.4g} m")
-    return [("penetration", penetration), shape]
+    rows = [("penetration", penetration), shape]
+    if result.face_distance is not None:
+        reached = "0 m: it reaches a face" if result.face_distance == 0.0 else f"{result.face_distance:.4g} m"
+        rows.append(("width of the contact, distance from the faces", f"{result.contact_width:.4g} m, {reached}"))
+    return rows
 
 
 def _error_rows(result: Solution) -> list[tuple[str, str]]:

@@ -7,6 +7,8 @@ import json
 import sys
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import fields
+from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +26,8 @@ from .run import Outcome
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
+
+    from ..bodies import RollingBody
 
 __all__ = ["RESERVED", "build_dataset"]
 
@@ -143,7 +147,7 @@ def _provenance(plan: Plan) -> dict[str, str]:
     balls = plan.balls()
     materials = dict.fromkeys(_clean(layer.shear_modulus) for ball in balls for layer in ball.layers)
     attributes = {
-        "title": f"rolling resistance of a coated {'cylinder' if plan.line_contact else 'sphere'}",
+        "title": f"rolling resistance of a coated {' or '.join(sorted(set(map(_kind, balls))))}",
         "source": f"viscoroll {__version__}",
         "version": __version__,
         "commit": __commit__,
@@ -151,10 +155,10 @@ def _provenance(plan: Plan) -> dict[str, str]:
         "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "mesh": _mesh_text(plan),
         "material": _joined(list(materials)),
-        "ball": _joined([_ball_text(ball) for ball in balls]),
+        "ball": _joined([_parameters(ball) for ball in balls]),
     }
     if isinstance(other := plan.fixed.get("on"), CoatedSphere):
-        attributes |= {"other_ball": _ball_text(other), "other_radius": repr(other.outer_radius)}
+        attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.outer_radius)}
     varied = {dimension.name for dimension in plan.dimensions}
     for name in sorted(LOAD_CASE - {"mesh"} - varied):
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
@@ -162,8 +166,13 @@ def _provenance(plan: Plan) -> dict[str, str]:
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
 
 
-def _ball_text(ball: RollingBody) -> str:
-    return f"core_radius={ball.core_radius!r}, layers={_clean(ball.layers)}"
+def _kind(ball: RollingBody) -> str:
+    return type(ball).__name__.removeprefix("Coated").lower()
+
+
+def _parameters(ball: RollingBody) -> str:
+    values = {parameter.name: getattr(ball, parameter.name) for parameter in fields(ball)}
+    return ", ".join(f"{name}={v.name if isinstance(v, Enum) else _clean(v)}" for name, v in values.items())
 
 
 def _mesh_text(plan: Plan) -> str:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
 from .._support.units import UNITS
-from ..bodies import COUNTERPARTS, Drive, Mesh
+from ..bodies import Counterpart, Drive, Mesh
 
 __all__ = ["LOAD_CASE", "Dimension", "checked", "label", "split"]
 
@@ -116,7 +116,7 @@ def checked(name: str, value: object) -> object:
     if name == "max_iterations":
         return as_int(name, value)
     if name == "on":
-        require_type(name, value, *COUNTERPARTS)
+        require_type(name, value, Counterpart)
         return value
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):

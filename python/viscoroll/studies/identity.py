@@ -5,16 +5,16 @@ from __future__ import annotations
 import hashlib
 import inspect
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
 
-from ..bodies import CoatedCylinder, CoatedSphere, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Counterpart, Groove, HalfSpace, Layer, RollingBody
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
-    from ..bodies import Mesh, RollingBody
+    from ..bodies import Mesh
 
 __all__ = ["PointKeys", "digest"]
 
@@ -42,7 +42,7 @@ class PointKeys:
 
         Parameters
         ----------
-        ball : CoatedSphere or CoatedCylinder
+        ball : CoatedSphere, CoatedCylinder or CoatedWheel
             Its ball, which must outlive this object.
         arguments : mapping
             Arguments of `viscoroll.solve`; what is left out has its default.
@@ -73,13 +73,25 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
 
 def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
     frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
-    kind = "cylinder" if isinstance(ball, CoatedCylinder) else ball.inner_boundary.name
-    return "; ".join([f"{kind} {ball.core_radius!r}", *(_layer_text(layer, frequencies) for layer in ball.layers)])
+    return "; ".join([_shape_text(ball), *(_layer_text(layer, frequencies) for layer in ball.layers)])
+
+
+def _shape_text(ball: RollingBody) -> str:
+    match ball:
+        case CoatedSphere():
+            return f"{ball.inner_boundary.name} {ball.core_radius!r}"
+        case CoatedCylinder():
+            return f"cylinder {ball.core_radius!r}"
+        case CoatedWheel():
+            ends = (ball.width, ball.crown_radius, ball.hub.name, ball.sides.name)
+            return f"wheel {ball.core_radius!r} {ends!r}"
+        case _:
+            assert_never(ball)
 
 
 def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> str:
     """Text of what a body rolls on."""
-    if isinstance(on, CoatedSphere | CoatedCylinder):
+    if isinstance(on, RollingBody):
         return _ball_text(on, surface_speed / on.outer_radius, highest)
     frequencies = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
     kind = f"groove {on.radius!r} {on.path_radius!r}" if isinstance(on, Groove) else "plane"

@@ -9,8 +9,10 @@ from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from typing import Any
 
+from .._support.arguments import kind_names
 from .._support.keywords import meant
-from ..bodies import COUNTERPARTS, CoatedCylinder, CoatedSphere, RollingBody
+from .._support.text import shown
+from ..bodies import Counterpart, RollingBody
 from .dimensions import LOAD_CASE, Dimension, label, split
 from .identity import PointKeys, digest
 
@@ -65,8 +67,8 @@ class Plan:
     Raises
     ------
     ValueError
-        Where no point can be solved, with the reason of the first, and where spheres and cylinders, whose results
-        have unlike units, are mixed.
+        Where no point can be solved, with the reason of the first, and where rollers, whose results are per length,
+        are mixed with others.
     """
 
     dimensions: tuple[Dimension, ...]
@@ -80,7 +82,7 @@ class Plan:
         if all(isinstance(case, str) for case in self.cases):
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({ball.line_contact for ball in self.balls()}) > 1:
-            raise ValueError("ball must be a sphere at all points or a cylinder at all points, got both")
+            raise ValueError("ball must be a roller at all points or at none, for its results are per length, got both")
         known = PointKeys()
         keys = [
             known.key(case.ball, case.arguments, self.fields) if isinstance(case, LoadCase) else None
@@ -139,7 +141,7 @@ class Plan:
 
 def _mark(argument: object) -> object:
     """Return what tells arguments apart: bodies by what they are, for their layers may hold lists."""
-    return id(argument) if isinstance(argument, COUNTERPARTS) else argument
+    return id(argument) if isinstance(argument, Counterpart) else argument
 
 
 def plan_sweep(
@@ -172,11 +174,11 @@ def plan_sweep(
 class _Balls:
     """The ball of each point, made once for all points that share its parameters."""
 
-    source: RollingBody | Callable[..., RollingBody]
+    source: Any  # a ball, or what should return one
     made: dict[tuple[int, ...], RollingBody | str] = field(default_factory=dict)
 
     def check(self, names: Sequence[str]) -> None:
-        if isinstance(self.source, CoatedSphere | CoatedCylinder):
+        if isinstance(self.source, RollingBody):
             if names:
                 guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
                 raise TypeError(
@@ -185,10 +187,8 @@ class _Balls:
                 )
             return
         if not callable(self.source):
-            raise TypeError(
-                "ball must be a viscoroll.CoatedSphere, a viscoroll.CoatedCylinder or a function that returns one, "
-                f"got {self.source!r}"
-            )
+            wanted = f"a {kind_names(RollingBody)}, or a function that returns one"
+            raise TypeError(f"ball must be {wanted}, got {shown(self.source)}")
         try:
             inspect.signature(self.source).bind(**dict.fromkeys(names))
         except TypeError as error:
@@ -196,7 +196,7 @@ class _Balls:
 
     def __call__(self, key: tuple[int, ...], parameters: dict[str, Any]) -> RollingBody | str:
         """Return the ball, or the message of the exception that its parameters raise."""
-        if isinstance(self.source, CoatedSphere | CoatedCylinder):
+        if isinstance(self.source, RollingBody):
             return self.source
         if key not in self.made:
             try:
@@ -206,10 +206,8 @@ class _Balls:
             except Exception as error:
                 self.made[key] = f"{type(error).__name__}: {error}"
             else:
-                if not isinstance(ball, CoatedSphere | CoatedCylinder):
-                    raise TypeError(
-                        f"ball must return a viscoroll.CoatedSphere or a viscoroll.CoatedCylinder, got {ball!r}"
-                    )
+                if not isinstance(ball, RollingBody):
+                    raise TypeError(f"ball must return a {kind_names(RollingBody)}, got {shown(ball)}")
                 self.made[key] = ball
         return self.made[key]
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -165,20 +165,11 @@ class RollingResistance:
             f"{self.largest_error:.2%} at most"
         )
 
-    def _document(self) -> dict[str, Any]:
-        return {
-            "what": "ln T = sum c_ij T_i(x) T_j(y), x and y the logarithms of load and speed mapped to [-1, 1]",
-            "load": self.load,
-            "angular_speed": self.angular_speed,
-            "radius": self.radius,
-            "coefficients": self.coefficients.tolist(),
-            "error": self.error,
-            "largest_error": self.largest_error,
-        }
-
 
 def _write_json(surface: RollingResistance, path: Path) -> None:
-    path.write_text(json.dumps(surface._document(), indent=1), encoding="utf-8")
+    what = "ln T = sum c_ij T_i(x) T_j(y), x and y the logarithms of load and speed mapped to [-1, 1]"
+    document = {"what": what, **asdict(surface), "coefficients": surface.coefficients.tolist()}
+    path.write_text(json.dumps(document, indent=1), encoding="utf-8")
 
 
 def _write_table(surface: RollingResistance, path: Path) -> None:

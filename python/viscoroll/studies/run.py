@@ -66,7 +66,7 @@ def solve_group(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         The ball of all points.
     shared : mapping
         Arguments of `viscoroll.solve` that are the same for all: speed, mesh, compliance, curvature, patch

@@ -46,7 +46,7 @@ def sweep(
 
     Parameters
     ----------
-    ball : CoatedSphere, CoatedCylinder or callable
+    ball : CoatedSphere, CoatedCylinder, CoatedWheel or callable
         The ball of all points, or a function that returns it, called as ball(name=value, ...) with all parameters that
         are not of `viscoroll.solve`.
     executor : concurrent.futures.Executor, optional

@@ -8,9 +8,9 @@ import numpy as np
 
 from .. import _core
 from .._core import Start
-from .._support.arguments import as_float_array, as_member, require_type
+from .._support.arguments import as_float_array, as_member
 from .._support.progress import ProgressLike, Report, reporting
-from ..bodies import CoatedSphere
+from ..bodies import CoatedSphere, require_body
 from ..bodies.si_hints import si_hints
 from .history import ContactInstant, History
 from .options import HistoryKeywords, HistoryOptions, with_options
@@ -95,7 +95,7 @@ def roll(
     >>> f"{h.resisting_torque.max() * 1e3:.0f} mN m to break away"
     '53 mN m to break away'
     """
-    require_type("ball", ball, CoatedSphere)
+    require_body("ball", ball, CoatedSphere, what="starting and stopping")
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     motion = _motion(time=time, angle=angle, load=load, center_way=center_way)

@@ -11,9 +11,9 @@ import numpy as np
 
 from .. import _core
 from .._core import Start
-from .._support.arguments import as_float, as_member, require_type
+from .._support.arguments import as_float, as_member
 from .._support.progress import ProgressLike, reporting
-from ..bodies import CoatedSphere, Mesh
+from ..bodies import CoatedSphere, Mesh, require_body
 from ..bodies.si_hints import si_hints
 from .options import HistoryKeywords, HistoryOptions, with_options
 
@@ -184,7 +184,7 @@ class RollingHistory:
         progress: ProgressLike = None,
         **options: Unpack[HistoryKeywords],
     ) -> None:
-        require_type("ball", ball, CoatedSphere)
+        require_body("ball", ball, CoatedSphere, what="starting and stopping")
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)

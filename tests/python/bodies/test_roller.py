@@ -471,5 +471,5 @@ def test_case_files_know_cylinders(tmp_path):
     case = load_case(path)
     assert case.ball == ROLLER
     path.write_text("[rolling]\nload = 1.0\nangular_speed = 1.0\n")
-    with pytest.raises(ValueError, match="ball or cylinder must be given, and not both, got none"):
+    with pytest.raises(ValueError, match="one of ball, cylinder, wheel must be given, got none"):
         load_case(path)

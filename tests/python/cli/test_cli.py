@@ -320,7 +320,7 @@ def test_help_explains_every_command():
     done = command("--help")
     assert done.returncode == 0
     told = " ".join(done.stdout.split())
-    assert "balls and rollers with soft viscoelastic layers: on a plane or in a groove" in told
+    assert "balls, rollers and wheels with soft viscoelastic layers: on a plane or in a groove" in told
     for name in ("solve", "sweep", "plot", "demo", "example"):
         assert name in done.stdout
         assert command(name, "--help").returncode == 0

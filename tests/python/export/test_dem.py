@@ -328,3 +328,14 @@ def test_yade_itself(result, tmp_path):
     found = json.loads((tmp_path / "found.json").read_text())
     assert found["torque"] == pytest.approx(result.dissipated_power / 2.5, rel=1e-9)
     assert found["stiffness"] == pytest.approx(written.stiffness.hooke, rel=1e-12)
+
+
+def test_wheels_are_no_balls():
+    """Discrete-element codes have no wheel: neither a result nor a study of one passes for a ball."""
+    tread = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.45)
+    wheel = vr.CoatedWheel(core_radius=40e-3, layers=[tread], width=30e-3, crown_radius=0.3, sides="endless")
+    case = {"load": 100.0, "angular_speed": 1.0, "accuracy": 0.2}
+    with pytest.raises(ValueError, match=r"source must be of a ball, .* got one of a wheel"):
+        vr.dem(vr.solve(wheel, **case), code="lammps")
+    with pytest.raises(ValueError, match=r"source must be of a ball, .* got one of a wheel"):
+        vr.dem(vr.sweep(wheel, **case, progress=False), code="lammps")

@@ -207,7 +207,7 @@ def test_bad_arguments(changes, error, message):
 def test_bad_balls(paper_ball):
     with pytest.raises(TypeError, match="a ball has no parameter thickness; pass a function of thickness"):
         sweep(paper_ball, load=LOADS, thickness=[1e-3])
-    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere, .*, got 3"):
+    with pytest.raises(TypeError, match=r"ball must be a viscoroll.CoatedSphere or .* returns one, got 3"):
         sweep(3, load=LOADS)
     with pytest.raises(TypeError, match=r"ball must return a viscoroll.CoatedSphere or .*, got 1.0"):
         sweep(lambda thickness: 1.0, load=LOADS, thickness=[1.0])

@@ -1,0 +1,102 @@
+"""What contacts at rest have in common: the shape of their pressure, and how large they are on layers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol, TypeAlias
+
+import numpy as np
+
+from ._closed_form import at_rest
+from ._inputs import Floats, plain, positive, positives
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..bodies import Layer
+
+__all__ = ["Coating", "PressureBell", "load_and_sizes", "reach_at_rest"]
+
+
+class Coating(Protocol):
+    """Layers on what rolls, and the radius of the gap: all that closed forms know of a body."""
+
+    @property
+    def layers(self) -> Sequence[Layer]: ...
+
+    @property
+    def thickness(self) -> float: ...
+
+    @property
+    def outer_radius(self) -> float: ...
+
+
+class PressureBell:
+    """Pressure p₀ (1 - s²/a²)ᵏ at the distance s from the middle of a contact."""
+
+    __slots__ = ()
+
+    max_pressure: Floats
+    exponent: float
+
+    @property
+    def reach(self) -> Floats:
+        """Distance a of the edge from the middle [m]."""
+        raise NotImplementedError
+
+    def pressure(self, distance: ArrayLike) -> Floats:
+        """Pressure at a distance from the middle [Pa], 0 outside of the contact.
+
+        Parameters
+        ----------
+        distance : array_like
+            s [m], of a shape that broadcasts with that of a.
+
+        Returns
+        -------
+        float or ndarray
+            p(s) [Pa].
+
+        Examples
+        --------
+        >>> from viscoroll import analytic
+        >>> analytic.hertz(load=100.0, radius=20e-3, shear_modulus=3e6, poisson_ratio=0.5).pressure(1.0)
+        0.0
+        """
+        inside = np.clip(1.0 - (np.asarray(distance, dtype=np.float64) / self.reach) ** 2, 0.0, None)
+        return plain(self.max_pressure * inside**self.exponent)
+
+
+#: A contact at rest on a thick or thin layer, by keywords.
+_Limit: TypeAlias = "Callable[..., _Contact]"
+
+
+class _Contact(Protocol):
+    @property
+    def reach(self) -> Floats: ...
+
+
+def reach_at_rest(
+    body: Coating, load: ArrayLike, *, thick: _Limit, squeezed: _Limit, springs: _Limit
+) -> NDArray[np.float64]:
+    """Estimate radius or half width at rest [m], of layers as if mixed: the lesser of the thick and the thin limit.
+
+    Of the thin limits, squeezed out sideways or a bed of springs, the larger one counts, since a thin layer gives way
+    in both manners at once.
+    """
+    h = body.thickness
+    mixed = [(layer.thickness / h, *at_rest(layer)) for layer in body.layers]
+    layer = {"radius": body.outer_radius, "shear_modulus": 1.0 / sum(share / g for share, g, _ in mixed)}
+    nu = min(sum(share * ratio for share, _, ratio in mixed), 0.5)
+    thin = squeezed(load=load, thickness=h, **layer).reach
+    if nu < 0.5:
+        thin = np.maximum(thin, springs(load=load, thickness=h, poisson_ratio=nu, **layer).reach)
+    return np.asarray(np.minimum(thick(load=load, poisson_ratio=nu, **layer).reach, thin))
+
+
+def load_and_sizes(
+    load: ArrayLike, unit: str, radius: float, thickness: float
+) -> tuple[NDArray[np.float64], float, float]:
+    """Return load, radius and thickness of a thin layer, checked."""
+    return positives("load", load, unit), positive("radius", radius, "m"), positive("thickness", thickness, "m")

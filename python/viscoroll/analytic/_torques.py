@@ -1,0 +1,70 @@
+"""Closed forms of the torque that balls, rollers and wheels have alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+
+from ._closed_form import ClosedForm, at_rest, is_real
+from ._inputs import Floats, positives
+from .low_speed import low_speed_torque
+from .winkler import KNOWN_IN_TIME, longest_time
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ._at_rest import Coating
+
+__all__ = ["Reach", "slow_form", "thin_form"]
+
+#: Radius or half width of the contact at rest [m], by the load.
+Reach: TypeAlias = "Callable[[ArrayLike], NDArray[np.float64]]"
+
+
+def slow_form(body: Coating, loss_time: float, reach: Reach, reach_name: str) -> ClosedForm:
+    """Return the torque of slow rolling, of a body whose compliance at rest is C(0) (1 - iωt)."""
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return low_speed_torque(load=load, angular_speed=angular_speed, radius=body.outer_radius, loss_time=loss_time)
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        a = reach(load)
+        path = positives("angular_speed", angular_speed, "rad/s") * body.outer_radius * loss_time
+        met: NDArray[np.bool_] = (path <= 0.05 * a) & (is_real(body.layers) | (a <= 0.2 * body.thickness))
+        return met
+
+    moves = f"the surface moves by less than 5 % of the {reach_name} in the loss time; no inertia"
+    return ClosedForm(torque=torque, holds=holds, validity=moves)
+
+
+def thin_form(body: Coating, winkler: Callable[..., Floats], reach: Reach, reach_name: str) -> ClosedForm | None:
+    """Return the torque of a coating that is a bed of springs, unless it is none or is not known in time."""
+    layer, h = body.layers[0], body.thickness
+    material, (_, nu) = layer.shear_modulus, at_rest(layer)
+    if not isinstance(material, KNOWN_IN_TIME) or nu == 0.5:
+        return None
+
+    def torque(load: ArrayLike, angular_speed: ArrayLike) -> Floats:
+        return winkler(
+            load=load,
+            angular_speed=angular_speed,
+            radius=body.outer_radius,
+            thickness=h,
+            shear_modulus=material,
+            poisson_ratio=layer.poisson_ratio,
+            bulk_modulus=layer.bulk_modulus,
+        )
+
+    def holds(load: ArrayLike, angular_speed: ArrayLike) -> NDArray[np.bool_]:
+        a = reach(load)
+        slow = positives("angular_speed", angular_speed, "rad/s") * longest_time(material) <= 0.2 * np.pi
+        met: NDArray[np.bool_] = (a >= 5.0 * h) & ((1.0 - 2.0 * nu) * a >= h) & (a <= 0.2 * body.outer_radius) & slow
+        return met
+
+    wide = (
+        f"{reach_name} a above 5 thicknesses h and h/(1-2ν), below a fifth of the radius; forgets in a tenth of a "  # noqa: RUF001
+        "revolution; no inertia"
+    )
+    return ClosedForm(torque=torque, holds=holds, validity=wide)

@@ -1,0 +1,148 @@
+"""Hertz's contact of bodies that are not as curved along the path as across it, such as crowned wheels."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ._inputs import Floats, plain, poisson, positive, positives
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["EllipticContact", "axis_ratio", "hertz_ellipse"]
+
+#: Halvings of the bracket of ln(b/a): to the last digit of a float.
+_BISECTIONS = 64
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class EllipticContact:
+    """Contact on an ellipse, with the pressure p₀ √(1 - x²/a² - z²/b²).
+
+    Attributes
+    ----------
+    semi_axis_x, semi_axis_z : float or ndarray
+        a along the path and b across it [m].
+    approach : float or ndarray
+        d, by which wheel and plane come closer [m].
+    max_pressure : float or ndarray
+        p₀, at the center [Pa].
+    """
+
+    semi_axis_x: Floats
+    semi_axis_z: Floats
+    approach: Floats
+    max_pressure: Floats
+
+    @property
+    def reach(self) -> Floats:
+        """The semi-axis along the path."""
+        return self.semi_axis_x
+
+    def pressure(self, x: ArrayLike, z: ArrayLike) -> Floats:
+        """Pressure at a point [Pa], 0 outside of the contact.
+
+        Parameters
+        ----------
+        x, z : array_like
+            Along the path and across it, from the center [m].
+
+        Returns
+        -------
+        float or ndarray
+            p(x, z) [Pa].
+        """
+        along, across = (
+            np.asarray(place, dtype=np.float64) / axis for place, axis in ((x, self.semi_axis_x), (z, self.semi_axis_z))
+        )
+        return plain(self.max_pressure * np.sqrt(np.clip(1.0 - along**2 - across**2, 0.0, None)))
+
+
+def hertz_ellipse(
+    *, load: ArrayLike, radius: float, crown_radius: float, shear_modulus: float, poisson_ratio: float
+) -> EllipticContact:
+    """Contact of a rigid plane with a solid elastic body of two radii of curvature.
+
+    Valid without friction for semi-axes well below both radii; of a tread well below its thickness and the distance to
+    its faces. Equal radii are `hertz`; for R_c ≫ R the middle tends to `hertz_line` under its load per length.
+
+    Parameters
+    ----------
+    load : array_like
+        P [N], > 0.
+    radius : float
+        R along the path [m], > 0.
+    crown_radius : float
+        R_c across it [m], > 0.
+    shear_modulus : float
+        G [Pa], > 0.
+    poisson_ratio : float
+        ν [-], in (-1, 0.5].
+
+    Returns
+    -------
+    EllipticContact
+        With p₀ = 3P / (2πab).
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input; the message names parameter, value, unit and range.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, equations (4.25) to (4.32).
+
+    Examples
+    --------
+    >>> contact = hertz_ellipse(load=16.0, radius=50e-3, crown_radius=300e-3, shear_modulus=3e6, poisson_ratio=0.5)
+    >>> f"{contact.semi_axis_x * 1e3:.3f} and {contact.semi_axis_z * 1e3:.3f} mm"
+    '2.643 and 8.592 mm'
+    """
+    force, stiffness = positives("load", load, "N"), positive("shear_modulus", shear_modulus, "Pa")
+    radii = positive("radius", radius, "m"), positive("crown_radius", crown_radius, "m")
+    wide = max(radii)
+    modulus = 2.0 * stiffness / (1.0 - poisson(poisson_ratio))  # E* of one elastic body
+    ratio = axis_ratio(min(radii) / wide)
+    k, d = _integrals(ratio)
+    long = np.cbrt(3.0 * force * wide * d / (math.pi * modulus))
+    short = ratio * long
+    pressure = 1.5 * force / (math.pi * long * short)
+    along, across = (short, long) if radius <= crown_radius else (long, short)
+    return EllipticContact(
+        semi_axis_x=plain(along),
+        semi_axis_z=plain(across),
+        approach=plain(pressure * short * k / modulus),
+        max_pressure=plain(pressure),
+    )
+
+
+@cache
+def axis_ratio(radius_ratio: float) -> float:
+    """Return b/a of Hertz's ellipse, short over long, by the smaller over the larger radius of curvature."""
+    low, high = math.log(1e-12), 0.0
+    for _ in range(_BISECTIONS):
+        middle = 0.5 * (low + high)
+        ratio = math.exp(middle)
+        k, d = _integrals(ratio)
+        # The curvatures along the long and the short axis are as d and (k - d) / ratio².
+        low, high = (middle, high) if d * ratio**2 < radius_ratio * (k - d) else (low, middle)
+    return math.exp(0.5 * (low + high))
+
+
+def _integrals(ratio: float) -> tuple[float, float]:
+    """Complete elliptic integrals K and D = (K - E)/m of the parameter m = 1 - ratio², by Gauss's means."""
+    m = 1.0 - ratio**2
+    a, b, share, weight = 1.0, ratio, 0.5, 0.5
+    c = 1.0
+    while c > 1e-9 * a:  # the next one would be its square
+        c = 0.5 * (a - b)
+        a, b, weight = 0.5 * (a + b), math.sqrt(a * b), 2.0 * weight
+        share += weight * c**2 / m if m > 0.0 else 0.0
+    k = 0.5 * math.pi / a
+    return k, k * share
