@@ -441,8 +441,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        body: CoatedSphere | CoatedCylinder,
-        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere,
+        body: CoatedSphere | CoatedCylinder | CoatedWheel,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -479,7 +479,9 @@ class Tractions:
         curvature: Curvature,
         patch_load: PatchLoad,
         counterpart: bool,
-        counterpart_curvature: typing.SupportsFloat | typing.SupportsIndex,
+        counterpart_curvature: typing.Annotated[
+            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
+        ],
     ) -> None: ...
 
 class LossDensity:
@@ -698,8 +700,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    body: CoatedSphere | CoatedCylinder,
-    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere,
+    body: CoatedSphere | CoatedCylinder | CoatedWheel,
+    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,

@@ -15,7 +15,7 @@
 #include "modal/harmonic_body.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/rigid_slip.hpp"
-#include "rolling/rolling_contact.hpp"
+#include "rolling/solve_load_case.hpp"
 #include "viscoroll/modal.hpp"
 #include "viscoroll/solve.hpp"
 
@@ -154,7 +154,7 @@ TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
   const Mesh mesh{.nodes_per_revolution = kNodes};
   std::vector<OrderBand> bands = phi_bands(roller, kSpeed, mesh);
   const HarmonicBody harmonics(roller, kSpeed, all_orders(bands));
-  const LineSum line(std::move(bands), harmonics, phi_spacing(mesh), radius, 1, watch_);
+  const LineSum line(std::move(bands), harmonics, mesh, 1, watch_);
   const std::vector<Table> lines = line.tables(requests_, kReach, 0, 1, watch_);
   for (std::size_t k = 0; k < requests_.size(); ++k) {
     double largest = 0.0;

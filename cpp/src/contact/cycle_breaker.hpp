@@ -12,8 +12,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief Ends cycles of two sets. A node at the edge, where its own traction relieves it of pressure, may neither
-/// stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side.
+/// @brief Ends cycles of two sets, and of two directions of slip. A node at the edge, where its own traction relieves it of pressure, may neither
+/// stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side. Nor is rest from slip to and fro.
 class CycleBreaker {
  public:
   explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}
@@ -40,9 +40,28 @@ class CycleBreaker {
     return true;
   }
 
+  /// Let nodes stick for one step whose slip turned round in the last one: they passed their place of rest.
+  void rest_turned(ContactSets& sets) {
+    directions_.resize(now_.size(), {0.0, 0.0});
+    std::vector<Eigen::Array2d> turned(now_.size(), {0.0, 0.0});
+    for (std::size_t i = 0; i < sets.contact.size(); ++i) {
+      TangentialState& state = sets.states[i];
+      if (state.stick) continue;
+      const auto node = static_cast<std::size_t>(sets.contact[i]);
+      if ((state.direction * directions_[node]).sum() < kTurned) {
+        state = {.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0};
+      } else {
+        turned[node] = state.direction;
+      }
+    }
+    directions_ = std::move(turned);
+  }
+
  private:
+  static constexpr double kTurned = 0.0;  // cosine of a turn
   enum State : unsigned char { kApart, kStick, kSlip };
   std::vector<State> now_, last_, before_last_;
+  std::vector<Eigen::Array2d> directions_;  // of slip, a step ago; 0 of nodes that did not
 };
 
 }  // namespace viscoroll::detail

@@ -62,6 +62,7 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       breaker = CycleBreaker(state_.force.rows());
     }
     const bool freed = breaker.free_undecided(sets_, residuals.size() > 2 && is_halved(residuals, 2));
+    breaker.rest_turned(sets_);
     const double tolerance = limits.exact ? kSettings.exact_step : kSettings.rough_step;
     if (is_free || freed) {
       take_step(friction, sets_, is_free ? tolerance : 0.1 * tolerance);

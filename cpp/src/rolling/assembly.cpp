@@ -59,6 +59,8 @@ Nodes within_60_degrees(Nodes nodes, const Curvatures& curvatures) {
 
 }  // namespace
 
+bool Assembly::has_sides() const { return std::isfinite(width(pair())); }
+
 bool Assembly::approach_exists() const { return pair().body.form.half_space_rests || std::isfinite(thickness(pair())); }
 
 SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
@@ -76,7 +78,7 @@ ContactProblem Assembly::problem(const SurfaceWindow& window) const {
                          .initial_gap = initial_gap(displaced_points(window), swelling, pair()),
                          .normal_force = load_case.load,
                          .friction = std::nullopt,
-                         .ends_at_sides = std::isfinite(width(pair())) && window.window().theta == nodes.widest.theta};
+                         .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
   if (load_case.friction > 0.0) problem.friction = make_friction(window, *this);
   return problem;
 }

@@ -27,6 +27,8 @@ struct Assembly {
   [[nodiscard]] double likely_depth() const { return swelling * estimated_depth; }
   /// @brief With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
+  /// @return whether one of the two ends beside the path
+  [[nodiscard]] bool has_sides() const;
   /// @return whether displacements are those from a place that rests
   [[nodiscard]] bool approach_exists() const;
 

@@ -97,6 +97,10 @@ void require_clear_of_core(const Assembly& assembly, double penetration) {
 
 void require_contact(const Assembly& assembly, double penetration) {
   if (assembly.approach_exists() && !(penetration > 0.0)) {
+    // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
+    if (assembly.load_case.friction == 0.0) {
+      reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
+    }
     reject("friction",
            "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body.name) +
                " out of its own contact",

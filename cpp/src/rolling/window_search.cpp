@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/multilevel.hpp"
@@ -30,11 +31,6 @@ struct HalfWidths {
 
   [[nodiscard]] Window window() const { return {{-phi, phi}, {-theta, theta}}; }
 };
-
-/// As far as a body can bear a load.
-HalfWidths at_most(const Window& widest, int phi, int theta) {
-  return {.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
-}
 
 /// Smallest gap of the nodes that a box leaves out.
 double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& window) {
@@ -103,7 +99,8 @@ bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Cur
   const MeshModel rough = make_model(assembly.pair(), load_case.angular_speed, mesh, curvature, assembly.execution);
   const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
   const Assembly roughly = assemble(rough, pressed, assembly.options, assembly.execution.watch);
-  const HalfWidths width = at_most(roughly.nodes.widest, coarsened(half.phi) + 1, coarsened(half.theta) + 1);
+  const int to_side = assembly.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
+  const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
   return solve_in_window(roughly, width.window(), false, true).has_value();
 }
 
@@ -140,8 +137,11 @@ HeldContact find_window(const Assembly& assembly, const std::optional<ContactRea
     return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing))) + 2;
   };
   const Window& widest = assembly.nodes.widest;
+  const auto at_most_widest = [&widest](int phi, int theta) {
+    return HalfWidths{.phi = std::min(phi, widest.phi.last), .theta = std::min(theta, widest.theta.last)};
+  };
   HalfWidths half =
-      at_most(widest, half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
+      at_most_widest(half_width(likely.along, grid.phi_spacing), half_width(likely.across, grid.theta_spacing));
   const bool is_shallow = assembly.estimated_depth < 0.5 * thickness(assembly.pair());
   const bool is_cheap = widest.is_line();
   bool is_seen = seen.has_value();
@@ -155,7 +155,7 @@ HeldContact find_window(const Assembly& assembly, const std::optional<ContactRea
     if (is_widest) {
       reject_load(assembly.pair(), assembly.load_case.load, "is in contact over 60 degrees to a side");
     }
-    half = at_most(widest, half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
+    half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }
 }
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import ClassVar, TypeAlias
+from types import UnionType
+from typing import ClassVar, TypeAlias, get_args
 
 from .. import _core
 from .._core import InnerBoundary
@@ -167,9 +168,9 @@ RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
 
 
-def require_body(name: str, body: object, *kinds: type[RoundBody], what: str) -> None:
-    """Raise a TypeError unless a body is of these kinds; of others that roll it says that `what` is not there yet."""
-    if isinstance(body, RollingBody) and not isinstance(body, kinds):
-        wanted = " or ".join(kind.noun for kind in kinds)
+def require_body(name: str, body: object, kind: type[RoundBody] | UnionType, what: str) -> None:
+    """Raise a TypeError unless a body is of that kind; of others that roll it says that `what` is not there yet."""
+    if isinstance(body, RollingBody) and not isinstance(body, kind):
+        wanted = " or ".join(one.noun for one in get_args(kind) or (kind,))
         raise TypeError(f"{name} must be a {wanted}: {what} of a {body.noun} is not there yet")
-    require_type(name, body, *kinds)
+    require_type(name, body, kind)

@@ -35,7 +35,17 @@ from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in
 with extra("cli"):
     from pydantic import BeforeValidator, Field, ValidationInfo
 
-__all__ = ["BODIES", "COUNTERPARTS", "BallTable", "Case", "MeshTable", "Thermal", "build_case", "example_text", "load_case"]
+__all__ = [
+    "BODIES",
+    "COUNTERPARTS",
+    "BallTable",
+    "Case",
+    "MeshTable",
+    "Thermal",
+    "build_case",
+    "example_text",
+    "load_case",
+]
 
 
 def _measured(

@@ -296,7 +296,7 @@ def self_heating(
     with extra("studies"):  # before the first solve
         from scipy.optimize import brentq
 
-    require_body("ball", ball, CoatedSphere, CoatedCylinder, what="self-heating")
+    require_body("ball", ball, CoatedSphere | CoatedCylinder, "self-heating")
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)

@@ -10,7 +10,17 @@ import numpy as np
 from .. import _core
 from .._support.arguments import as_float_array
 from .._support.text import shown
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Groove, HalfSpace, Layer, RollingBody, require_body
+from ..bodies import (
+    CoatedCylinder,
+    CoatedPlane,
+    CoatedSphere,
+    CoatedWheel,
+    Groove,
+    HalfSpace,
+    Layer,
+    RollingBody,
+    require_body,
+)
 from .solution import Solution, node_angles
 
 if TYPE_CHECKING:
@@ -141,22 +151,24 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
 
     Raises
     ------
+    TypeError
+        For wheels.
     ValueError
         For another word, and where that body is rigid.
     """
     if of not in (None, "ball", "counterpart"):
         raise ValueError(f"of must be 'ball' or 'counterpart', got {shown(of)}")
-    on = result.on
-    for name, body in (("result.ball", result.ball), ("result.on", on)):
+    ball, on = result.ball, result.on
+    for name, body in (("result.ball", ball), ("result.on", on)):
         if isinstance(body, RollingBody):
-            require_body(name, body, CoatedSphere, CoatedCylinder, what="what happens inside")
+            require_body(name, body, CoatedSphere | CoatedCylinder, "what happens inside")
     if of is None:
-        of = "ball" if result.ball.layers or on is None else "counterpart"
-    radius = result.ball.outer_radius
-    if of == "ball":
-        if not result.ball.layers:
+        of = "ball" if ball.layers or on is None else "counterpart"
+    radius = ball.outer_radius
+    if of == "ball" and not isinstance(ball, CoatedWheel):
+        if not ball.layers:
             raise ValueError("result.ball must have a layer, for there to be an inside, got none (it is rigid)")
-        return Inside(result, of, result.ball, radius)
+        return Inside(result, of, ball, radius)
     if isinstance(on, CoatedCylinder | CoatedSphere) and on.layers:
         return Inside(result, of, on, on.outer_radius)
     if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):

@@ -92,7 +92,7 @@ def order_fields(
     >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # of the radial stress, what reaches the core
     0.75
     """
-    require_type("body", body, CoatedSphere, CoatedCylinder, CoatedPlane)
+    require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane)
     require_type("curvature", curvature, Curvature)
     if isinstance(body, CoatedPlane) == (rolling_radius is None):
         raise ValueError("rolling_radius must be given with a plane, and with a plane alone")

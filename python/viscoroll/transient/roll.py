@@ -95,7 +95,7 @@ def roll(
     >>> f"{h.resisting_torque.max() * 1e3:.0f} mN m to break away"
     '53 mN m to break away'
     """
-    require_body("ball", ball, CoatedSphere, what="starting and stopping")
+    require_body("ball", ball, CoatedSphere, "starting and stopping")
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     motion = _motion(time=time, angle=angle, load=load, center_way=center_way)

@@ -184,7 +184,7 @@ class RollingHistory:
         progress: ProgressLike = None,
         **options: Unpack[HistoryKeywords],
     ) -> None:
-        require_body("ball", ball, CoatedSphere, what="starting and stopping")
+        require_body("ball", ball, CoatedSphere, "starting and stopping")
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)

@@ -96,7 +96,7 @@ def test_table_of_a_notebook():
         (lambda: vr.RollingHistory(FLAT, load=1.0), "of a wheel is not there yet"),
         (
             lambda: vr.self_heating(FLAT, load=1.0, angular_speed=1.0, convection=1.0, ambient=293.0, shift=abs),
-            "ball must be a ball: self-heating of a wheel is not there yet",
+            "ball must be a ball or roller: self-heating of a wheel is not there yet",
         ),
         (lambda: vr.solve("wheel", load=1.0, angular_speed=1.0), "or viscoroll.CoatedWheel, got 'wheel'"),
     ],
@@ -281,7 +281,7 @@ def test_picture_shows_the_faces(rolled, friction):
     ],
 )
 def test_what_is_inside_is_not_there_yet(rolled, call):
-    with pytest.raises(TypeError, match=r"result.ball must be a ball: .* of a wheel is not there yet"):
+    with pytest.raises(TypeError, match=r"result.ball must be a ball or roller: .* of a wheel is not there yet"):
         call(rolled)
 
 

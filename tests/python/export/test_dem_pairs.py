@@ -146,7 +146,7 @@ def test_what_is_no_ball_on_a_plane_or_ball_is_refused():
     with pytest.raises(ValueError, match=f"{wanted}, got a CoatedCylinder"):
         vr.dem(vr.solve(roller, load=5e3, angular_speed=1.0), code="lammps")
     study = vr.sweep(roller, load=[4e3, 5e3], angular_speed=1.0, accuracy=0.1, progress=False)
-    with pytest.raises(ValueError, match=f"{wanted}, got a study of loads in N/m"):
+    with pytest.raises(ValueError, match=f"{wanted}, got a study of a coated cylinder"):
         vr.dem(study, code="lammps")
     groove = {"on": vr.Groove(radius=30e-3), "load": 50.0, "angular_speed": 2.5, "mesh": MESH}
     with pytest.raises(ValueError, match=f"{wanted}, got one on a Groove"):
