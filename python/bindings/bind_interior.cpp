@@ -99,7 +99,8 @@ py::array_t<double> interior_fields_array(const LayeredShape& shape, const Tract
     const py::gil_scoped_release release;
     fields = interior_fields(shape, angular_speed, tractions, places, rows, columns, threads, observer);
   }
-  return to_array(fields.values, {position.size(), static_cast<py::ssize_t>(kFieldComponents), phi.size(), theta.size()});
+  return to_array(fields.values,
+                  {position.size(), static_cast<py::ssize_t>(kFieldComponents), phi.size(), theta.size()});
 }
 
 LossDensity loss_released(const LayeredShape& shape, const Tractions& tractions, const InputArray<double>& position,

@@ -132,7 +132,8 @@ class TreadTables : public ::testing::Test {
 
   [[nodiscard]] std::vector<Table> tables_of(const LayeredBody& layers, double theta, int aside) {
     const Mesh mesh{.nodes_per_revolution = kNodes, .theta_nodes_per_revolution = 500};
-    return CoatingSum(layers, kSpeed, {mesh, 1.0, theta, aside * theta}, 1, watch_).tables(requests_, kReach, aside, 1, watch_);
+    return CoatingSum(layers, kSpeed, {mesh, 1.0, theta, aside * theta}, 1, watch_)
+        .tables(requests_, kReach, aside, 1, watch_);
   }
 
   static constexpr int kNodes = 720;

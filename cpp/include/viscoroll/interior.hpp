@@ -29,7 +29,8 @@ namespace viscoroll {
 /// @brief What has an inside.
 using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane>;
 
-/// @brief A place along the normal. Three of the stresses and of the strains jump where layers meet: there both have it.
+/// @brief A place along the normal. Three of the stresses and of the strains jump where layers meet: there both have
+/// it.
 struct Place {
   double position = 0.0;  ///< r, or in a plane the height above its surface, <= 0 [m]; in the closed layer
   int layer = 0;          ///< number of the layer, from the center or the base outwards

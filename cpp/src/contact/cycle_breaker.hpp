@@ -12,8 +12,9 @@
 
 namespace viscoroll::detail {
 
-/// @brief Ends cycles of two sets, and of two directions of slip. A node at the edge, where its own traction relieves it of pressure, may neither
-/// stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not seen from either side. Nor is rest from slip to and fro.
+/// @brief Ends cycles of two sets, and of two directions of slip. A node at the edge, where its own traction relieves
+/// it of pressure, may neither stick (|t| > mu p) nor slip (t along S): its third choice, to leave the plane, is not
+/// seen from either side. Nor is rest from slip to and fro.
 class CycleBreaker {
  public:
   explicit CycleBreaker(Eigen::Index nodes) : now_(static_cast<std::size_t>(nodes)), last_(now_), before_last_(now_) {}

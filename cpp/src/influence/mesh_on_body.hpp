@@ -13,8 +13,8 @@ class MeshOnBody {
   /// @param[in] mesh of what rolls
   /// @param[in] turns of the body per turn of what rolls, > 0
   MeshOnBody(const Mesh& mesh, double turns = 1.0);
-  /// @param[in] theta_spacing angle of what rolls between neighbors across, which the mesh alone does not say of a wheel
-  /// [rad]
+  /// @param[in] theta_spacing angle of what rolls between neighbors across, which the mesh alone does not say of a
+  /// wheel [rad]
   /// @param[in] widest largest angle of what rolls across, between nodes [rad]
   MeshOnBody(const Mesh& mesh, double turns, double theta_spacing, double widest);
 

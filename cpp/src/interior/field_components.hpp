@@ -129,7 +129,8 @@ inline void field_components(const LayerStack<std::complex<double>>& layers, con
                              const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
   ComponentRows basis;
   field_basis(layers.metric, m, n, state, basis);
-  components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position), basis, fields);
+  components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position), basis,
+                fields);
 }
 
 }  // namespace viscoroll::detail

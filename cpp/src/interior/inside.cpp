@@ -31,8 +31,7 @@ LayeredBody body_under(const CoatedPlane& plane, double radius, bool line, Curva
 Inside inside_of(const LayeredShape& shape, double angular_speed, double radius, bool line, Curvature curvature) {
   require_positive("angular_speed", angular_speed, "rad/s");
   require_positive("radius", radius, "m");
-  LayeredBody body =
-      std::visit([&](const auto& given) { return body_under(given, radius, line, curvature); }, shape);
+  LayeredBody body = std::visit([&](const auto& given) { return body_under(given, radius, line, curvature); }, shape);
   const double own_speed = angular_speed * (radius / body.metric.radius);
   return {.body = std::move(body), .angular_speed = own_speed};
 }

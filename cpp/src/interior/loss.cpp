@@ -56,7 +56,7 @@ void append_nodes(double outer, double inner, int layer, double exponents, Weigh
 WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_order) {
   constexpr double kSeen = 12.0;  // exponent of what still matters at the top of a layer: 1e-10 of the loss
   constexpr double kCenter = 6.907755278982137;  // ln(1000): deep enough for that of a solid ball
-  constexpr double kPart = 8.0;  // by how much each part of a half-space is deeper than the one above
+  constexpr double kPart = 8.0;                  // by how much each part of a half-space is deeper than the one above
   const Metric& metric = body.metric;
   WeightedPlaces nodes;
   for (std::size_t j = body.layers.size(); j-- > 0;) {
@@ -81,8 +81,8 @@ WeightedPlaces volume_nodes(const LayeredBody& body, double lowest, double max_o
 
 ArrayXd whole_numbers(int highest) { return ArrayXd::LinSpaced(highest + 1, 0.0, highest); }
 
-/// Orders m with the weights of an integral over them: whole numbers around a ring, of which 0 loses nothing; on a plane
-/// Gauss's on panels.
+/// Orders m with the weights of an integral over them: whole numbers around a ring, of which 0 loses nothing; on a
+/// plane Gauss's on panels.
 struct PassingOrders {
   std::vector<double> orders;
   std::vector<double> weights;
@@ -94,8 +94,8 @@ struct PassingOrders {
       weights.front() = 0.0;
       return;
     }
-    constexpr double kLowest = 1e-4;     // waves of 1e4 revolutions: below, no more than that of an order's loss is left
-    constexpr double kPanelRatio = 1.5;  // layers are smooth in the logarithm of m
+    constexpr double kLowest = 1e-4;  // waves of 1e4 revolutions: below, no more than that of an order's loss is left
+    constexpr double kPanelRatio = 1.5;    // layers are smooth in the logarithm of m
     const double widest = 0.05 * highest;  // tractions vary with m r / a, of which there are 40, say
     const auto [points, gauss] = gauss_legendre(8);
     for (double low = kLowest; low < highest;) {
@@ -184,8 +184,7 @@ class LossSum {
       const double limit = limit_(place.position, kDeepest);
       if (m > limit) continue;
       const double highest = std::min(std::sqrt(limit * limit - m * m), n_[n_.size() - 1]);
-      const ArrayXd density =
-          weight * density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
+      const ArrayXd density = weight * density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
       losses.density.col(static_cast<Index>(p)) += density;
       const double measure = layers.metric.measure(place.position);
       losses.by_order(place.layer, in_block) += weights_[p] * measure * density.sum() * once_around / theta_nodes_;

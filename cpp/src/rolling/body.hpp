@@ -62,8 +62,7 @@ struct Crossing {
   [[nodiscard]] double angular_speed_at(double other) const { return angular_speed * (radius / other); }
   /// @return the mesh as a body of another radius has it
   [[nodiscard]] MeshOnBody mesh_at(double other) const {
-    return form.is_line() ? MeshOnBody(mesh, radius / other)
-                          : MeshOnBody(mesh, radius / other, theta_spacing, widest);
+    return form.is_line() ? MeshOnBody(mesh, radius / other) : MeshOnBody(mesh, radius / other, theta_spacing, widest);
   }
 };
 

@@ -5,8 +5,7 @@
 namespace viscoroll::detail {
 
 FreeSidesOperator::FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference,
-                                     SideFactors factors, DissipationSource dissipation_source,
-                                     double column_distance)
+                                     SideFactors factors, DissipationSource dissipation_source, double column_distance)
     : endless_(std::move(endless)),
       difference_(std::move(difference)),
       factors_(std::move(factors)),
