@@ -8,13 +8,13 @@
 
 namespace viscoroll::detail {
 
-FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> endless, const CoatedWheel& wheel,
-                               const LayeredBody& layers, const Crossing& crossing)
+FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
+                               const Crossing& crossing)
     : endless_(std::move(endless)),
-      wheel_(wheel),
-      layers_(layers),
-      mesh_(crossing.mesh_at(layers.metric.radius)),
-      angular_speed_(crossing.angular_speed_at(layers.metric.radius)) {}
+      wheel_(std::move(wheel)),
+      layers_(std::move(layers)),
+      mesh_(crossing.mesh_at(layers_.metric.radius)),
+      angular_speed_(crossing.angular_speed_at(layers_.metric.radius)) {}
 
 std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,

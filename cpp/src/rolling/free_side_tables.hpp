@@ -20,7 +20,7 @@ class FreeSideTables final : public SurfaceTables {
   /// @param[in] wheel at least one layer
   /// @param[in] layers of it
   /// @param[in] crossing how its material crosses the contact
-  FreeSideTables(std::unique_ptr<const SurfaceTables> endless, const CoatedWheel& wheel, const LayeredBody& layers,
+  FreeSideTables(std::unique_ptr<const SurfaceTables> endless, CoatedWheel wheel, LayeredBody layers,
                  const Crossing& crossing);
 
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
