@@ -90,31 +90,37 @@ double error_of(const CoatedWheel& wheel, const ContactReach& contact) {
   return error_of_crown(wheel, contact) + (wheel.sides == Sides::endless ? error_of_sides(wheel, contact.across) : 0.0);
 }
 
+std::string contact_near_sides(const CoatedWheel& wheel, double across) {
+  const double clear = 0.5 * wheel.width - across;
+  return "the contact ends " + rounded(clear) + " m from the sides, nearer than the tread is thick (" +
+         rounded(coating_thickness(wheel)) + " m): with endless sides the torque may be too small by " +
+         rounded(error_of_sides(wheel, across)) + " of it";
+}
+
 std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& contact) {
   std::vector<Warning> cautions;
+  const auto add = [&cautions](WarningKind kind, std::string message) {
+    cautions.push_back({kind, std::move(message)});
+  };
   const double thickness = coating_thickness(wheel);
   const double clear = 0.5 * wheel.width - contact.across;
   const bool is_crowned = std::isfinite(wheel.crown_radius);
   const bool is_endless = wheel.sides == Sides::endless && !wheel.layers.empty();
-  const bool touches = clear < 1e-9 * wheel.width;
   if (is_endless && !is_crowned) {
-    cautions.push_back({WarningKind::edge_pressure,
-                        "the pressure of a flat tread with endless sides grows without bounds towards its edges: "
-                        "max_pressure is the mesh's"});
+    add(WarningKind::edge_pressure,
+        "the pressure of a flat tread with endless sides grows without bounds towards its edges, +-" +
+            rounded(0.5 * wheel.width) + " m: max_pressure is the mesh's");
   }
-  if (is_crowned && touches) {
-    cautions.push_back({WarningKind::contact_at_side,
-                        "the contact reaches the sides of the crowned tread, +-" + rounded(0.5 * wheel.width) + " m"});
+  if (is_crowned && clear < 1e-9 * wheel.width) {
+    add(WarningKind::contact_at_side,
+        "the contact reaches the sides of the crowned tread, +-" + rounded(0.5 * wheel.width) + " m");
   } else if (is_crowned && is_endless && clear < thickness) {
-    cautions.push_back({WarningKind::contact_at_side,
-                        "the contact ends " + rounded(clear) + " m from the sides, nearer than the tread is thick (" +
-                            rounded(thickness) + " m): with endless sides the torque may be too small by " +
-                            rounded(error_of_sides(wheel, contact.across)) + " of it"});
+    add(WarningKind::contact_at_side, contact_near_sides(wheel, contact.across));
   }
   if (wheel.crown_radius < thickness) {
-    cautions.push_back({WarningKind::tight_crown, "the crown is rounder than the tread is thick, " +
-                                                      rounded(wheel.crown_radius) + " m and " + rounded(thickness) +
-                                                      " m: good as long as the contact is small beside both"});
+    add(WarningKind::tight_crown, "the crown is rounder than the tread is thick, " + rounded(wheel.crown_radius) +
+                                      " m and " + rounded(thickness) +
+                                      " m: good as long as the contact is small beside both");
   }
   return cautions;
 }
