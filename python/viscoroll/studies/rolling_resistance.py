@@ -67,7 +67,7 @@ class RollingResistance:
         Raises
         ------
         ValueError
-            For other dimensions, too few values, several balls, and points that failed.
+            For rollers, other dimensions, too few values, several balls, and points that failed.
         """
         torque, load, speed = _points(study)
         radius = float(study.attrs["outer_radius"]) if "outer_radius" in study.attrs else radius_of(study)
@@ -191,6 +191,8 @@ _FORMATS = {
 
 def _points(study: xarray.Dataset) -> tuple[Floats, Floats, Floats]:
     power = study["dissipated_power"]
+    if study["load"].attrs.get("units") == "N/m":
+        raise ValueError("study must be of a ball or wheel, whose load is in N, got loads in N/m, as of rollers")
     for name in ("load", "angular_speed"):
         if name not in power.dims or power.sizes[name] < 3:
             raise ValueError(f"study must have at least 3 values of {name}, got {power.sizes.get(name, 1)}")

