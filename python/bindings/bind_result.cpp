@@ -97,9 +97,9 @@ void bind_result(py::module_& m) {
       .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
       .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
       .value("CONTACT_AT_SIDE", WarningKind::contact_at_side,
-             "of a crowned wheel, or nearer to it than the tread is thick, while its sides are endless")
+             "the contact of a crowned wheel reaches its sides; with endless ones, ends nearer than the tread is thick")
       .value("EDGE_PRESSURE", WarningKind::edge_pressure,
-             "a flat tread without sides, whose pressure grows without bounds at the edge")
+             "the pressure grows without bounds at the edge of a flat tread with endless sides, or on what deforms")
       .value("TIGHT_CROWN", WarningKind::tight_crown, "rounder than the tread is thick")
       .finalize();
 

@@ -375,6 +375,23 @@ TEST(FreeSides, SkateWheel) {
   EXPECT_NEAR(*result.penetration, 0.7499e-3, 0.02 * 0.7499e-3);
 }
 
+/// From 16 thicknesses on the section is that of the parts beside the faces alone.
+TEST(FreeSides, WideTreadsAreCutNoWider) {
+  const auto per_width = [](double width) {
+    const LoadCase load_case{.load = 500.0 / 30e-3 * width, .angular_speed = 2.5};
+    const Result result = solve(thick_wheel(width, INFINITY), load_case, {.mesh = Mesh{.nodes_per_revolution = 400}});
+    return std::array{result.bulk_power / width, *result.penetration};
+  };
+  const auto narrow = per_width(157e-3);
+  const auto middle = per_width(159e-3);
+  const auto wide = per_width(161e-3);
+  for (const std::size_t of : {std::size_t{0}, std::size_t{1}}) {
+    const double step = narrow[of] - middle[of];  // what the faces do falls like 1/w, here by 1e-3 of all
+    EXPECT_GT(step, 3e-4 * middle[of]);
+    EXPECT_NEAR(middle[of] - wide[of], step, 1e-4 * middle[of]);
+  }
+}
+
 TEST(FreeSides, AreFarAwayFromSmallContacts) {
   const Result free = rolled(thick_wheel(90e-3, INFINITY, Sides::free), 500.0, 2.5);
   const Result endless = rolled(thick_wheel(90e-3, INFINITY, Sides::endless), 500.0, 2.5);

@@ -91,7 +91,7 @@ TEST(CreepSpectrum, OfAKelvinVoigtSolidYieldsNothingAtOnce) {
 }
 
 TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
-  // The fractional solid as a table of nine decades; docs/theory.md, transient rolling has 6.5e-5 for three times per
+  // The fractional solid as a table of nine decades; docs/theory.md section 13 has 6.5e-5 for three times per
   // decade of the function itself, and a table has the kinks of its interpolation.
   const FractionalZener solid{6e6, 3e6, 0.125, 0.5};
   MasterCurve curve{.frequency = {0.0}, .storage = {3e6}, .loss = {0.0}, .extrapolation = Extrapolation::hold};

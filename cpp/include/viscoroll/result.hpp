@@ -27,8 +27,9 @@ enum class WarningKind {
   accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
   coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh, or a large error estimate there
   large_strain,          ///< beyond what linear theory is good for
-  contact_at_side,       ///< of a crowned wheel, or nearer to it than the tread is thick, while its sides are endless
-  edge_pressure,         ///< a flat tread without sides, whose pressure grows without bounds at the edge
+  contact_at_side,       ///< of a crowned wheel; with endless sides also where it ends nearer to them than the tread is
+                         ///< thick
+  edge_pressure,         ///< grows without bounds: of a flat tread with endless sides, or a flat wheel on what deforms
   tight_crown,           ///< rounder than the tread is thick
 };
 

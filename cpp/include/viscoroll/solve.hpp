@@ -20,13 +20,13 @@ namespace viscoroll {
 /// @param[in] options how to solve
 /// @return the solution, with its status
 /// @throws std::invalid_argument for bad input, a load too large for the coating (penetration >= thickness),
-/// speeds at or above `critical_speed`, and drives with which the sphere slides without end
+/// speeds at or above `critical_speed`, and drives with which what rolls slides without end
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped the solve
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
 /// @brief The same on something that deforms or is curved: on a coated plane, a half-space, in a groove or on another
-/// ball or roller (theory.md sections 14 and 15).
+/// ball, roller or wheel (theory.md sections 14 to 16).
 /// @param[in] body what rolls, rigid if it has no layers, unless `on` is a rigid plane
 /// @param[in] on what it rolls on; not both may be rigid
 /// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the
@@ -35,7 +35,7 @@ namespace viscoroll {
 [[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
                            const Options& options = {});
 
-/// @brief A sphere or roller at one speed on one mesh, for many load cases: its spectrum and its influence tables are
+/// @brief A body at one speed on one mesh, for many load cases: its spectrum and its influence tables are
 /// computed once. Threads may solve on it at the same time.
 class RollingModel {
  public:

@@ -14,9 +14,11 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// The shares of lines in what is at a place, which lies on one of the elements between every other line.
+/// The shares of lines in what is at a place, which lies on one of the elements between every other line, or too far
+/// from the faces to feel them.
 void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen::VectorXd> shares) {
   const double place = std::min(std::abs(z), lines[lines.size() - 1]);
+  if (place < lines[0]) return;
   Index first = 0;
   while (first + 4 < lines.size() && place > lines[first + 2]) first += 2;
   const auto values = quadratic_shares((place - lines[first + 1]) / (0.5 * (lines[first + 2] - lines[first])));

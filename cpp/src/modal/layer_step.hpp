@@ -22,7 +22,7 @@
 ///
 /// On a wheel, a ring along and straight across, kappa, the order across at a radius, grows with it, so that the
 /// direction of k turns from radius to radius and no direction parts from the others. The six are those of r, phi and
-/// z, with e = m v_phi - u_r, t = e + kappa v_z and a = 1 - 2b (theory.md, wheels):
+/// z, with e = m v_phi - u_r, t = e + kappa v_z and a = 1 - 2b (theory.md section 16):
 ///
 ///     u_r'   = a t + b s              s'       = a s + m tau_phi + kappa tau_z - 2 (a t + e)
 ///     v_phi' = v_phi - m u_r + tau_phi   tau_phi' = -tau_phi - m a s + 2m (a t + e) + kappa (kappa v_phi + m v_z)

@@ -90,8 +90,8 @@ struct Body {
   double width = std::numeric_limits<double>::infinity();
   /// Relative error of the torque by what its equations leave out, beside strain, in a contact.
   std::function<double(const ContactReach&)> further_error = [](const ContactReach&) { return 0.0; };
-  /// What a user should know of it in a contact.
-  std::function<std::vector<Warning>(const ContactReach&)> cautions = [](const ContactReach&) {
+  /// What a user should know of it in a contact with another body, which deforms or not.
+  std::function<std::vector<Warning>(const ContactReach&, bool)> cautions = [](const ContactReach&, bool) {
     return std::vector<Warning>{};
   };
 

@@ -28,10 +28,6 @@ std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
   return values;
 }
 
-/// Largest error of the torque, per strain, beside finite strain with the viscosities of Newton and of Jaumann: h/r_o =
-/// 1/84, 1/21 and 1/5, Poisson's ratio 0.3 and 1/2 (tests/reference/finite_strain_table.py finds 0.72).
-constexpr double kErrorPerStrain = 0.75;
-
 /// A sum of forces or moments without the round-off of what cancels in it, and of steps towards what a drive gives.
 double settled(double sum, double largest_summand, std::optional<double> given = std::nullopt) {
   constexpr double kRoundOff = 1e-12;
@@ -98,15 +94,16 @@ class Summary {
     const double clear = 0.5 * width(given_.pair()) - reach.across;
     // Patches end at the sides but for round-off.
     if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
-    r.warnings = given_.pair().body.cautions(reach);
+    r.warnings = cautions(reach);
     if (!given_.approach_exists()) return;
     const double penetration = contact_.penetration - given_.model.centrifugal;
     r.penetration = penetration;
     r.center_height = radius() - penetration;
     // A half-space is strained as deep as the contact is wide.
-    const double width = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
-    r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * width);
-    r.model_error = kErrorPerStrain * std::abs(*r.strain) + given_.pair().body.further_error(reach);
+    const double contact_size = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
+    r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * contact_size);
+    const auto& [body, on] = given_.pair();
+    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body.further_error(reach) + on.further_error(reach);
   }
 
   void add_forces(Result& r) const {
@@ -179,6 +176,18 @@ class Summary {
 
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
+
+  /// Of both bodies, each kind once.
+  [[nodiscard]] std::vector<Warning> cautions(const ContactReach& reach) const {
+    const auto& [body, on] = given_.pair();
+    std::vector<Warning> warnings = body.cautions(reach, !on.is_rigid());
+    for (Warning& warning : on.cautions(reach, !body.is_rigid())) {
+      if (std::ranges::find(warnings, warning.kind, &Warning::kind) == warnings.end()) {
+        warnings.push_back(std::move(warning));
+      }
+    }
+    return warnings;
+  }
 
   /// Up to the ends of the patches.
   [[nodiscard]] ContactReach loaded_reach() const {

@@ -1,8 +1,10 @@
 #include "rolling/warnings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "rolling/result.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -52,10 +54,10 @@ std::vector<Warning> warnings_of(const Result& result, const Options& options, b
     warnings.push_back({WarningKind::coarse_mesh, coarse_mesh_text(across, result.error_estimate)});
   }
   if (result.strain && *result.strain > kLargestStrain) {
-    warnings.push_back({WarningKind::large_strain, "the strain, penetration per thickness of the coating, is " +
-                                                       rounded(*result.strain) + " (good up to " +
-                                                       rounded(kLargestStrain) + "): linear theory may be off by " +
-                                                       rounded(*result.model_error) + " of the torque"});
+    warnings.push_back({WarningKind::large_strain,
+                        "the strain, penetration per thickness of the coating, is " + rounded(*result.strain) +
+                            " (good up to " + rounded(kLargestStrain) + "): linear theory may be off by " +
+                            rounded(kErrorPerStrain * std::abs(*result.strain)) + " of the torque"});
   }
   return warnings;
 }

@@ -1,4 +1,4 @@
-// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: theory.md, wheels.
+// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: theory.md section 16.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -62,7 +62,7 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
 }
 
 /// What the torque of a tread without sides lacks, by the distance from the contact to the sides of a tread that ends:
-/// what finite elements of its section find, at Poisson's ratio 1/2 (theory.md, wheels).
+/// what finite elements of its section find, at Poisson's ratio 1/2 (theory.md section 16).
 double error_of_sides(const CoatedWheel& wheel, double across) {
   constexpr double kAtSides = 0.11;
   constexpr double kFall = 2.2;  // per thickness
@@ -97,7 +97,7 @@ std::string contact_near_sides(const CoatedWheel& wheel, double across) {
          rounded(error_of_sides(wheel, across)) + " of it";
 }
 
-std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& contact) {
+std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& contact, bool other_deforms) {
   std::vector<Warning> cautions;
   const auto add = [&cautions](WarningKind kind, std::string message) {
     cautions.push_back({kind, std::move(message)});
@@ -106,12 +106,13 @@ std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& c
   const double clear = 0.5 * wheel.width - contact.across;
   const bool is_crowned = std::isfinite(wheel.crown_radius);
   const bool is_endless = wheel.sides == Sides::endless && !wheel.layers.empty();
-  if (is_endless && !is_crowned) {
-    add(WarningKind::edge_pressure,
-        "the pressure of a flat tread with endless sides grows without bounds towards its edges, +-" +
-            rounded(0.5 * wheel.width) + " m: max_pressure is the mesh's");
+  const bool reaches_sides = clear < 1e-9 * wheel.width;
+  if (!is_crowned && reaches_sides && (is_endless || other_deforms)) {
+    const std::string punch = is_endless ? "tread with endless sides" : "wheel on what deforms beside it";
+    add(WarningKind::edge_pressure, "the pressure of a flat " + punch + " grows without bounds towards its edges, +-" +
+                                        rounded(0.5 * wheel.width) + " m: max_pressure is the mesh's");
   }
-  if (is_crowned && clear < 1e-9 * wheel.width) {
+  if (is_crowned && reaches_sides) {
     add(WarningKind::contact_at_side,
         "the contact reaches the sides of the crowned tread, +-" + rounded(0.5 * wheel.width) + " m");
   } else if (is_crowned && is_endless && clear < thickness) {
@@ -135,7 +136,8 @@ Body make_body(const CoatedWheel& wheel) {
           .profile = [wheel](const SurfaceWindow& points) { return profile_of(wheel, points); },
           .width = wheel.width,
           .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },
-          .cautions = [wheel](const ContactReach& contact) { return cautions_of(wheel, contact); },
+          .cautions = [wheel](const ContactReach& contact,
+                              bool other_deforms) { return cautions_of(wheel, contact, other_deforms); },
           .name = "wheel",
           .counterparts = {"CoatedPlane", "Groove", "CoatedCylinder", "CoatedWheel"},
           .radius = outer_radius(wheel),

@@ -27,8 +27,7 @@ enum Parity : std::size_t { kEvenPart, kOddPart };
 /// leaves its own stiffness as the last corner of the factors: nothing is solved for.
 ///
 /// Loads and displacements at the surface are along its normal, phi and its tangent, (1, s), 1 and (-s, 1) where it
-/// falls by s: what slides along a crown does not come nearer to what it rolls on, and pressure acts along the normal,
-/// given
+/// falls by s: what slides along a crown does not come nearer to what it rolls on, and pressure acts along the normal.
 class SectionCompliance {
  public:
   template <class Scalar>

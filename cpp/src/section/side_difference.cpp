@@ -23,6 +23,16 @@ constexpr double kLastPhase = 3.4;
 /// From order to order: the difference follows ln m like a rational function, whose poles lie pi/2 off the real axis.
 constexpr double kLargestRatio = 1.3;
 
+/// Width in thicknesses from which on the middle of a flat tread does not feel its faces: what they change falls like
+/// e^(-2.2 e/h) with the distance e, to 2e-8 here.
+constexpr double kWide = 16.0;
+
+/// A flat tread of no more of the width than its faces change.
+CoatedWheel felt_part(CoatedWheel wheel) {
+  if (std::isinf(wheel.crown_radius)) wheel.width = std::min(wheel.width, kWide * coating_thickness(wheel));
+  return wheel;
+}
+
 /// The layers, where none of them is complex.
 std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<SectionMedium<cplx>>& layers) {
   std::vector<SectionMedium<double>> real;
@@ -70,15 +80,16 @@ std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::si
 }
 
 SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
-    : face_(SectionMesh(wheel, SectionEnd::face, fineness), tangential),
-      endless_(SectionMesh(wheel, SectionEnd::endless, fineness), tangential),
+    : left_out_(0.5 * (wheel.width - felt_part(wheel).width)),
+      face_(SectionMesh(felt_part(wheel), SectionEnd::face, fineness), tangential),
+      endless_(SectionMesh(felt_part(wheel), SectionEnd::endless, fineness), tangential),
       tangential_(tangential) {}
 
 SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads, Watch& watch) const {
   const auto lines = static_cast<Index>(face_.mesh().loaded_lines());
   const std::vector<double>& orders = body.orders();
   SampledDifference result{.orders = Eigen::Map<const ArrayXd>(orders.data(), static_cast<Index>(orders.size())),
-                           .z = face_.mesh().z().head(lines),
+                           .z = left_out_ + face_.mesh().z().head(lines),
                            .components = tangential_ ? 3 : 1,
                            .parts = {}};
   const Index entries = result.amplitudes() * result.amplitudes();

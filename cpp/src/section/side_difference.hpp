@@ -17,7 +17,7 @@ namespace viscoroll::detail {
 /// @brief The difference at some orders, times the modulus of the outermost layer at each. Between them it is smooth.
 struct SampledDifference {
   Eigen::ArrayXd orders;  ///< `sampled_orders`
-  Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread to its face [m]
+  Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread, or as far as it is felt, to its face [m]
   Eigen::Index components = 1;
   /// [part] a row for each order, of a matrix by columns: displacement along normal, phi and tangent of every line,
   /// component * lines
@@ -49,6 +49,7 @@ class SideDifference {
   [[nodiscard]] SampledDifference sampled(const HarmonicBody& body, int threads, Watch& watch) const;
 
  private:
+  double left_out_;  // of half the width, in the middle [m]
   SectionCompliance face_;
   SectionCompliance endless_;
   bool tangential_;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief One instant of a contact with Coulomb friction, docs/theory.md, transient rolling.
+/// @brief One instant of a contact with Coulomb friction, docs/theory.md section 13.
 #pragma once
 
 #include <Eigen/Core>

@@ -274,7 +274,7 @@ def test_default_speeds_stay_below_the_critical_one():
 
 
 def test_figure_6_starts_from_both_states(compute):
-    """Overshoots of docs/theory.md, transient rolling: 0.2, 6.8, 8.9 % fresh and 36.6, 362, 612 % relaxed."""
+    """Overshoots of docs/theory.md section 13: 0.2, 6.8, 8.9 % fresh and 36.6, 362, 612 % relaxed."""
     figure = compute("figure6")
     fresh = [figure.overshoot(vr.Start.FRESH, speed) for speed in (0.5, 2.5, 4.0)]
     relaxed = [figure.overshoot(vr.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
