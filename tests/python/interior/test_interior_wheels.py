@@ -258,3 +258,5 @@ def test_bad_places_are_named(flat):
         flat.interior(depth=[11e-3])
     with pytest.raises(ValueError, match=r"result\.on must have a layer or a base"):
         flat.interior(depth=[1e-3], of="counterpart")
+    with pytest.raises(ValueError, match="result must be narrower than its circumference"):
+        vr.loss_spectrum(replace(flat, z=30.0 * flat.z))
