@@ -3,6 +3,7 @@
 #include <pybind11/typing.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bindings.hpp"
 #include "viscoroll/interior.hpp"
@@ -12,7 +13,8 @@ namespace {
 using namespace viscoroll;
 using cplx = std::complex<double>;
 
-Tractions make_tractions(const Mesh& mesh, double radius, bool line, const InputArray<double>& pressure,
+Tractions make_tractions(const Mesh& mesh, double radius, std::optional<double> theta_spacing,
+                         std::optional<double> crown_radius, bool line, const InputArray<double>& pressure,
                          const InputArray<double>& shear_traction, bool friction, Compliance compliance,
                          Curvature curvature, PatchLoad patch_load, bool counterpart,
                          std::array<double, 2> counterpart_curvature) {
@@ -21,6 +23,8 @@ Tractions make_tractions(const Mesh& mesh, double radius, bool line, const Input
   const auto shear = view(shear_traction);
   return {.mesh = mesh,
           .radius = radius,
+          .theta_spacing = theta_spacing,
+          .crown_radius = crown_radius,
           .line = line,
           .phi_nodes = static_cast<int>(pressure.shape(0)),
           .theta_nodes = static_cast<int>(pressure.shape(1)),
@@ -116,7 +120,8 @@ LossDensity loss_released(const LayeredShape& shape, const Tractions& tractions,
 
 void bind_interior(py::module_& m) {
   py::classh<Tractions>(m, "Tractions")
-      .def(py::init(&make_tractions), py::kw_only(), py::arg("mesh"), py::arg("radius"), py::arg("line"),
+      .def(py::init(&make_tractions), py::kw_only(), py::arg("mesh"), py::arg("radius"),
+           py::arg("theta_spacing").none(true), py::arg("crown_radius").none(true), py::arg("line"),
            py::arg("pressure").noconvert(), py::arg("shear_traction").noconvert(), py::arg("friction"),
            py::arg("compliance"), py::arg("curvature"), py::arg("patch_load"), py::arg("counterpart"),
            py::arg("counterpart_curvature"));

@@ -471,6 +471,8 @@ class Tractions:
         *,
         mesh: Mesh,
         radius: typing.SupportsFloat | typing.SupportsIndex,
+        theta_spacing: typing.SupportsFloat | typing.SupportsIndex | None,
+        crown_radius: typing.SupportsFloat | typing.SupportsIndex | None,
         line: bool,
         pressure: numpy.typing.NDArray[numpy.float64],
         shear_traction: numpy.typing.NDArray[numpy.float64],
@@ -658,7 +660,7 @@ def instant_names() -> list[str]:
     """
 
 def interior_fields(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     tractions: Tractions,
     *,
     position: numpy.typing.NDArray[numpy.float64],
@@ -670,7 +672,7 @@ def interior_fields(
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def loss_density(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     tractions: Tractions,
     *,
     position: numpy.typing.NDArray[numpy.float64],
@@ -681,7 +683,7 @@ def loss_density(
     progress: typing.Any,
 ) -> LossDensity: ...
 def order_fields(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     m: numpy.typing.NDArray[numpy.int32],
     n: numpy.typing.NDArray[numpy.int32],
     *,
@@ -692,7 +694,7 @@ def order_fields(
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def places_at(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane, position: numpy.typing.NDArray[numpy.float64]
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """

@@ -86,6 +86,28 @@ TEST(Interior, LossInTheVolumeIsWhatTheSurfacePutsIn) {
   EXPECT_NEAR(2.5 * spacing * sum / loss.volume_power, 1.0, 1e-12);
 }
 
+TEST(Interior, ColumnsOfAWheelAreItsOwn) {
+  const CoatedWheel wheel{.core_radius = 40e-3,
+                          .layers = {{.thickness = 10e-3, .shear_modulus = cases::rubber(), .poisson_ratio = 0.45}},
+                          .width = 30e-3,
+                          .crown_radius = 0.2,
+                          .sides = Sides::endless};
+  const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
+  const Options options{.mesh = Mesh{.nodes_per_revolution = 200}};
+  const Result result = solve(wheel, load_case, options);
+  const Tractions tractions = tractions_of(wheel, result, load_case, options);
+  ASSERT_TRUE(tractions.theta_spacing);
+  const double columns = wheel.width / (*tractions.theta_spacing * tractions.radius);
+  EXPECT_NEAR(columns, std::round(columns), 1e-9);
+  EXPECT_GT(std::abs(*tractions.theta_spacing - theta_spacing(result.mesh)), 1e-3 * *tractions.theta_spacing);
+  const LossDensity loss = loss_density(wheel, 2.5, tractions, {}, 200);
+  EXPECT_NEAR(loss.volume_power / loss.surface_power, 1.0, 1e-8);
+  // Sums over the patches of the mesh would be of another load.
+  Tractions of_mesh = tractions;
+  of_mesh.theta_spacing.reset();
+  EXPECT_GT(std::abs(loss_density(wheel, 2.5, of_mesh, {}, 200).surface_power / loss.surface_power - 1.0), 1e-3);
+}
+
 TEST(Interior, CanBeStopped) {
   const Rolling rolling(cases::paper_sphere());
   const Observer stop{.cancelled = [] { return true; }, .progress = {}};

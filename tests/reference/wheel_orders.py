@@ -1,4 +1,4 @@
-"""Compliance of the tread of a wheel from closed forms: Bessel functions of the order around at the wave number across.
+"""Orders of the tread of a wheel from closed forms: Bessel functions of the order around at the wave number across.
 
 With Z_m a modified Bessel function of either kind and e = exp(i (m phi + k z)), displacements in a tube are sums of
 
@@ -11,12 +11,15 @@ that the pressure of an incompressible tread is finite.
 
 from __future__ import annotations
 
+import functools
+
 import mpmath
 import numpy as np
 
 DIGITS = 40
 
 
+@functools.cache
 def _bessel(kind, order, x, slopes=0):
     """Return I (kind 1) or K (kind -1), or a derivative."""
     if slopes == 0:
@@ -25,30 +28,104 @@ def _bessel(kind, order, x, slopes=0):
 
 
 def _solution(kind, field, m, k, nu, r):
-    """Displacement and stress per modulus of a solution at a radius, each along r, phi and z."""
+    """Displacement at a radius along r, phi and z, its slope along r, and the pressure lambda div u per modulus."""
     order = m + 1 if field == "pressure" else m
     f, df, ddf = (k**slopes * _bessel(kind, order, k * r, slopes) for slopes in (0, 1, 2))
-    pressure = 0
     if field == "gradient":
-        u = [df, 1j * m * f / r, 1j * k * f]
-        du = [ddf, 1j * m * (df / r - f / r**2), 1j * k * df]
-    elif field == "curl":
-        u = [1j * m * f / r, -df, 0]
-        du = [1j * m * (df / r - f / r**2), -ddf, 0]
-    else:
-        share = 4 * (1 - nu)
-        u = [share * f - f - r * df, -1j * (share + m) * f, -1j * k * r * f]
-        du = [share * df - 2 * df - r * ddf, -1j * (share + m) * df, -1j * k * (f + r * df)]
-        pressure = 4 * nu * (df + (1 + m) * f / r)  # lambda div u = 4 mu nu div B
-    stress = [pressure + 2 * du[0], 1j * m / r * u[0] + du[1] - u[1] / r, 1j * k * u[0] + du[2]]
-    return u + stress
+        return [df, 1j * m * f / r, 1j * k * f], [ddf, 1j * m * (df / r - f / r**2), 1j * k * df], 0
+    if field == "curl":
+        return [1j * m * f / r, -df, 0], [1j * m * (df / r - f / r**2), -ddf, 0], 0
+    share = 4 * (1 - nu)
+    u = [share * f - f - r * df, -1j * (share + m) * f, -1j * k * r * f]
+    du = [share * df - 2 * df - r * ddf, -1j * (share + m) * df, -1j * k * (f + r * df)]
+    return u, du, 4 * nu * (df + (1 + m) * f / r)  # lambda div u = 4 mu nu div B
+
+
+def _fields(kind, field, m, k, nu, r):
+    """Displacement along r, phi and z, stress per modulus and strain, rr, phiphi, zz, rphi, rz, phiz."""
+    u, du, pressure = _solution(kind, field, m, k, nu, r)
+    strain = [
+        du[0],
+        (1j * m * u[1] + u[0]) / r,
+        1j * k * u[2],
+        (1j * m / r * u[0] + du[1] - u[1] / r) / 2,
+        (1j * k * u[0] + du[2]) / 2,
+        (1j * k * u[1] + 1j * m / r * u[2]) / 2,
+    ]
+    stress = [2 * strain[i] + (pressure if i < 3 else 0) for i in range(6)]
+    return u + stress + strain
+
+
+def _all_fields(m, k, nu, r):
+    """Six columns of displacement, stress per modulus and strain."""
+    return mpmath.matrix(
+        [_fields(kind, field, m, k, nu, r) for kind in (1, -1) for field in ("gradient", "curl", "pressure")]
+    ).T
 
 
 def _solutions(m, k, nu, r):
-    """Six columns of displacement and stress per modulus."""
-    return mpmath.matrix(
-        [_solution(kind, field, m, k, nu, r) for kind in (1, -1) for field in ("gradient", "curl", "pressure")]
-    ).T
+    """Six columns of displacement and of stress per modulus on the surface r = const."""
+    fields = _all_fields(m, k, nu, r)
+    return mpmath.matrix([[fields[row, column] for column in range(6)] for row in (0, 1, 2, 3, 6, 7)])
+
+
+def _amplitudes(hub, layers, m, k):
+    """Amplitudes of the six solutions of all layers under each of three stresses on the surface, (6 layers, 3)."""
+    size = 6 * len(layers)
+    matrix = mpmath.zeros(size)
+    scales = []
+    radius = mpmath.mpf(hub)
+    for j, (thickness, modulus, nu) in enumerate(layers):
+        units = [1] * 3 + [mpmath.mpmathify(modulus)] * 3
+        inner = _solutions(m, k, mpmath.mpf(nu), radius)
+        radius += mpmath.mpf(thickness)
+        outer = _solutions(m, k, mpmath.mpf(nu), radius)
+        for column in range(6):  # of like size, which may be 1e-70 and 1e70
+            size_of = max(abs(value) for value in [*inner[:, column], *outer[:, column]])
+            inner[:, column] /= size_of
+            outer[:, column] /= size_of
+            scales.append(size_of)
+        # What one layer passes on to the next; the hub takes displacements, and the surface gives stresses.
+        for row in range(6):
+            for column in range(6):
+                if j > 0 or row < 3:
+                    matrix[6 * j + row - (3 if j > 0 else 0), 6 * j + column] -= units[row] * inner[row, column]
+                if j < len(layers) - 1:
+                    matrix[6 * j + 3 + row, 6 * j + column] += units[row] * outer[row, column]
+                elif row >= 3:
+                    matrix[6 * j + row, 6 * j + column] += units[row] * outer[row, column]
+    amplitudes = mpmath.zeros(size, 3)
+    for direction in range(3):
+        load = mpmath.zeros(size, 1)
+        load[size - 3 + direction] = 1
+        solved = mpmath.lu_solve(matrix, load)
+        for row in range(size):
+            amplitudes[row, direction] = solved[row] / scales[row]
+    return amplitudes
+
+
+def order_fields(hub, layers, m, k, places):
+    """Displacement, stress and strain inside per surface stress along r, phi and z, (3 or 6, 3) [m/Pa], [-], [1/Pa].
+
+    Parameters
+    ----------
+    hub, layers, m, k
+        As of `surface_compliance`.
+    places : list of (radius, layer)
+        Radius [m], and number of the layer from the hub outwards.
+    """
+    with mpmath.workdps(DIGITS):
+        k = mpmath.mpf(k)
+        amplitudes = _amplitudes(hub, layers, m, k)
+        found = []
+        for radius, layer in places:
+            _, modulus, nu = layers[layer]
+            units = [1] * 3 + [mpmath.mpmathify(modulus)] * 6 + [1] * 6
+            fields = _all_fields(m, k, mpmath.mpf(nu), mpmath.mpf(radius)) * amplitudes[6 * layer : 6 * layer + 6, :]
+            values = [[units[row] * fields[row, column] for column in range(3)] for row in range(15)]
+            values = np.array(values, dtype=complex)
+            found.append((values[:3], values[3:9], values[9:]))
+        return found
 
 
 def surface_compliance(hub, layers, m, k):
@@ -66,33 +143,6 @@ def surface_compliance(hub, layers, m, k):
         Wave number across [1/m], > 0.
     """
     with mpmath.workdps(DIGITS):
-        k = mpmath.mpf(k)
-        size = 6 * len(layers)
-        matrix = mpmath.zeros(size)
-        radius = mpmath.mpf(hub)
-        for j, (thickness, modulus, nu) in enumerate(layers):
-            units = [1] * 3 + [mpmath.mpmathify(modulus)] * 3
-            inner = _solutions(m, k, mpmath.mpf(nu), radius)
-            radius += mpmath.mpf(thickness)
-            outer = _solutions(m, k, mpmath.mpf(nu), radius)
-            for column in range(6):  # of like size, which may be 1e-70 and 1e70
-                size_of = max(abs(value) for value in [*inner[:, column], *outer[:, column]])
-                inner[:, column] /= size_of
-                outer[:, column] /= size_of
-            # What one layer passes on to the next; the hub takes displacements, and the surface gives stresses.
-            for row in range(6):
-                for column in range(6):
-                    if j > 0 or row < 3:
-                        matrix[6 * j + row - (3 if j > 0 else 0), 6 * j + column] -= units[row] * inner[row, column]
-                    if j < len(layers) - 1:
-                        matrix[6 * j + 3 + row, 6 * j + column] += units[row] * outer[row, column]
-                    elif row >= 3:
-                        matrix[6 * j + row, 6 * j + column] += units[row] * outer[row, column]
-        compliance = mpmath.zeros(3)
-        for direction in range(3):
-            load = mpmath.zeros(size, 1)
-            load[size - 3 + direction] = 1
-            amplitudes = mpmath.lu_solve(matrix, load)
-            for row in range(3):
-                compliance[row, direction] = sum(outer[row, i] * amplitudes[size - 6 + i] for i in range(6))
-        return np.array(compliance.tolist(), dtype=complex)
+        surface = mpmath.fsum([hub, *(thickness for thickness, _, _ in layers)])
+    ((displacement, _, _),) = order_fields(hub, layers, m, k, [(surface, len(layers) - 1)])
+    return displacement

@@ -9,6 +9,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -23,11 +24,13 @@
 #include "viscoroll/result.hpp"
 #include "viscoroll/rolling_body.hpp"
 #include "viscoroll/sphere.hpp"
+#include "viscoroll/wheel.hpp"
 
 namespace viscoroll {
 
-/// @brief What has an inside.
-using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane>;
+/// @brief What has an inside. That of a wheel is a tread straight across and without sides; a roller under a wheel is
+/// one, too.
+using LayeredShape = std::variant<CoatedSphere, CoatedCylinder, CoatedPlane, CoatedWheel>;
 
 /// @brief A place along the normal. Three of the stresses and of the strains jump where layers meet: there both have
 /// it.
@@ -50,7 +53,8 @@ inline constexpr std::size_t kFieldComponents = 15;
 /// @brief Fields of single orders (m, n) per unit surface stress: displacement [m/Pa], stress [-] and strain [1/Pa].
 /// @param[in] shape with layers
 /// @param[in] angular_speed Omega of what rolls [rad/s], > 0
-/// @param[in] m,n orders of any sign, as many of the one as of the other; in a plane not both 0; n = 0 in a cylinder
+/// @param[in] m,n orders of any sign, as many of the one as of the other; in a plane not both 0; n = 0 in a cylinder;
+/// n of a wheel per its outer radius
 /// @param[in] places where
 /// @param[in] radius of what rolls, that makes wave numbers of a plane orders [m], > 0; the others have their own
 /// @param[in] curvature sphere or paper, of a sphere
@@ -66,8 +70,12 @@ inline constexpr std::size_t kFieldComponents = 15;
 
 /// @brief What one body does to the surface of the other, and in which model: a solved contact.
 struct Tractions {
-  Mesh mesh;                                   ///< on whose nodes they are
-  double radius = 0.0;                         ///< at which its angles are arcs: that of what rolls [m]
+  Mesh mesh;            ///< on whose nodes they are
+  double radius = 0.0;  ///< at which its angles are arcs: that of what rolls [m]
+  /// Of columns, where a wheel has others than the mesh [rad].
+  std::optional<double> theta_spacing = std::nullopt;
+  /// Of a wheel that rolls [m], infinite where it is flat; none of others.
+  std::optional<double> crown_radius = std::nullopt;
   bool line = false;                           ///< a single row of nodes in plane strain: forces are per length
   int phi_nodes = 0;                           ///< rows of the window
   int theta_nodes = 0;                         ///< columns of the window
@@ -105,8 +113,8 @@ struct InteriorFields {
 /// @param[in] angular_speed Omega of what rolls [rad/s], > 0
 /// @param[in] tractions on it
 /// @param[in] places where along r
-/// @param[in] phi,theta where along the surface [rad], within half a revolution of the lowest point, pi/2; in a plane a
-/// third of one; theta is pi/2 under a line
+/// @param[in] phi,theta where along the surface [rad], within half a revolution of the lowest point, pi/2; phi in a
+/// plane within a third of one; theta within a whole one where it is straight across, and pi/2 under a line
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @throws std::invalid_argument for bad input
@@ -119,9 +127,11 @@ struct InteriorFields {
 /// @brief Energy lost inside the layers, of the orders |m|, |n| <= max_order, of what rolls. Powers are per length
 /// under a line.
 struct LossDensity {
-  std::vector<Place> places;        ///< asked for, or those of the volume integral
-  std::vector<double> weights;      ///< dr of each place in the volume integral [m]; 0 where it was asked for
-  std::vector<double> theta;        ///< once around from -pi/2, at equal spacings [rad]; pi/2 under a line
+  std::vector<Place> places;    ///< asked for, or those of the volume integral
+  std::vector<double> weights;  ///< dr of each place in the volume integral [m]; 0 where it was asked for
+  /// At equal spacings [rad], once around from -pi/2, where it is straight across maybe several times; pi/2 under a
+  /// line.
+  std::vector<double> theta;
   std::vector<double> density;      ///< w(r, theta), per volume and passage of the contact [J/m^3], [place][theta]
   std::vector<double> orders;       ///< m of the body, ascending: whole numbers, but in a plane
   std::vector<double> order_power;  ///< lost in each layer by each order, in a plane by those around it [W], [layer][m]

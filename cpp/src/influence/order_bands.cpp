@@ -100,13 +100,6 @@ double highest_order(int nodes_per_revolution, double finest_order) {
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
 }
 
-/// On a hub the lowest order stands for all below it, whose weights fall in its ratio to the next one: by loads on all
-/// of a wide wheel they displace nodes as others do.
-void count_longest(OrderBand& band) {
-  const double ratio = band.orders[1] / band.orders[0];
-  band.weights[0] *= ratio / (ratio - 1.0);
-}
-
 /// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
 OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution, double widest) {
   // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
@@ -125,6 +118,11 @@ OrderBand low_orders(const Step& step, double refinement, int nodes_per_revoluti
 }
 
 }  // namespace
+
+void count_longest(OrderBand& lowest) {
+  const double ratio = lowest.orders[1] / lowest.orders[0];
+  lowest.weights[0] *= ratio / (ratio - 1.0);
+}
 
 std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement,
                                          double widest) {

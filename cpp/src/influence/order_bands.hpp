@@ -52,9 +52,14 @@ struct OrderBand {
                                                     double rough_orders);
 
 /// @brief The same on an unbounded plane.
+/// @param[in] largest_offset [rad], of any size
 /// @param[in] refinement as of `unbounded_octaves`
 [[nodiscard]] std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset,
                                                               double refinement = 1.0);
+
+/// @brief On a hub the lowest order of an unbounded plane stands for all below it, whose weights fall in its ratio to
+/// the next one: by loads on all of a wide wheel they displace nodes as others do.
+void count_longest(OrderBand& lowest);
 
 /// @return by how much orders of measured moduli, which have kinks, lie closer than those of smooth ones
 [[nodiscard]] double refinement_of(const std::vector<Layer>& layers);

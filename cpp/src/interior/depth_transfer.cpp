@@ -47,7 +47,7 @@ DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> bound
   const bool one = n.highest == 0.0;
   if (one || lowest == 0.0) {
     const std::array square{lowest};
-    lowest = std::max(lowest, kZeroOrder);
+    lowest = std::max(lowest, end_of_zero_order(pieces_.metric));
     append_constants<cplx>(lowest, solve(square).col(0), panels_);
   }
   const double highest = one ? lowest : m * m + std::max(n.highest * n.highest, 1.0);

@@ -43,9 +43,9 @@ using ComponentRows = Eigen::Array<std::complex<double>, Eigen::Dynamic, Eigen::
 /// @brief What all components are made of by factors that do not know of n: the state, and three rows that do.
 enum Basis : Eigen::Index {
   kState = 0,
-  kSpread = 6,  ///< m v_phi + n v_theta - p u_r, the change of area; p = 2 on a sphere, 1 on a cylinder
+  kSpread = 6,  ///< m v_phi + n v_theta - p u_r, the change of area; p = 2 on a sphere, 1 on a cylinder or a wheel
   kShape = 7,   ///< half of what phi is stretched more than theta: c (n v_theta - m v_phi) / 2, and half of u_r on a
-                ///< cylinder; c^2 is the membrane stiffness per k^2
+                ///< cylinder or a wheel; c^2 is the membrane stiffness per k^2
   kTwist = 8,   ///< -c (m v_theta + n v_phi), twice the strain phitheta
   kBasisRows = 9,
 };
@@ -64,17 +64,19 @@ enum Basis : Eigen::Index {
 
 /// @brief The basis of all components.
 /// @param[in] metric of the body
+/// @param[in] place [m]
 /// @param[in] m,n orders
 /// @param[in] state rows u_r, v_phi, v_theta, s, tau_phi, tau_theta; a column for each n
 /// @param[out] basis kBasisRows rows
-inline void field_basis(const Metric& metric, double m, const Eigen::ArrayXd& n, const ComponentRows& state,
-                        ComponentRows& basis) {
+inline void field_basis(const Metric& metric, double place, double m, const Eigen::ArrayXd& n,
+                        const ComponentRows& state, ComponentRows& basis) {
   using Row = Eigen::Array<std::complex<double>, 1, Eigen::Dynamic>;
+  const Eigen::Array<double, 1, Eigen::Dynamic> across = metric.shrinkage(place) * n.transpose();
   // Of the strain by tangential displacements, the part that changes no area carries the membrane stiffness.
-  const Eigen::Array<double, 1, Eigen::Dynamic> k2 = (m * m + n.square()).transpose();
+  const Eigen::Array<double, 1, Eigen::Dynamic> k2 = m * m + across.square();
   const Eigen::Array<double, 1, Eigen::Dynamic> membrane = k2.unaryExpr(
       [&](double square) { return square > 0.0 ? std::sqrt(metric.membrane_stiffness(square) / square) : 1.0; });
-  const auto orders = n.transpose().cast<std::complex<double>>();
+  const auto orders = across.cast<std::complex<double>>();
   const Row along_phi = m * state.row(1);
   const Row along_theta = orders * state.row(2);
   basis.resize(kBasisRows, n.size());
@@ -128,7 +130,7 @@ inline void components_of(const Medium<std::complex<double>>& medium, double len
 inline void field_components(const LayerStack<std::complex<double>>& layers, const Place& place, double m,
                              const Eigen::ArrayXd& n, const ComponentRows& state, ComponentRows& fields) {
   ComponentRows basis;
-  field_basis(layers.metric, m, n, state, basis);
+  field_basis(layers.metric, place.position, m, n, state, basis);
   components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position), basis,
                 fields);
 }

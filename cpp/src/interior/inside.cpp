@@ -16,8 +16,13 @@ LayeredBody body_under(const CoatedSphere& sphere, double /*radius*/, bool line,
 }
 
 LayeredBody body_under(const CoatedCylinder& cylinder, double /*radius*/, bool line, Curvature /*curvature*/) {
-  if (!line) reject("tractions.line", "true with a cylinder", "false");
+  if (!line) reject("tractions.line", "true with a cylinder, which under a wheel is a CoatedWheel", "false");
   return layered_body(cylinder);
+}
+
+LayeredBody body_under(const CoatedWheel& wheel, double /*radius*/, bool line, Curvature /*curvature*/) {
+  if (line) reject("tractions.line", "false with a wheel", "true");
+  return layered_body(wheel);
 }
 
 LayeredBody body_under(const CoatedPlane& plane, double radius, bool line, Curvature /*curvature*/) {

@@ -18,7 +18,7 @@ struct Inside {
 /// @param[in] radius of what rolls [m], > 0, which makes wave numbers of a plane orders
 /// @param[in] line whether it touches along a line
 /// @param[in] curvature of a sphere: sphere or paper
-/// @throws std::invalid_argument for bad input, and for a line on a sphere or a spot on a cylinder
+/// @throws std::invalid_argument for bad input, and for a line on a sphere or a wheel or a spot on a cylinder
 [[nodiscard]] Inside inside_of(const LayeredShape& shape, double angular_speed, double radius, bool line,
                                Curvature curvature);
 

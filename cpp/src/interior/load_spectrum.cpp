@@ -1,6 +1,7 @@
 #include "interior/load_spectrum.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "influence/patch.hpp"
@@ -11,8 +12,14 @@ namespace viscoroll {
 
 Tractions tractions_of(const RollingBody& body, const Result& result, const LoadCase& load_case,
                        const Options& options) {
+  const double radius = std::visit([](const auto& shape) { return outer_radius(shape); }, body);
+  const auto* wheel = std::get_if<CoatedWheel>(&body);
+  std::optional<double> theta_spacing;
+  if (wheel != nullptr && result.theta_nodes > 1) theta_spacing = std::abs(result.z[1] - result.z[0]) / radius;
   return {.mesh = result.mesh,
-          .radius = std::visit([](const auto& shape) { return outer_radius(shape); }, body),
+          .radius = radius,
+          .theta_spacing = theta_spacing,
+          .crown_radius = wheel != nullptr ? std::optional(wheel->crown_radius) : std::nullopt,
           .line = std::holds_alternative<CoatedCylinder>(body),
           .phi_nodes = result.phi_nodes,
           .theta_nodes = result.theta_nodes,
@@ -31,6 +38,8 @@ using cplx = std::complex<double>;
 using Eigen::ArrayXd;
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double kMostColumns = 2.0 * kMostNodesPerRevolution;  // twice around
 
 /// Forces on what rolls along x, y and z.
 VectorField nodal_forces(const Tractions& tractions, const SurfaceWindow& window) {
@@ -85,9 +94,11 @@ Eigen::MatrixXcd phi_waves(const NodeRange& range, double spacing, const ArrayXd
 
 SurfaceGrid grid_of(const Tractions& tractions, double radius) {
   const double turns = tractions.radius / radius;
+  const double theta = tractions.theta_spacing.value_or(theta_spacing(tractions.mesh));
   return {.radius = radius,
           .phi_spacing = phi_spacing(tractions.mesh) * turns,
-          .theta_spacing = tractions.line ? 1.0 / radius : theta_spacing(tractions.mesh) * turns};
+          .theta_spacing = tractions.line ? 1.0 / radius : theta * turns,
+          .crown_radius = tractions.crown_radius};
 }
 
 SurfaceWindow window_of(const Tractions& tractions, double radius) {
@@ -99,14 +110,24 @@ SurfaceWindow window_of(const Tractions& tractions, double radius) {
 void validate(const Tractions& tractions) {
   viscoroll::validate(tractions.mesh);
   require_orders(tractions.curvature);
-  const auto require_odd = [](const char* name, int nodes, int revolution) {
-    if (nodes < 1 || nodes % 2 == 0 || nodes > revolution / 2) {
-      reject(name, "odd and in [1, " + std::to_string(revolution / 2) + "], half of those per revolution",
-             std::to_string(nodes));
+  const auto require_odd = [](const char* name, int nodes, int most, const char* which) {
+    if (nodes < 1 || nodes % 2 == 0 || nodes > most) {
+      reject(name, "odd and in [1, " + std::to_string(most) + "], " + which, std::to_string(nodes));
     }
   };
-  require_odd("tractions.phi_nodes", tractions.phi_nodes, tractions.mesh.nodes_per_revolution);
-  require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh));
+  constexpr auto kHalf = "half of those per revolution";
+  require_odd("tractions.phi_nodes", tractions.phi_nodes, tractions.mesh.nodes_per_revolution / 2, kHalf);
+  if (tractions.theta_spacing) {
+    require_positive("tractions.theta_spacing", *tractions.theta_spacing, "rad");
+    require_odd("tractions.theta_nodes", tractions.theta_nodes,
+                static_cast<int>(std::min(4.0 * std::numbers::pi / *tractions.theta_spacing, kMostColumns)),
+                "two revolutions");
+  } else {
+    require_odd("tractions.theta_nodes", tractions.theta_nodes, theta_nodes_per_revolution(tractions.mesh) / 2, kHalf);
+  }
+  if (tractions.crown_radius && !(*tractions.crown_radius > 0.0)) {
+    reject("tractions.crown_radius", "> 0 m", *tractions.crown_radius);
+  }
   if (tractions.line && tractions.theta_nodes != 1) {
     reject("tractions.theta_nodes", "1 under a line", std::to_string(tractions.theta_nodes));
   }

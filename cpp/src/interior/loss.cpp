@@ -109,9 +109,21 @@ struct PassingOrders {
   }
 };
 
-/// Orders n across: whole numbers, in a plane, too, as if tracks lay side by side a revolution apart.
-ArrayXd orders_across(const Metric& metric, int highest) {
-  return metric.across == Way::nothing ? whole_numbers(0) : whole_numbers(highest);
+/// Orders n across: whole numbers; where it is straight across as if tracks lay side by side some circumferences apart.
+struct OrdersAcross {
+  ArrayXd orders;
+  int circumferences = 1;  ///< from one track to the next, of which half are free of tractions
+
+  /// @param[in] width of the tractions [rad]
+  OrdersAcross(const Metric& metric, double width, int highest)
+      : circumferences(metric.across == Way::line ? std::max(1, static_cast<int>(std::ceil(width / pi))) : 1) {
+    if (metric.across == Way::nothing) highest = 0;
+    orders = whole_numbers(highest * circumferences) / circumferences;
+  }
+};
+
+double width_of(const Tractions& tractions, double radius) {
+  return tractions.theta_nodes * grid_of(tractions, radius).theta_spacing;
 }
 
 /// What some orders m lose.
@@ -144,13 +156,15 @@ class LossSum {
         cuts_(inside.body, places_),
         limit_(inside.body, inside.angular_speed),
         m_(std::move(m)),
-        n_(orders_across(inside.body.metric, max_order)),
+        across_(inside.body.metric, width_of(tractions, inside.body.metric.radius), max_order),
         body_(inside.body, inside.angular_speed, m_.orders,
               measured_order(tractions.mesh) * inside.body.metric.radius / tractions.radius),
-        loads_(tractions, inside.body.metric, Eigen::Map<const ArrayXd>(m_.orders.data(), std::ssize(m_.orders)), n_),
+        loads_(tractions, inside.body.metric, Eigen::Map<const ArrayXd>(m_.orders.data(), std::ssize(m_.orders)),
+               across_.orders),
         transfers_(body_, cuts_, boundaries_of(cuts_, places_.size()), std::numbers::sqrt2 * max_order, loads_.loaded(),
                    kAccuracy),
-        theta_nodes_(n_.size() == 1 ? 1 : ComplexFft::fast_length(2 * max_order + 2)),
+        theta_nodes_(across_.orders.size() == 1 ? 1
+                                                : ComplexFft::fast_length(2 * static_cast<int>(across_.orders.size()))),
         transform_(theta_nodes_) {}
 
   [[nodiscard]] LossDensity sum(int threads, Watch& watch) const {
@@ -173,18 +187,19 @@ class LossSum {
   void add_order(std::size_t order, Index in_block, Losses& losses) const {
     const double m = m_.orders[order];
     const double weight = m_.weights[order];
-    const DepthTransfer transfer = transfers_.at(order, n_);
+    const DepthTransfer transfer = transfers_.at(order, across_.orders);
     const auto layers = body_.layers_at(order);
     const OrderLoads loads{.same = loads_.loads(Mirror::same, static_cast<Index>(order)),
                            .opposite = loads_.loads(Mirror::opposite, static_cast<Index>(order))};
-    const double once_around = n_.size() == 1 ? 1.0 : 2.0 * pi;
+    const double once_around = across_.orders.size() == 1 ? 1.0 : 2.0 * pi * across_.circumferences;
     ComplexBuffer line(static_cast<std::size_t>(theta_nodes_));
     for (std::size_t p = 0; p < places_.size(); ++p) {
       const Place& place = places_[p];
       const double limit = limit_(place.position, kDeepest);
       if (m > limit) continue;
-      const double highest = std::min(std::sqrt(limit * limit - m * m), n_[n_.size() - 1]);
-      const ArrayXd density = weight * density_of(transfer, p, layers, m, static_cast<Index>(highest) + 1, loads, line);
+      const double highest = std::min(std::sqrt(limit * limit - m * m), across_.orders[across_.orders.size() - 1]);
+      const auto orders = static_cast<Index>(highest * across_.circumferences) + 1;
+      const ArrayXd density = weight * density_of(transfer, p, layers, m, orders, loads, line);
       losses.density.col(static_cast<Index>(p)) += density;
       const double measure = layers.metric.measure(place.position);
       losses.by_order(place.layer, in_block) += weights_[p] * measure * density.sum() * once_around / theta_nodes_;
@@ -196,7 +211,7 @@ class LossSum {
   [[nodiscard]] ArrayXd density_of(const DepthTransfer& transfer, std::size_t p, const LayerStack<cplx>& layers,
                                    double m, Index count, const OrderLoads& loads, ComplexBuffer& line) const {
     const Medium<cplx>& medium = layers.media[static_cast<std::size_t>(places_[p].layer)];
-    const ArrayXd n = n_.head(count);
+    const ArrayXd n = across_.orders.head(count);
     std::array<ComponentRows, 2> fields;
     for (const Mirror mirror : {Mirror::same, Mirror::opposite}) {
       if (!loads_.has(mirror)) continue;
@@ -214,10 +229,13 @@ class LossSum {
       square += kTimes[c] * strain.abs2();
       if (c < 3) trace += strain;
     }
+    // An integral over orders that lie closer than whole ones.
+    const double spacing = 1.0 / across_.circumferences;
     const cplx b = medium.b;
     // K = mu (a + 2b/3) / b; an incompressible layer has no change of volume to lose by.
     const double bulk = b == 0.0 ? 0.0 : (medium.mu * (1.0 - 4.0 / 3.0 * b) / b).imag();
-    return 4.0 * pi * m * (2.0 * medium.mu.imag() * (square - trace.abs2() / 3.0) + bulk * trace.abs2());
+    return 4.0 * pi * m * spacing * spacing *
+           (2.0 * medium.mu.imag() * (square - trace.abs2() / 3.0) + bulk * trace.abs2());
   }
 
   /// Sum of both kinds over n of either sign, by a transform.
@@ -242,12 +260,12 @@ class LossSum {
     double sum = 0.0;
     for (const LoadRows* part : {&loads.same, &loads.opposite}) {
       ComponentRows state;
-      transfer.state(boundary, n_.size(), *part, state);
+      transfer.state(boundary, across_.orders.size(), *part, state);
       // The two kinds do not work on one another; order n = 0 is there once.
       const ArrayXd work = (part->conjugate() * state.topRows(3)).imag().colwise().sum().transpose();
       sum += 2.0 * work.sum() - work[0];
     }
-    return -2.0 * body_.metric().area_of_waves() / body_.radius() * m * sum;
+    return -2.0 * body_.metric().area_of_waves() / body_.radius() / across_.circumferences * m * sum;
   }
 
   [[nodiscard]] LossDensity collect(const std::vector<Losses>& blocks, std::size_t count) const {
@@ -270,7 +288,8 @@ class LossSum {
     }
     // Transforms begin at the middle plane; users go around from -pi/2.
     const int half = theta_nodes_ / 2;
-    for (int j = 0; j < theta_nodes_; ++j) loss.theta.push_back(0.5 * pi + 2.0 * pi * (j - half) / theta_nodes_);
+    const double around = 2.0 * pi * across_.circumferences;
+    for (int j = 0; j < theta_nodes_; ++j) loss.theta.push_back(0.5 * pi + around * (j - half) / theta_nodes_);
     for (Index place = 0; place < density.cols(); ++place) {
       for (int j = 0; j < theta_nodes_; ++j) {
         loss.density.push_back(density((j - half + theta_nodes_) % theta_nodes_, place));
@@ -284,7 +303,7 @@ class LossSum {
   LayerCuts cuts_;
   DepthLimit limit_;
   PassingOrders m_;
-  ArrayXd n_;
+  OrdersAcross across_;
   HarmonicBody body_;
   LoadSpectrum loads_;
   DepthTransfers transfers_;

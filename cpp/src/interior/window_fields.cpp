@@ -83,22 +83,27 @@ struct Extent {
   double largest;    // [rad]
   const char* name;  // in messages
 
-  static Extent of(Way way) {
+  static Extent along(Way way) {
+    using std::numbers::pi;
+    if (way == Way::ring) return {pi, "within half a revolution of pi/2 rad"};
+    return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};  // as far as low orders are summed rightly
+  }
+
+  static Extent across(Way way) {
     using std::numbers::pi;
     switch (way) {
       case Way::ring:
-        return {pi, "within half a revolution of pi/2 rad"};
-      case Way::line:  // as far as low orders of a plane are summed rightly
-        return {2.0 * pi / 3.0, "within a third of a revolution of pi/2 rad"};
+        return along(way);
+      case Way::line:  // a wheel twelve times as wide as its radius
+        return {2.0 * pi, "within a revolution of pi/2 rad"};
       default:
         return {1e-12, "pi/2 rad under a line"};
     }
   }
 };
 
-std::vector<double> from_lowest_point(const char* name, std::span<const double> angles, Way way) {
+std::vector<double> from_lowest_point(const char* name, std::span<const double> angles, const Extent& extent) {
   constexpr double kLowest = 0.5 * std::numbers::pi;
-  const Extent extent = Extent::of(way);
   std::vector<double> offsets;
   for (const double angle : angles) {
     if (!(std::abs(angle - kLowest) <= extent.largest)) reject(name, extent.name, text(angle) + " rad");
@@ -107,10 +112,12 @@ std::vector<double> from_lowest_point(const char* name, std::span<const double> 
   return offsets;
 }
 
-double largest_offset(std::span<const double> offsets, int nodes, double spacing) {
+/// Of points from loads; around a ring no farther than to its other side.
+double largest_offset(std::span<const double> offsets, int nodes, double spacing, Way way) {
   double largest = 0.0;
   for (const double offset : offsets) largest = std::max(largest, std::abs(offset));
-  return std::min(largest + 0.5 * (nodes + 1) * spacing, std::numbers::pi);
+  largest += 0.5 * (nodes + 1) * spacing;
+  return way == Way::ring ? std::min(largest, std::numbers::pi) : largest;
 }
 
 class WindowSum {
@@ -120,8 +127,8 @@ class WindowSum {
       : places_(places),
         cuts_(inside.body, places),
         limit_(inside.body, inside.angular_speed),
-        phi_(from_lowest_point("phi", phi, inside.body.metric.along)),
-        theta_(from_lowest_point("theta", theta, inside.body.metric.across)),
+        phi_(from_lowest_point("phi", phi, Extent::along(inside.body.metric.along))),
+        theta_(from_lowest_point("theta", theta, Extent::across(inside.body.metric.across))),
         along_(phi_),
         across_(theta_),
         m_(phi_bands(inside, tractions)),
@@ -164,7 +171,7 @@ class WindowSum {
 
   [[nodiscard]] std::vector<OrderBand> phi_bands(const Inside& inside, const Tractions& tractions) const {
     const double spacing = grid_of(tractions, inside.body.metric.radius).phi_spacing;
-    const double largest = largest_offset(phi_, tractions.phi_nodes, spacing);
+    const double largest = largest_offset(phi_, tractions.phi_nodes, spacing, inside.body.metric.along);
     if (!inside.body.metric.is_curved()) {
       return unbounded_octaves_within(spacing, highest_order(), largest, refinement_of(inside.body.layers));
     }
@@ -175,8 +182,12 @@ class WindowSum {
   [[nodiscard]] std::vector<OrderBand> theta_bands(const Metric& metric, const Tractions& tractions) const {
     const double spacing = grid_of(tractions, metric.radius).theta_spacing;
     if (metric.across == Way::nothing) return whole_orders(0, 1);
-    const double largest = largest_offset(theta_, tractions.theta_nodes, spacing);
-    if (metric.across == Way::line) return unbounded_octaves_within(spacing, highest_order(), largest);
+    const double largest = largest_offset(theta_, tractions.theta_nodes, spacing, metric.across);
+    if (metric.across == Way::line) {
+      auto octaves = unbounded_octaves_within(spacing, highest_order(), largest);
+      if (metric.is_wheel()) count_longest(octaves.front());
+      return octaves;
+    }
     return bands(spacing, largest, 0.0, tractions.mesh);
   }
 
@@ -239,7 +250,7 @@ class WindowSum {
         if (m > limit) continue;
         const Index count = reach(limit);
         transfer.state(p, count, loads, state);
-        field_basis(layers.metric, m, n.head(count), state, basis);
+        field_basis(layers.metric, place.position, m, n.head(count), state, basis);
         components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position),
                       sum_over_n(basis, kinds[k], waves), fields);
         const auto width = across_.magnitudes.size();

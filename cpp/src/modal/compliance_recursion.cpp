@@ -146,13 +146,10 @@ class Batch {
   [[nodiscard]] const Metric& metric() const { return at(0).layers.metric; }
   /// k at the surface.
   [[nodiscard]] double order(std::size_t l) const { return std::hypot(at(l).m, at(l).n); }
-  /// Of it, what is straight across: its lengths are those of the surface at any place, which on a wheel shrink about
-  /// the order along.
-  [[nodiscard]] double kappa(std::size_t l, double place) const { return at(l).n * place / metric().radius; }
+  /// Of it, what is across at a place.
+  [[nodiscard]] double kappa(std::size_t l, double place) const { return at(l).n * metric().shrinkage(place); }
   /// k at a place.
-  [[nodiscard]] double order_at(std::size_t l, double place) const {
-    return step_.is_wheel ? std::hypot(at(l).m, kappa(l, place)) : order(l);
-  }
+  [[nodiscard]] double order_at(std::size_t l, double place) const { return std::hypot(at(l).m, kappa(l, place)); }
   /// Cosine and sine of the angle between phi and the first direction along the surface that the equations are in.
   [[nodiscard]] std::array<double, 2> direction(std::size_t l) const {
     const double k = order(l);

@@ -90,7 +90,9 @@ DepthLimit::DepthLimit(const LayeredBody& body, double angular_speed) : metric_(
 }
 
 double DepthLimit::operator()(double place, double exponent) const {
-  const double depth = metric_.depth(metric_.surface(), place);
+  // Of a wheel as orders across die out, later than those along.
+  const double depth =
+      metric_.is_wheel() ? (metric_.radius - place) / metric_.radius : metric_.depth(metric_.surface(), place);
   return depth > 0.0 ? exponent / (depth * decay_) - metric_.fall(0.0) : std::numeric_limits<double>::infinity();
 }
 

@@ -47,6 +47,10 @@ struct Metric {
     return is_curved() ? place * std::exp(-depth) : place - depth * radius;
   }
 
+  /// @return an order across as it is at a place, per what it is at the surface: on a wheel it keeps its wave number,
+  /// and shrinks with the radius about the order along
+  [[nodiscard]] constexpr double shrinkage(double place) const { return is_wheel() ? place / radius : 1.0; }
+
   /// @return length of a radian in one direction at a place [m]; 1 where nothing varies
   [[nodiscard]] constexpr double length(Way way, double place) const {
     return way == Way::ring ? place : way == Way::line ? radius : 1.0;

@@ -9,9 +9,6 @@ namespace {
 
 using cplx = std::complex<double>;
 
-/// Likewise straight across a wheel, where orders n are any: of k^2 what order (0, 0) stands for.
-constexpr double kLongestWave = 1e-10;
-
 /// Whether the last two terms of each entry are negligible.
 bool is_resolved(const Panel<cplx>& panel, double m) {
   const auto largest = [&](Entry entry) { return panel.series.row(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
@@ -49,7 +46,7 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
     body_->compliances(std::span(&zero, 1), std::span(&y, 1));
     Eigen::VectorXcd entries(kEntries);
     entries << y(0, 0), 0.0, 0.0, y(1, 1), 0.0, y(2, 2);
-    lowest = body_->metric().is_wheel() ? kLongestWave : kZeroOrder;
+    lowest = end_of_zero_order(body_->metric());
     append_constants(lowest, entries, series);
   }
   const double highest = order * order + highest_n_ * highest_n_;

@@ -58,6 +58,12 @@ constexpr double kSeriesTolerance = 1e-13;
 /// coating then turns about the core almost freely.
 constexpr double kZeroOrder = 0.5;
 
+/// @return of k^2 what order (0, 0) stands for; straight across a wheel, where orders n are any, of the longest waves
+[[nodiscard]] constexpr double end_of_zero_order(const Metric& metric) {
+  constexpr double kLongestWave = 1e-10;
+  return metric.is_wheel() ? kLongestWave : kZeroOrder;
+}
+
 /// @brief Compliance of one m: row e of a panel is entry e in the real form of layer_system.hpp [m/Pa], divided by n
 /// where the entry is odd.
 using OrderSeries = std::vector<Panel<std::complex<double>>>;

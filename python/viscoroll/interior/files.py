@@ -93,7 +93,8 @@ def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.floa
     if "radius" not in inside.coords:
         axes = [[zero, zero, one], [-one, zero, zero], [zero, -one, zero]]
         return np.array(axes).reshape(3, 3, -1), np.array([x, z, -depth]).reshape(3, -1)
-    if inside.sizes["theta"] == 1:
+    is_straight = inside.attrs["body"] == "CoatedWheel"
+    if inside.sizes["theta"] == 1 or is_straight:
         theta = np.full_like(theta, 0.5 * np.pi)
     # The counterpart lies below: its contact is its highest point, and its material goes backward there, too.
     up = 1.0 if inside.attrs["of"] == "counterpart" else -1.0
@@ -103,4 +104,7 @@ def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.floa
         [np.cos(theta) * np.cos(phi), -np.sin(theta), up * np.cos(theta) * np.sin(phi)],
     ]
     frame = np.array(axes).reshape(3, 3, -1)
-    return frame, (inside.radius.to_numpy()[:, None, None] * one).ravel() * frame[0]
+    points = (inside.radius.to_numpy()[:, None, None] * one).ravel() * frame[0]
+    if is_straight:
+        points[1] = z.ravel()
+    return frame, points

@@ -13,6 +13,7 @@ from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.tables import html_table, number_text
+from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
 from ..rolling import Result
 from ..solution.inside import Of, finite_line, inside_of
 from .heated_body import Core, HeatedBody, Surroundings, heated_body, not_negative, positive
@@ -198,7 +199,7 @@ def temperature(
     with extra("files"):
         import xarray
 
-    require_type("result", result, Result)
+    _require_no_wheel(result)
     capacity = positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     given = Surroundings(
         convection=convection,
@@ -246,6 +247,13 @@ def temperature(
             ]
         )
     return found
+
+
+def _require_no_wheel(result: Result) -> None:
+    require_type("result", result, Result)
+    for name, body in (("result.ball", result.ball), ("result.on", result.on)):
+        if isinstance(body, RollingBody):
+            require_body(name, body, CoatedSphere | CoatedCylinder, "temperature inside")
 
 
 def _slowest(body: HeatedBody, rises: NDArray[np.float64], capacity: float) -> tuple[float, ...]:
@@ -346,7 +354,7 @@ def plane_cooling(
     ----------
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
-    require_type("result", result, Result)
+    _require_no_wheel(result)
     inside = inside_of(result, "ball")
     base = not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(

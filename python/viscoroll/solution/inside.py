@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 
 from .. import _core
+from .._core import Sides
 from .._support.arguments import as_float_array
+from .._support.cautions import warn
 from .._support.text import shown
 from ..bodies import (
     CoatedCylinder,
@@ -18,10 +20,8 @@ from ..bodies import (
     Groove,
     HalfSpace,
     Layer,
-    RollingBody,
-    require_body,
 )
-from .solution import Solution, node_angles
+from .solution import Solution, node_angles, node_spacings
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 __all__ = ["Inside", "LayeredBody", "Of", "boundaries_of", "finite_line", "inside_of", "places_of"]
 
 #: What has an inside.
-LayeredBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane
+LayeredBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
 
 #: What rolls, a roller, too, or what it rolls on.
 Of = Literal["ball", "counterpart"]
@@ -43,8 +43,8 @@ class Inside:
     ----------
     of : str
         ``"ball"`` or ``"counterpart"``.
-    body : CoatedSphere or CoatedCylinder or CoatedPlane
-        Its layers; of a groove those of a plane.
+    body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
+        Its layers; of a groove those of a plane, and of a roller under a wheel those of a wheel without sides.
     radius : float
         At which its angles φ and θ are arcs [m]: its own, of a plane that of what rolls.
     """
@@ -106,6 +106,8 @@ class Inside:
         return _core.Tractions(
             mesh=result.mesh._to_core(),
             radius=result.ball.outer_radius,
+            theta_spacing=node_spacings(result)[1] if isinstance(result.ball, CoatedWheel) else None,
+            crown_radius=result.ball.crown_radius if isinstance(result.ball, CoatedWheel) else None,
             line=self.line_contact,
             pressure=np.ascontiguousarray(result.pressure),
             shear_traction=np.ascontiguousarray(result.shear_traction),
@@ -124,6 +126,8 @@ class Inside:
                 return 1.0 / radius, 1.0 / radius
             case CoatedCylinder(outer_radius=radius):
                 return 1.0 / radius, 0.0
+            case CoatedWheel(outer_radius=radius, crown_radius=crown):
+                return 1.0 / radius, 1.0 / crown
             case Groove(path_radius=along, radius=across):
                 return (0.0 if along is None else -1.0 / along), (0.0 if across is None else -1.0 / across)
         return 0.0, 0.0
@@ -140,6 +144,25 @@ class Inside:
         phi, theta = (0.5 * np.pi + (angles - 0.5 * np.pi) * turns for angles in node_angles(self.result))
         return phi, theta
 
+    def node_spacings(self) -> tuple[float, float]:
+        """Return the angles between nodes along φ and θ [rad], likewise."""
+        turns = self.result.ball.outer_radius / self.radius
+        phi, theta = node_spacings(self.result)
+        return phi * turns, theta * turns
+
+    def warn_of_sides(self) -> None:
+        """Warn where the sides of a tread are free and near: what is inside is that of one that goes on."""
+        body, across = self.body, self.result.contact_width
+        if not isinstance(body, CoatedWheel) or body.sides is not Sides.FREE or across is None:
+            return
+        distance = max(0.5 * (body.width - across), 0.0)
+        if distance < body.thickness * (1.0 - 1e-9):
+            near = f"the contact ends {distance:.3g} m from the sides, nearer than the tread is thick"
+            endless = (
+                "stresses near the faces are not those of free sides but of a tread that goes on, and so is the loss"
+            )
+            warn([f"{near} ({body.thickness:.3g} m): {endless}"])
+
 
 def inside_of(result: Solution, of: Of | None = None) -> Inside:
     """Return the body of a result that is looked into.
@@ -151,25 +174,23 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
 
     Raises
     ------
-    TypeError
-        For wheels.
     ValueError
         For another word, and where that body is rigid.
     """
     if of not in (None, "ball", "counterpart"):
         raise ValueError(f"of must be 'ball' or 'counterpart', got {shown(of)}")
     ball, on = result.ball, result.on
-    for name, body in (("result.ball", ball), ("result.on", on)):
-        if isinstance(body, RollingBody):
-            require_body(name, body, CoatedSphere | CoatedCylinder, "what happens inside")
     if of is None:
         of = "ball" if ball.layers or on is None else "counterpart"
     radius = ball.outer_radius
-    if of == "ball" and not isinstance(ball, CoatedWheel):
+    if of == "ball":
         if not ball.layers:
             raise ValueError("result.ball must have a layer, for there to be an inside, got none (it is rigid)")
         return Inside(result, of, ball, radius)
-    if isinstance(on, CoatedCylinder | CoatedSphere) and on.layers:
+    if isinstance(on, CoatedCylinder) and on.layers and isinstance(ball, CoatedWheel):
+        tread = CoatedWheel(core_radius=on.core_radius, layers=on.layers, width=ball.width, sides=Sides.ENDLESS)
+        return Inside(result, of, tread, on.outer_radius)
+    if isinstance(on, CoatedCylinder | CoatedSphere | CoatedWheel) and on.layers:
         return Inside(result, of, on, on.outer_radius)
     if isinstance(on, CoatedPlane | Groove) and (on.layers or on.base is not None):
         return Inside(result, of, CoatedPlane(layers=on.layers, base=on.base), radius)

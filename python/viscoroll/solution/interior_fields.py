@@ -12,7 +12,7 @@ from .._support.arguments import as_float, as_int, as_orders, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from .inside import Inside, LayeredBody, Of, finite_line, inside_of, places_of
 from .solution import Solution, described, given_of
 
@@ -59,12 +59,12 @@ def order_fields(
 
     Parameters
     ----------
-    body : CoatedSphere or CoatedCylinder or CoatedPlane
-        Layers.
+    body : CoatedSphere or CoatedCylinder or CoatedPlane or CoatedWheel
+        Layers; of a wheel those of a tread without sides or crown.
     angular_speed : float
         Ω of the body, of a plane that of what rolls [rad/s], > 0.
     m, n : array_like of int
-        Orders of any sign, of one length; n is 0 in a cylinder.
+        Orders of any sign, of one length; n is 0 in a cylinder. Across a wheel the wave number is n/outer_radius.
     depth, radius : array_like
         Depth below the surface or, but in a plane, r [m]; where layers meet it comes twice, the outer layer first.
     rolling_radius : float, optional
@@ -92,7 +92,7 @@ def order_fields(
     >>> print(f"{abs(stress[0, 0, 0, 0]):.2f}")  # of the radial stress, what reaches the core
     0.75
     """
-    require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane)
+    require_type("body", body, CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel)
     require_type("curvature", curvature, Curvature)
     if isinstance(body, CoatedPlane) == (rolling_radius is None):
         raise ValueError("rolling_radius must be given with a plane, and with a plane alone")
@@ -131,8 +131,9 @@ def interior(
     radius : array_like
         r [m], in place of `depth`; not in a plane.
     phi, theta : array_like, optional
-        Angles [rad] within half a revolution of the lowest point, π/2, in a plane a third of one; by default those of
-        the nodes. ``theta=[π/2]`` with many depths is the section through the contact; under a line there is no other.
+        Angles [rad] within half a revolution of the lowest point, π/2, φ in a plane a third of one; θ in a plane or
+        a wheel, where it is an arc per radius, a whole one. By default those of the nodes. ``theta=[π/2]`` with many
+        depths is the section through the contact; under a line there is no other.
     of : "ball" or "counterpart", optional
         What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
     threads : int, default 0
@@ -148,7 +149,7 @@ def interior(
         and the traction on the surface r = const: `opening_traction`, its tension where there is any, and
         `shear_traction` [Pa]. Coordinates `x` and `z` are arcs forward and sideways from the middle of the contact [m].
         In either body r points out of it, φ is the way of its material, backward, and θ points to -z; in a plane φ and
-        θ are arcs per radius of what rolls.
+        θ are arcs per radius of what rolls, in a wheel θ is z per outer radius.
 
     Raises
     ------
@@ -160,7 +161,9 @@ def interior(
     Warns
     -----
     ResultWarning
-        For depths where the mesh is too coarse: less than a quarter of a spacing, between nodes half of one.
+        For depths where the mesh is too coarse: less than a quarter of a spacing, between nodes half of one. For a
+        wheel with free sides nearer to the contact than its tread is thick, whose fields are those of a tread that goes
+        on.
 
     Notes
     -----
@@ -199,6 +202,7 @@ def interior(
             progress=report,
         )
     _warn_of_shallow_places(inside, inside.depth(positions), on_nodes)
+    inside.warn_of_sides()
     if inside.line_contact and not np.isfinite(inside.thickness):
         values[:, :3] = np.nan
     fields = np.moveaxis(values, 1, 0)
@@ -227,7 +231,9 @@ def interior(
             "component": list(COMPONENTS),
             "principal": [1, 2, 3],
         },
-        attrs=given_of(result) | {"of": inside.of} | ({"outer_radius": inside.radius} if inside.turns else {}),
+        attrs=given_of(result)
+        | {"of": inside.of, "body": type(inside.body).__name__}
+        | ({"outer_radius": inside.radius} if inside.turns else {}),
     )
 
 
@@ -281,9 +287,8 @@ def _principal(stress: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _warn_of_shallow_places(inside: Inside, depths: NDArray[np.float64], on_nodes: bool) -> None:
     """Near the surface the pressure's steps from patch to patch show, at nodes less than between them."""
-    result = inside.result
-    sideways = 0.0 if inside.line_contact else result.mesh.theta_spacing
-    spacing = result.ball.outer_radius * max(result.mesh.spacing, sideways)
+    along, across = inside.node_spacings()
+    spacing = inside.radius * max(along, 0.0 if inside.line_contact else across)
     share, where = (0.25, "a quarter") if on_nodes else (0.5, "half")
     if depths.size and depths.min() < share * spacing * (1.0 - 1e-9):
         shallow = f"depth {depths.min():.3g} m is less than {where} of a spacing of the mesh, {share * spacing:.3g} m"

@@ -85,10 +85,17 @@ def loss(
     ImportError
         Without the extra `viscoroll[files]`.
 
+    Warns
+    -----
+    ResultWarning
+        For a wheel with free sides nearer to the contact than its tread is thick.
+
     Notes
     -----
-    The model's volume is r² dr dθ dφ, without sin θ. Across its path a plane is taken to bear tracks side by side, a
-    circumference of what rolls apart.
+    The model's volume is r² dr dθ dφ, without sin θ, of a wheel r r_o dr dθ dφ. Across its path a plane or a wheel is
+    taken to bear tracks side by side, a circumference of what rolls apart, under wide wheels several. That of a wheel
+    with free sides is the loss of a tread that goes on, under the same tractions: `power` is not all of `bulk_power`
+    where the contact comes near the faces, nor is it with a crown, to the order of h/R_c.
 
     Examples
     --------
@@ -121,8 +128,9 @@ def loss(
             f"the loss in the volume, {lost.volume_power:.12g} W, is not the power of the tractions, "
             f"{lost.surface_power:.12g} W"
         )
+    inside.warn_of_sides()
     positions, layers = lost.places
-    # The half of the torus that the sphere has; order (0, 0) to the last go once around.
+    # The half of the torus that the sphere has; what is straight across bears half of it at the most.
     shown = slice(len(lost.theta) // 4, 3 * len(lost.theta) // 4 + 1)
     density = np.maximum(lost.density[:, shown], 0.0)
     # A counterpart's material passes at the speed of the center, which creepage makes another one than it is solved at.

@@ -55,7 +55,7 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
 
     P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface and its area
     of waves A: (2π r_o)² of a torus, 2π r_o of a roller, per length (`docs/theory.md`, sections 5 and 14); on the exact
-    sphere, too.
+    sphere, too. C is that of a wheel without sides or crown.
 
     Parameters
     ----------
@@ -72,15 +72,16 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     Raises
     ------
     ValueError
-        For a body that is rigid.
+        For a body that is rigid, and for a contact wider than the circumference, which whole orders cannot tell.
     """
     inside = inside_of(result, of)
-    turns = result.ball.outer_radius / inside.radius
-    m, m_width = _sampled(round(result.mesh.nodes_per_revolution / turns))
+    width = np.ptp(result.z[0]) / inside.radius
+    if width > 2.0 * np.pi:
+        raise ValueError(f"result must be narrower than its circumference, got {width / (2.0 * np.pi):.3g} of it")
+    m, m_width = _sampled(round(2.0 * np.pi / inside.node_spacings()[0]))
     n, n_width = np.zeros(1, np.int64), np.ones(1)
     if not inside.line_contact:
-        nodes = result.mesh.theta_nodes_per_revolution or result.mesh.nodes_per_revolution
-        n, n_width = _sampled(round(nodes / turns))
+        n, n_width = _sampled(round(2.0 * np.pi / inside.node_spacings()[1]))
         n, n_width = np.concatenate([[0], n]), np.concatenate([[1.0], 2.0 * n_width])  # -n does as n
     compliance = _compliance(inside, m, n)
     traction = _orders(inside, m, n)
@@ -146,12 +147,9 @@ def _orders(inside: Inside, m: NDArray[np.int64], n: NDArray[np.int64]) -> NDArr
     sense = 1.0 if inside.of == "counterpart" else -1.0
     fields = np.stack([-result.pressure, sense * result.shear_traction[0], sense * result.shear_traction[1]])
     angles = [a - 0.5 * np.pi for a in inside.node_angles()]
-    spacing = [
-        step * result.ball.outer_radius / inside.radius for step in (result.mesh.spacing, result.mesh.theta_spacing)
-    ]
     waves = [
         np.exp(-1j * orders[:, None] * places) * np.sinc(orders * step / (2.0 * np.pi))[:, None] * step / (2.0 * np.pi)
-        for orders, places, step in zip((m, n), angles, spacing, strict=True)
+        for orders, places, step in zip((m, n), angles, inside.node_spacings(), strict=True)
     ]
     if inside.line_contact:
         waves[1] = np.ones((1, 1))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from .. import _core
 
-__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "given_of", "node_angles"]
+__all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "given_of", "node_angles", "node_spacings"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -243,12 +243,16 @@ def given_of(solution: Solution) -> dict[str, float | str]:
 
 def node_angles(solution: Solution) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return φ of the rows and θ of the columns of the fields [rad]."""
-    per_revolution = (solution.mesh.nodes_per_revolution, _theta_nodes_per_revolution(solution))
     phi, theta = (
-        0.5 * np.pi + 2.0 * np.pi / nodes * (np.arange(count) - count // 2)
-        for count, nodes in zip(solution.pressure.shape, per_revolution, strict=True)
+        0.5 * np.pi + spacing * (np.arange(count) - count // 2)
+        for count, spacing in zip(solution.pressure.shape, node_spacings(solution), strict=True)
     )
     return phi, theta
+
+
+def node_spacings(solution: Solution) -> tuple[float, float]:
+    """Return the angles between rows and between columns of the fields [rad]."""
+    return solution.mesh.spacing, 2.0 * np.pi / _theta_nodes_per_revolution(solution)
 
 
 def _theta_nodes_per_revolution(solution: Solution) -> float:
