@@ -4,7 +4,8 @@ Fields and loss are methods of `viscoroll.Result`: `interior`, `bonds` and `loss
 """
 
 from ..solution.interior_fields import COMPONENTS, DIRECTIONS, order_fields
-from .self_heating import Fold, SelfHeating, SteadyState, self_heating
+from .self_heating import SelfHeating, self_heating
+from .steady_states import Fold, SteadyState
 from .temperature import Core, Temperature, plane_cooling, temperature
 
 __all__ = [

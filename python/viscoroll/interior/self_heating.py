@@ -11,102 +11,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._core import ConvergenceError
 from .._support.arguments import as_float, as_int, as_kelvin
 from .._support.cautions import kept_in_results, warn
 from .._support.extras import extra
-from .._support.progress import ProgressLike, Report, counted, reporting
+from .._support.progress import ProgressLike, counted, reporting
 from .._support.tables import html_table, number_text
 from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
 from ..materials import Shift
-from ..materials.shift import scaled, shift_factor, shifted
-from ..rolling import solve
-from ..solution.loss import default_max_order
-from .temperature import QUANTITIES, Core, Temperature, temperature
+from .steady_states import Fold, StateSearch, SteadyState
+from .temperature import QUANTITIES, Core
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from ..rolling import Result
 
-__all__ = ["Fold", "SelfHeating", "SteadyState", "self_heating"]
-
-#: 0.999 of the loss, for temperatures found on the way.
-_ORDERS_PER_CONTACT = 12.0
-_PROFILE_STEPS = 4  # of the temperatures of layers around their mean
-
-#: Rises, per that of the limit, among which a maximum of the load or the speed is looked for: first, last and number.
-_FOLD_RISES = (3e-3, 1.0, 16)
-_FOLD_REACH = 12  # doublings of the load or the speed that is asked about: 4000 times
-
-#: The same for any steady state.
-_REACH = 60
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class SteadyState:
-    """A steady state of rolling and heating.
-
-    Attributes
-    ----------
-    mean_temperature : float
-        Of the coating, weighted by the loss [K].
-    layer_temperatures : tuple of float
-        Of the layers that the moduli were taken at [K]; with `sublayers`, of these.
-    result : Result
-        The contact with these moduli.
-    temperature : Temperature
-        Rise over the surroundings.
-    stable : bool
-        Whether a small warming dies out.
-    """
-
-    mean_temperature: float
-    layer_temperatures: tuple[float, ...]
-    result: Result
-    temperature: Temperature
-    stable: bool
-
-    def __repr__(self) -> str:
-        """Return a summary of one line."""
-        kind = "stable" if self.stable else "unstable"
-        torque = self.result.resisting_torque
-        shown = f"{torque:.4g} N" if self.result.ball.line_contact else f"{torque * 1e3:.4g} mN m"
-        return (
-            f"SteadyState({kind}, mean {self.mean_temperature:.2f} K, at most "
-            f"{self.temperature.ambient + self.temperature.maximum:.2f} K, T_r = {shown})"
-        )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Fold:
-    """Where the cold state of a load, or of a speed, merges with an unstable one, and ends.
-
-    Attributes
-    ----------
-    load : float
-        [N], of a roller [N/m].
-    angular_speed : float
-        Ω [rad/s].
-    mean_temperature : float
-        Of the layers, weighted by the loss [K].
-    maximum : float
-        Largest temperature in them [K].
-    strain : float
-        Penetration per thickness [-], beyond 0.2 of which linear theory is rough.
-    """
-
-    load: float
-    angular_speed: float
-    mean_temperature: float
-    maximum: float
-    strain: float
+__all__ = ["SelfHeating", "self_heating"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -127,7 +52,7 @@ class SelfHeating:
     states: tuple[SteadyState, ...]
     angular_speed: float
     limit: float
-    _search: _Search
+    _search: StateSearch
 
     def __repr__(self) -> str:
         """Return the states, a line for each."""
@@ -308,7 +233,7 @@ def self_heating(
     highest = surroundings + 150.0 if limit is None else as_float("limit", limit)
     if not highest > surroundings:
         raise ValueError(f"limit must be > ambient = {surroundings:g} K, got {highest:g} K")
-    search = _Search(
+    search = StateSearch(
         ball=_cut(ball, parts),
         shifts=[each for each in shifts for _ in range(parts)],
         vertical=vertical_shift,
@@ -340,181 +265,6 @@ def self_heating(
         temperatures = ", ".join(f"{s.mean_temperature:.1f} K ({'' if s.stable else 'un'}stable)" for s in states)
         warn([f"{len(states)} steady states: {temperatures}; the coldest is what a cold start reaches"])
     return found
-
-
-@dataclass(frozen=True, slots=True)
-class _Point:
-    """What a mean temperature makes."""
-
-    excess: float
-    layer_temperatures: tuple[float, ...]
-    result: Result
-    temperature: Temperature
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class _Search:
-    ball: RollingBody
-    shifts: list[Shift]
-    vertical: Shift | None
-    load: float
-    angular_speed: float
-    thermal: dict[str, Any]
-    options: dict[str, Any]
-    ambient: float
-    limit: float
-    find_root: Callable[..., float]
-    known: dict[tuple[float, float, float], _Point]
-
-    def at(self, mean: float, *, angular_speed: float | None = None, load: float | None = None) -> _Point:
-        """Contact and temperature with the moduli of a mean temperature; the layers around it iterated."""
-        speed = self.angular_speed if angular_speed is None else angular_speed
-        force = self.load if load is None else load
-        key = (mean, speed, force)
-        if key in self.known:
-            return self.known[key]
-        profile = np.zeros(len(self.ball.layers))
-        for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
-            temperatures = mean + profile
-            result = solve(self._heated(temperatures), load=force, angular_speed=speed, **self.options)
-            found = temperature(
-                result, of="ball", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
-            )
-            after = np.array(found.layer_means) - found.mean
-            settled = np.abs(after - profile).max() < 1e-3 * max(found.maximum, 1e-9)
-            profile = after
-            if settled:
-                break
-        point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found)
-        self.known[key] = point
-        return point
-
-    def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
-        layers = []
-        for layer, shift, there in zip(self.ball.layers, self.shifts, temperatures.tolist(), strict=True):
-            modulus = shifted(layer.shear_modulus, shift_factor(shift, there))
-            if self.vertical is not None:
-                modulus = scaled(modulus, shift_factor(self.vertical, there, "vertical_shift"))
-            layers.append(replace(layer, shear_modulus=modulus))
-        return replace(self.ball, layers=layers)
-
-    def sweep(self, count: int, report: Report | None) -> tuple[list[tuple[float, float]], list[float]]:
-        """Mean temperatures between which the excess changes its sign, and those at which it is nothing at all."""
-        # Small rises are resolved relatively: they begin at a thousandth of the range.
-        rises = (self.limit - self.ambient) * np.geomspace(1e-3, 1.0, count)
-        grid = [self.ambient, *(self.ambient + rises).tolist()]
-        excess = []
-        for number, mean in enumerate(grid):
-            excess.append(self.at(mean).excess)
-            if report is not None:
-                report("temperatures", (number + 1) / len(grid))
-        grid, excess = self._with_turning_points(grid, excess)
-        pairs = zip(grid[:-1], grid[1:], excess[:-1], excess[1:], strict=True)
-        return (
-            [(low, high) for low, high, a, b in pairs if a * b < 0.0],
-            [mean for mean, value in zip(grid, excess, strict=True) if value == 0.0],
-        )
-
-    def _with_turning_points(self, grid: list[float], excess: list[float]) -> tuple[list[float], list[float]]:
-        """Add the extrema of the excess between points of one sign, where two states may hide."""
-        more: dict[float, float] = dict(zip(grid, excess, strict=True))
-        for i in range(1, len(grid) - 1):
-            before, here, after = excess[i - 1 : i + 2]
-            toward_zero = (here - before) * here < 0.0 and (after - here) * here > 0.0
-            if not toward_zero or before * here <= 0.0 or here * after <= 0.0:
-                continue
-            curve = np.polynomial.Polynomial.fit(grid[i - 1 : i + 2], [before, here, after], 2)
-            turn = float(curve.deriv().roots().real[0])
-            if abs(curve(turn)) < 0.3 * abs(here) or curve(turn) * here < 0.0:
-                more[turn] = self.at(turn).excess
-        ordered = sorted(more.items())
-        return [mean for mean, _ in ordered], [value for _, value in ordered]
-
-    def state(self, low: float, high: float) -> SteadyState:
-        """Close in on a root between two mean temperatures, to 1e-4 of the rise."""
-        ends = (low - self.ambient, high - self.ambient)
-        rise = self.find_root(lambda rise: self.at(self.ambient + rise).excess, *ends, xtol=1e-6, rtol=1e-4)
-        mean = self.ambient + rise
-        point = self.at(mean)
-        return SteadyState(
-            mean_temperature=mean,
-            layer_temperatures=point.layer_temperatures,
-            result=point.result,
-            temperature=point.temperature,
-            stable=self.at(high).excess <= self.at(low).excess,
-        )
-
-    def speed_at(self, mean: float, reach: int = _REACH) -> float:
-        """Speed at which a mean temperature is steady: heat grows with speed where temperature is held."""
-        return self._where(mean, self.angular_speed, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
-
-    def load_at(self, mean: float, reach: int = _REACH) -> float:
-        """Load at which a mean temperature is steady: heat grows with it, too."""
-        return self._where(mean, self.load, lambda load: self.at(mean, load=load), "load", reach)
-
-    def _where(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
-        if not mean > self.ambient:
-            raise ValueError(f"temperatures must be > {self.ambient:g} K, got {mean:g} K")
-
-        def excess(logarithm: float) -> float:
-            return at(float(np.exp(logarithm))).excess
-
-        low = high = float(np.log(first))
-        warming = excess(low) > 0.0
-        for _ in range(reach):
-            low, high = (low - 0.7, low) if warming else (high, high + 0.7)
-            if (excess(low if warming else high) > 0.0) != warming:
-                return float(np.exp(self.find_root(excess, low, high, xtol=1e-4)))
-        raise ConvergenceError(f"no {name} makes {mean:g} K a steady state")
-
-    def fold(self, name: Literal["load", "speed"]) -> Fold | None:
-        """First maximum, over mean temperatures, of the load or the speed that makes them."""
-        from scipy.optimize import minimize_scalar
-
-        def found_at(mean: float) -> float:
-            return (self.load_at if name == "load" else self.speed_at)(mean, _FOLD_REACH)
-
-        rises: list[float] = []
-        values: list[float] = []
-        with kept_in_results():
-            for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
-                try:
-                    values.append(found_at(self.ambient + rise))
-                except (ValueError, ConvergenceError):  # beyond what the layers bear, or any speed makes
-                    return None
-                rises.append(float(rise))
-                if len(values) > 2 and values[-2] >= max(values[-3], values[-1]):
-                    break
-            else:
-                return None
-            ends = (np.log(rises[-3]), np.log(rises[-1]))
-            best = minimize_scalar(
-                lambda x: -found_at(self.ambient + float(np.exp(x))),
-                bounds=ends,
-                method="bounded",
-                options={"xatol": 3e-3},
-            )
-            mean = self.ambient + float(np.exp(best.x))
-            load, speed = (-float(best.fun), self.angular_speed) if name == "load" else (self.load, -float(best.fun))
-            point = self.at(mean, load=load, angular_speed=speed)
-        return Fold(
-            load=load,
-            angular_speed=speed,
-            mean_temperature=mean,
-            maximum=self.ambient + point.temperature.maximum,
-            strain=point.result.strain or 0.0,
-        )
-
-    def refusal(self) -> str:
-        """Say that no state was found, and which speed has one."""
-        rises = (self.limit - self.ambient) * np.geomspace(0.03, 1.0, 8)
-        speeds = [self.speed_at(self.ambient + rise) for rise in rises]
-        best = int(np.argmax(speeds))
-        return (
-            f"angular_speed must be at most about {speeds[best]:.3g} rad/s for a steady temperature below "
-            f"{self.limit:g} K (there {self.ambient + rises[best]:.4g} K), got {self.angular_speed:g} rad/s: "
-            "rolling makes more heat than leaves"
-        )
 
 
 def _shifts(ball: RollingBody, shift: Shift | Sequence[Shift]) -> list[Shift]:
