@@ -168,11 +168,13 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
     from ..case import load_case
     from ..case.study import load_study
     from ..case.tables import read_toml
+    from ..export.balls import balls_of
     from ..studies.study import run_plan, sweep
 
     if "sweep" in read_toml(path):
         return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
     case = load_case(path)
+    balls_of(case.ball, case.on)  # refuses what no such code knows, before the study
     factors = np.geomspace(1.0 / span, span, 5)
     factors[2] = 1.0
     varied = {"load": case.load * factors, "angular_speed": case.angular_speed * factors}

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..bodies import CoatedPlane, CoatedSphere
+from ..bodies import CoatedPlane, CoatedSphere, Counterpart, RollingBody
 from ..studies.rolling_resistance import radius_of
 
 if TYPE_CHECKING:
     import xarray
 
-    from ..rolling import Result
-
-__all__ = ["Balls", "balls_of_result", "balls_of_study"]
+__all__ = ["Balls", "balls_of", "balls_of_study"]
 
 _WANTED = "source must be of a ball on a plane or on another ball"
 
@@ -45,15 +43,14 @@ class Balls:
         return first * rest[0] / (first + rest[0]) if rest else first
 
 
-def balls_of_result(result: Result) -> Balls:
-    """Return the balls of a result.
+def balls_of(ball: RollingBody, on: Counterpart | None) -> Balls:
+    """Return the balls of what rolls and what it rolls on.
 
     Raises
     ------
     ValueError
         For rollers, and balls on something else.
     """
-    ball, on = result.ball, result.on
     if not isinstance(ball, CoatedSphere):
         raise ValueError(f"{_WANTED}, got a {type(ball).__name__}")
     if on is None or isinstance(on, CoatedPlane):

@@ -12,7 +12,7 @@ import numpy as np
 from .._support.arguments import Floats
 from .._support.text import shown
 from ..rolling import Result
-from .balls import Balls, balls_of_result, balls_of_study
+from .balls import Balls, balls_of, balls_of_study
 
 if TYPE_CHECKING:
     import xarray
@@ -144,7 +144,7 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
     if not isinstance(source, Result) and not hasattr(source, "data_vars"):
         raise TypeError(f"source must be a viscoroll.Result or a study of viscoroll.sweep, got {shown(source)}")
     if isinstance(source, Result):
-        balls = balls_of_result(source)
+        balls = balls_of(source.ball, source.on)
         assert source.penetration is not None
         columns = [[source.load], [source.angular_speed], [source.dissipated_power], [source.penetration]]
     else:

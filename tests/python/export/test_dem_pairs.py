@@ -176,7 +176,9 @@ def test_export_from_the_shell(tmp_path):
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 0, done.stderr
     assert "pair_coeff 1 2 hertz" in (tmp_path / "pair.lammps").read_text()
-    path.write_text(f"{mesh}\n[groove]\nradius = 0.03\n", encoding="utf-8")
+    # Before anything is solved, which this load would refuse.
+    unbearable = mesh.replace("load = 60.0", "load = 1e12")
+    path.write_text(f"{unbearable}\n[groove]\nradius = 0.03\n", encoding="utf-8")
     done = command("export", path, "--for", "lammps")
     assert done.returncode == 2
     assert "got one on a Groove" in done.stderr
