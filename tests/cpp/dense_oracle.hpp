@@ -51,6 +51,7 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   const Index stride = problem.surface->shape().theta_nodes;
   const Index penetration = 3 * nodes;
   const Index creepage = penetration + 1;
+  const detail::VectorField& passed = state.counterpart_displacement;
   Eigen::MatrixXd matrix =
       Eigen::MatrixXd::Identity(creepage + 1, creepage + 1);  // no force where nothing else is said
   Eigen::VectorXd right = Eigen::VectorXd::Zero(creepage + 1);
@@ -58,10 +59,17 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   // S along an axis as a row over the unknowns, times a factor.
   const auto add_slip = [&](Index row, Index node, Index column, double factor) {
     const Index axis = column == 0 ? detail::kForward : detail::kSideways;
+    // Of a pair only one deforms here: a counterpart's material passes 1 + c times as fast.
+    const double pace = passed.rows() > 0 ? 1.0 + *state.creepage : 1.0;
     matrix.row(row).head(penetration) +=
-        factor * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
-    if (column == 0) matrix(row, creepage) += factor * friction.step;
+        factor * pace * (compliance.row(force(node, axis)) - compliance.row(force(node - stride, axis)));
+    matrix(row, creepage) += factor * friction.counterpart_way(node, column);
     right[row] -= factor * friction.rigid_slip(node, column);
+    if (passed.rows() > 0) {
+      const double way = passed(node, axis) - passed(node - stride, axis);
+      matrix(row, creepage) += factor * way;
+      right[row] += factor * *state.creepage * way;
+    }
   };
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     const Index node = sets.contact[i];
@@ -92,7 +100,7 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
   for (Index node = 0; node < nodes; ++node) matrix(penetration, force(node, detail::kDown)) = -1.0;
   right[penetration] = problem.normal_force;
   const detail::DriveRow drive =
-      friction.drive->row({*problem.surface, friction.arms, state.force, state.displacement}, 1.0);
+      friction.drive->row({*problem.surface, friction.arms, state.force, own_displacement(state)}, 1.0);
   matrix.row(creepage).setZero();
   matrix.row(creepage).head(penetration) = drive.on_force.matrix().reshaped().transpose();
   if (drive.on_displacement.rows() > 0) {

@@ -15,7 +15,7 @@ namespace {
 enum class DriveKind { force, torque, creepage, oblique };
 
 /// A contact of 121 nodes of which those in front stick and those behind slip, with forces that solve nothing yet.
-class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind>> {
+class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind, Bodies>> {
  protected:
   StickSlipTest() {
     const CoatingSum orders(layered_body(cases::paper_sphere()), 2.5, mesh_, 2, watch_);
@@ -40,9 +40,9 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
         state_.force.row(node) << 0.1, -1.0 + 0.02 * std::abs(aside), 0.05 * aside;
       }
     }
-    state_.displacement = surface_->displacement(state_.force);
+    find_displacements(*surface_, state_);
     state_.penetration = 1e-4;
-    state_.creepage = 0.0;
+    state_.creepage = 0.02;
   }
 
   [[nodiscard]] std::shared_ptr<const Drive> drive() const {
@@ -61,18 +61,23 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
     Eigen::ArrayX2d rigid_slip = Eigen::ArrayX2d::Constant(nodes_.shape().size(), 2, 0.0);
     rigid_slip.col(0).setConstant(-0.01 * step);
     if (std::get<DriveKind>(GetParam()) == DriveKind::oblique) rigid_slip.col(1).setConstant(0.02 * step);
+    Eigen::ArrayX2d counterpart_way = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2);
+    counterpart_way.col(0) = step * (1.0 - 10.0 * nodes_.z().abs());
     return {.surface = surface_,
             .initial_gap = nodes_.height(),
             .normal_force = 100.0,
             .friction = Friction{.coefficient = 0.3,
                                  .rigid_slip = std::move(rigid_slip),
-                                 .guided_slip = Eigen::ArrayX2d::Zero(nodes_.shape().size(), 2),
+                                 .counterpart_way = std::move(counterpart_way),
                                  .step = step,
                                  .arms = {.x = nodes_.x(), .y = nodes_.y(), .radius = nodes_.grid().radius},
                                  .drive = drive()}};
   }
 
-  Formulation formulation_{std::get<Compliance>(GetParam()), std::get<PatchLoad>(GetParam()), true};
+  Formulation formulation_{.compliance = std::get<Compliance>(GetParam()),
+                           .patch_load = std::get<PatchLoad>(GetParam()),
+                           .tangential = true,
+                           .is_counterpart = std::get<Bodies>(GetParam()) == Bodies::counterpart};
   Mesh mesh_{.nodes_per_revolution = 300};
   SurfaceWindow nodes_{{21e-3, phi_spacing(mesh_), theta_spacing(mesh_)}, {{-8, 8}, {-8, 8}}};
   std::shared_ptr<const SurfaceOperator> surface_;
@@ -128,7 +133,14 @@ INSTANTIATE_TEST_SUITE_P(Formulations, StickSlipTest,
                          testing::Combine(testing::Values(Compliance::vertical, Compliance::radial),
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical),
                                           testing::Values(DriveKind::force, DriveKind::torque, DriveKind::creepage,
-                                                          DriveKind::oblique)));
+                                                          DriveKind::oblique),
+                                          testing::Values(Bodies::rolling)));
+
+INSTANTIATE_TEST_SUITE_P(Counterparts, StickSlipTest,
+                         testing::Combine(testing::Values(Compliance::radial), testing::Values(PatchLoad::flat),
+                                          testing::Values(DriveKind::force, DriveKind::torque, DriveKind::creepage,
+                                                          DriveKind::oblique),
+                                          testing::Values(Bodies::counterpart)));
 
 }  // namespace
 }  // namespace viscoroll::detail

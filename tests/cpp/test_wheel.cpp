@@ -265,14 +265,14 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
   const Nodes nodes = pair.body.nodes({.nodes_per_revolution = 2000}, pair.on);
   const SurfaceWindow window(nodes.grid, {{-1, 1}, {-60, 60}});
-  const RigidSlip slip = rigid_slip(window, 1.0, SlipKinematics::exact, pair, {});
+  const RigidWays ways = rigid_slip(window, 1.0, SlipKinematics::exact, pair, {});
   const double step = window.grid().radius * window.grid().phi_spacing;
   const Window& range = window.window();
   for (const int k : {-60, -7, 0, 31}) {
     const Eigen::Index node = range.number_of(1, k);
     const double z = window.z()[node];
     const double drop = z * z / 0.6;  // Heathcote's z^2 / 2 R_c, of a parabola
-    const double more = slip.own(node, 0) - slip.own(range.number_of(1, 0), 0);
+    const double more = ways.slip(node, 0) - ways.slip(range.number_of(1, 0), 0);
     EXPECT_NEAR(more, step / window.grid().radius * drop, 4e-3 * step / window.grid().radius * drop + 1e-18) << k;
   }
   EXPECT_NEAR(-window.z()[range.number_of(0, 60)], 60.0 * nodes.grid.radius * nodes.grid.theta_spacing, 1e-12);

@@ -1,5 +1,7 @@
 #include "contact/contact_problem.hpp"
 
+#include <utility>
+
 namespace viscoroll::detail {
 namespace {
 
@@ -23,9 +25,9 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
     const LeverArms& arms = problem.friction->arms;
     friction.arms = {.x = picked(arms.x, nodes), .y = picked(arms.y, nodes), .radius = arms.radius};
     if (arms.slope.size() > 0) friction.arms.slope = picked(arms.slope, nodes);
-    for (const auto slip : {&Friction::rigid_slip, &Friction::guided_slip}) {
-      (friction.*slip) = picked((*problem.friction).*slip, nodes);
-      (friction.*slip).topRows(result.surface->shape().theta_nodes).setZero();
+    for (const auto way : {&Friction::rigid_slip, &Friction::counterpart_way}) {
+      (friction.*way) = picked((*problem.friction).*way, nodes);
+      (friction.*way).topRows(result.surface->shape().theta_nodes).setZero();
     }
   }
   return result;
@@ -49,13 +51,13 @@ ContactProblem coarsened(const ContactProblem& problem) {
   }
   if (result.friction) {
     const Index stride = fine.theta.count();
-    for (const auto slip : {&Friction::rigid_slip, &Friction::guided_slip}) {
-      const Eigen::ArrayX2d& fine_slip = (*problem.friction).*slip;
-      Eigen::ArrayX2d& coarse_slip = (*result.friction).*slip;
+    for (const auto way : {&Friction::rigid_slip, &Friction::counterpart_way}) {
+      const Eigen::ArrayX2d& fine_way = (*problem.friction).*way;
+      Eigen::ArrayX2d& coarse_way = (*result.friction).*way;
       for (Index node = coarse.theta.count(); node < coarse.shape().size(); ++node) {  // two fine ways are a coarse one
         const Index fine_node = nodes[static_cast<std::size_t>(node)];
-        coarse_slip.row(node) += (1.0 - share) * fine_slip.row(fine_node - stride);
-        if (share > 0.0) coarse_slip.row(node) += share * fine_slip.row(fine_node + stride);
+        coarse_way.row(node) += (1.0 - share) * fine_way.row(fine_node - stride);
+        if (share > 0.0) coarse_way.row(node) += share * fine_way.row(fine_node + stride);
       }
     }
     result.friction->step *= 2.0;
@@ -86,12 +88,21 @@ bool is_mirror_symmetric(const ContactProblem& problem) {
   return true;
 }
 
-Eigen::ArrayX2d slip(const Friction& friction, Index stride, const VectorField& displacement, double creepage) {
+Eigen::ArrayX2d increments(const VectorField& displacement, Index stride) {
   const Index rest = displacement.rows() - stride;
-  Eigen::ArrayX2d slip = friction.rigid_slip;
-  slip.col(0).tail(rest) +=
-      creepage * friction.step + displacement.col(kForward).tail(rest) - displacement.col(kForward).head(rest);
-  slip.col(1).tail(rest) += displacement.col(kSideways).tail(rest) - displacement.col(kSideways).head(rest);
+  Eigen::ArrayX2d way = Eigen::ArrayX2d::Zero(displacement.rows(), 2);
+  for (const auto& [column, axis] : {std::pair{0, kForward}, std::pair{1, kSideways}}) {
+    way.col(column).tail(rest) = displacement.col(axis).tail(rest) - displacement.col(axis).head(rest);
+  }
+  return way;
+}
+
+Eigen::ArrayX2d slip(const Friction& friction, Index stride, const ContactSolution& state) {
+  Eigen::ArrayX2d slip =
+      friction.rigid_slip + *state.creepage * friction.counterpart_way + increments(state.displacement, stride);
+  if (state.counterpart_displacement.rows() > 0) {
+    slip += *state.creepage * increments(state.counterpart_displacement, stride);
+  }
   return slip;
 }
 

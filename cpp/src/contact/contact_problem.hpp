@@ -6,19 +6,22 @@
 #include <memory>
 #include <optional>
 
+#include "contact/contact_solution.hpp"
 #include "contact/drive.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief Coulomb friction in rolling. A node in contact slides from its upstream neighbor by
-/// S = rigid_slip + creepage (step, 0) + [u], where [.] is the node's value minus its neighbor's, along x and z. It
-/// sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
+/// S = rigid_slip + [u] + creepage (counterpart_way + [u_2]), where [.] is the node's value minus its neighbor's, along
+/// x and z, and u_2 the counterpart's share of u, whose material passes 1 + creepage times as fast as that of what
+/// rolls. It sticks, S = 0 and |t| <= mu p, or slips, t = -mu p S / |S|.
 struct Friction {
   double coefficient;          ///< mu [-], > 0
   Eigen::ArrayX2d rigid_slip;  ///< of undeformed bodies without creepage, from row to row along x and z [m]; 0 in row 0
-  Eigen::ArrayX2d guided_slip;  ///< what of it a guide brings about: lateral creepage and spin [m]
-  double step;                  ///< what a creepage of 1 adds to it along x [m]
+  /// Ways of the undeformed counterpart's surface at a creepage of 0, from row to row along x and z [m]; 0 in row 0
+  Eigen::ArrayX2d counterpart_way;
+  double step;  ///< distance of two rows [m]
   LeverArms arms;
   std::shared_ptr<const Drive> drive;
 };
@@ -50,13 +53,16 @@ struct ContactOptions {
 /// @return whether mirror images, sideways, are told the same
 [[nodiscard]] bool is_mirror_symmetric(const ContactProblem& problem);
 
+/// @param[in] displacement of every node [m]
+/// @param[in] stride nodes of a row
+/// @return what nodes are displaced more than their upstream neighbors, along x and z [m], 0 in the first row
+[[nodiscard]] Eigen::ArrayX2d increments(const VectorField& displacement, Eigen::Index stride);
+
 /// @brief The ways that nodes slide from their upstream neighbors.
 /// @param[in] friction kinematics
 /// @param[in] stride nodes of a row
-/// @param[in] displacement of every node [m]
-/// @param[in] creepage of the drive [-]
+/// @param[in] state with its displacements
 /// @return along x and z [m], 0 in the first row
-[[nodiscard]] Eigen::ArrayX2d slip(const Friction& friction, Eigen::Index stride, const VectorField& displacement,
-                                   double creepage);
+[[nodiscard]] Eigen::ArrayX2d slip(const Friction& friction, Eigen::Index stride, const ContactSolution& state);
 
 }  // namespace viscoroll::detail

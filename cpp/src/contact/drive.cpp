@@ -17,8 +17,7 @@ Pushback pushback(const ContactState& state) {
 
 double moment_about_center(const ContactState& state, double pressure_share) {
   const auto& [surface, arms, force, displacement] = state;
-  const VectorField own = surface.bodies() == Bodies::rolling ? displacement : surface.rolling_displacement(force);
-  return moment(displaced(arms, own, pressure_share), force) - arms.radius * pushback(state).force;
+  return moment(displaced(arms, displacement, pressure_share), force) - arms.radius * pushback(state).force;
 }
 
 double DriveRow::of(const VectorField& force, const VectorField& displacement, double creepage) const {
@@ -73,7 +72,7 @@ DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
                .on_displacement = {},
                .on_creepage = 0.0,
                .value = moment_ / arm};
-  row.on_force.col(kForward) = (state.arms.y + state.surface.rolling_displacement(state.force).col(kDown)) / arm;
+  row.on_force.col(kForward) = (state.arms.y + state.displacement.col(kDown)) / arm;
   row.on_force.col(kDown) = -state.arms.x / arm;
   return with_pushback(std::move(row), state, state.arms.radius / arm);
 }

@@ -15,8 +15,8 @@ namespace viscoroll::detail {
 struct ContactState {
   const SurfaceOperator& surface;
   const LeverArms& arms;
-  const VectorField& force;         ///< [N]
-  const VectorField& displacement;  ///< of what rolls over what it rolls on [m]
+  const VectorField& force;  ///< [N]
+  VectorField displacement;  ///< of what rolls by itself [m]
 };
 
 /// @brief The force with which pressure pushes what rolls back, along the deformed surface that it stands on,

@@ -19,7 +19,9 @@ constexpr double kMostRigidity = 0.9;
 
 /// Nodes that stick, and the runs along phi that they lie in.
 struct StickRuns {
-  StickRuns(const ContactProblem& problem, const ContactSets& sets) {
+  /// @param[in] rigid_slip,per_creepage ways from upstream neighbors, the latter per creepage [m]
+  StickRuns(const ContactProblem& problem, const ContactSets& sets, const Eigen::ArrayX2d& rigid_slip,
+            const Eigen::ArrayX2d& per_creepage) {
     const WindowShape shape = problem.surface->shape();
     const Index stride = shape.theta_nodes;
     std::vector<Index> place(static_cast<std::size_t>(shape.size()), -1);
@@ -28,25 +30,34 @@ struct StickRuns {
       const Index node = sets.contact[i];  // ascending, so that the upstream neighbor has been here
       const Index before = place[static_cast<std::size_t>(node - stride)];
       place[static_cast<std::size_t>(node)] = static_cast<Index>(nodes.size());
-      const auto upstream = static_cast<std::size_t>(before);
       nodes.push_back(node);
-      heads.push_back(before < 0 ? node - stride : heads[upstream]);
-      lengths.push_back(1.0 + (before < 0 ? 0.0 : lengths[upstream]));
-      const Eigen::Array2d way = problem.friction->rigid_slip.row(node).transpose();
-      rigid_slip.push_back(before < 0 ? way : way + rigid_slip[upstream]);
+      heads.push_back(before < 0 ? node - stride : heads[static_cast<std::size_t>(before)]);
+      rigid_ways.push_back(since_head(rigid_slip, node, before, rigid_ways));
+      ways_per_creepage.push_back(since_head(per_creepage, node, before, ways_per_creepage));
     }
   }
 
   [[nodiscard]] Index count() const { return static_cast<Index>(nodes.size()); }
-  [[nodiscard]] auto length() const { return Eigen::Map<const ArrayXd>(lengths.data(), count()); }
-  [[nodiscard]] ArrayXd way(Index axis) const {
-    return ArrayXd::NullaryExpr(count(), [&](Index i) { return rigid_slip[static_cast<std::size_t>(i)][axis]; });
-  }
+  [[nodiscard]] ArrayXd rigid_way(Index column) const { return column_of(rigid_ways, column); }
+  [[nodiscard]] ArrayXd way_per_creepage(Index column) const { return column_of(ways_per_creepage, column); }
 
   std::vector<Index> nodes;
-  std::vector<Index> heads;  // the node upstream of the run's first
-  std::vector<double> lengths;
-  std::vector<Eigen::Array2d> rigid_slip;  // from the head on
+  std::vector<Index> heads;                // the node upstream of the run's first
+  std::vector<Eigen::Array2d> rigid_ways;  // from the head on
+  std::vector<Eigen::Array2d> ways_per_creepage;
+
+ private:
+  /// A node's way from the head of its run.
+  /// @param[in] before place of its upstream neighbor in `ways`; < 0 if that is the head
+  static Eigen::Array2d since_head(const Eigen::ArrayX2d& from_upstream, Index node, Index before,
+                                   const std::vector<Eigen::Array2d>& ways) {
+    const Eigen::Array2d way = from_upstream.row(node).transpose();
+    return before < 0 ? way : Eigen::Array2d(way + ways[static_cast<std::size_t>(before)]);
+  }
+
+  [[nodiscard]] ArrayXd column_of(const std::vector<Eigen::Array2d>& ways, Index column) const {
+    return ArrayXd::NullaryExpr(count(), [&](Index i) { return ways[static_cast<std::size_t>(i)][column]; });
+  }
 };
 
 /// Nodes that slip, and where to.
@@ -87,14 +98,16 @@ class Equations {
         friction_(*problem.friction),
         coefficient_(std::isfinite(coefficient) ? coefficient : 0.0),
         scales_(scales),
+        state_(state),
         contact_(sets.contact),
-        stick_(problem, sets),
+        per_creepage_(way_per_creepage()),
+        rigid_slip_(linearized_rigid_slip()),
+        stick_(problem, sets, rigid_slip_, per_creepage_),
         slip_(problem, sets),
         preconditioner_(preconditioner),
-        state_(state),
         contacts_(static_cast<Index>(contact_.size())),
         forces_(contacts_ + 2 * stick_.count() + slip_.count()),
-        drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, state.displacement},
+        drive_(friction_.drive->row({*problem.surface, friction_.arms, state.force, own_displacement(state)},
                                     scales.tangential * friction_.step)) {
     if (slip_.count() > 0) {
       const double rigidity = std::clamp(slip_.rigidity.mean(), kLeastRigidity, kMostRigidity);
@@ -106,12 +119,9 @@ class Equations {
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(forces_ + 2);
     right.head(contacts_) = -scales_.normal * problem_.initial_gap(contact_).matrix();
-    forward(right) = -scales_.normal * stick_.way(0).matrix();
-    sideways(right) = -scales_.normal * stick_.way(1).matrix();
-    const Eigen::ArrayX2d way = friction_.rigid_slip(slip_.nodes, Eigen::all);
-    across(right) = (-scales_.tangential * slip_.rigidity *
-                     (slip_.direction.col(0) * way.col(1) - slip_.direction.col(1) * way.col(0)))
-                        .matrix();
+    forward(right) = -scales_.normal * stick_.rigid_way(0).matrix();
+    sideways(right) = -scales_.normal * stick_.rigid_way(1).matrix();
+    across(right) = (-scales_.tangential * slip_.rigidity * across_direction(rigid_slip_)).matrix();
     right[forces_] = problem_.normal_force;
     right[forces_ + 1] = drive_.value;
     return right;
@@ -144,22 +154,25 @@ class Equations {
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
     const VectorField force = this->force(unknowns);
-    const VectorField moved = problem_.surface->displacement(force);
-    const double creepage = unknowns[forces_ + 1];
+    const Displacements of_each = problem_.surface->displacements(force);
+    const VectorField moved = of_each.relative();
+    const VectorField carried = at_paces(of_each, moved);
+    const double creepage = unknowns[forces_ + 1] / creepage_force();
     VectorXd result(forces_ + 2);
     result.head(contacts_) = (-scales_.normal * moved.col(kDown)(contact_) - unknowns[forces_]).matrix();
-    const auto since_head = [&](Axis axis) { return moved.col(axis)(stick_.nodes) - moved.col(axis)(stick_.heads); };
-    forward(result) =
-        (scales_.normal * since_head(kForward) + scales_.normal / scales_.tangential * creepage * stick_.length())
-            .matrix();
-    sideways(result) = (scales_.normal * since_head(kSideways)).matrix();
-    const auto slipped = [&](Axis axis) { return moved.col(axis)(slip_.nodes) - moved.col(axis)(slip_.upstream); };
+    const auto since_head = [&](Axis axis) {
+      return carried.col(axis)(stick_.nodes) - carried.col(axis)(stick_.heads);
+    };
+    forward(result) = (scales_.normal * (since_head(kForward) + creepage * stick_.way_per_creepage(0))).matrix();
+    sideways(result) = (scales_.normal * (since_head(kSideways) + creepage * stick_.way_per_creepage(1))).matrix();
+    const auto slipped = [&](Axis axis) { return carried.col(axis)(slip_.nodes) - carried.col(axis)(slip_.upstream); };
     const auto& e = slip_.direction;
     const ArrayXd turned =
-        scales_.tangential * (e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward)) - e.col(1) * creepage;
-    across(result) = ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * turned).matrix();
+        e.col(0) * slipped(kSideways) - e.col(1) * slipped(kForward) + creepage * across_direction(per_creepage_);
+    across(result) =
+        ((1.0 - slip_.rigidity) * across(unknowns).array() + slip_.rigidity * scales_.tangential * turned).matrix();
     result[forces_] = unknowns.head(contacts_).sum();
-    result[forces_ + 1] = drive_.of(force, moved, creepage / creepage_force());
+    result[forces_ + 1] = drive_.of(force, moved, creepage);
     return result;
   }
 
@@ -188,6 +201,33 @@ class Equations {
     return v.segment(contacts_ + 2 * stick_.count(), slip_.count());
   }
 
+  /// Of the counterpart's material, at the state.
+  [[nodiscard]] Eigen::ArrayX2d way_per_creepage() const {
+    return friction_.counterpart_way + counterpart_increments();
+  }
+
+  /// A creepage times the increments at that creepage is taken as the sum of both changes less what it is.
+  [[nodiscard]] Eigen::ArrayX2d linearized_rigid_slip() const {
+    return friction_.rigid_slip - *state_.creepage * counterpart_increments();
+  }
+
+  [[nodiscard]] Eigen::ArrayX2d counterpart_increments() const {
+    if (state_.counterpart_displacement.rows() == 0) return Eigen::ArrayX2d::Zero(state_.force.rows(), 2);
+    return increments(state_.counterpart_displacement, problem_.surface->shape().theta_nodes);
+  }
+
+  /// Displacements by which nodes slide, at the state's creepage: the counterpart's material passes so much faster.
+  [[nodiscard]] VectorField at_paces(const Displacements& of_each, const VectorField& relative) const {
+    if (of_each.counterpart.rows() == 0) return relative;
+    return relative + *state_.creepage * of_each.counterpart;
+  }
+
+  /// Ways of the slipping nodes across their direction.
+  [[nodiscard]] ArrayXd across_direction(const Eigen::ArrayX2d& ways) const {
+    const Eigen::ArrayX2d way = ways(slip_.nodes, Eigen::all);
+    return slip_.direction.col(0) * way.col(1) - slip_.direction.col(1) * way.col(0);
+  }
+
   /// Force that a creepage of 1 counts for.
   [[nodiscard]] double creepage_force() const { return scales_.tangential * friction_.step; }
 
@@ -202,8 +242,10 @@ class Equations {
     VectorXd penetration = VectorXd::Zero(forces_ + 2);
     penetration.head(contacts_).setConstant(-1.0);
     VectorXd creepage = VectorXd::Zero(forces_ + 2);
-    forward(creepage) = scales_.normal / scales_.tangential * stick_.length().matrix();
-    across(creepage) = -(slip_.rigidity * slip_.direction.col(1)).matrix();
+    forward(creepage) = (scales_.normal / creepage_force() * stick_.way_per_creepage(0)).matrix();
+    sideways(creepage) = (scales_.normal / creepage_force() * stick_.way_per_creepage(1)).matrix();
+    across(creepage) =
+        (scales_.tangential / creepage_force() * slip_.rigidity * across_direction(per_creepage_)).matrix();
     border_response_.resize(forces_, 2);
     border_response_.col(0) = precondition_forces(penetration.head(forces_));
     border_response_.col(1) = precondition_forces(creepage.head(forces_));
@@ -236,11 +278,13 @@ class Equations {
   const Friction& friction_;
   double coefficient_;
   ConditionScales scales_;
+  const ContactSolution& state_;
   const std::vector<Index>& contact_;
+  Eigen::ArrayX2d per_creepage_;  // ways from upstream neighbors that a creepage of 1 adds [m]
+  Eigen::ArrayX2d rigid_slip_;
   StickRuns stick_;
   SlippingNodes slip_;
   const StickSlipPreconditioner& preconditioner_;
-  const ContactSolution& state_;
   Index contacts_;
   Index forces_;
   DriveRow drive_;

@@ -18,7 +18,8 @@ bool is_halved(const std::vector<double>& residuals, std::size_t steps) {
   return residuals.back() <= 0.5 * residuals[residuals.size() - 1 - steps];
 }
 
-/// All that is linear in the forces, between two states.
+/// All that is linear in the forces, between two states; slip is but for a product of two changes, of the creepage and
+/// of the counterpart's displacement.
 void interpolate(const ContactSolution& from, const ContactSolution& to, double share, ContactSolution& between) {
   const auto mix = [share](const auto& one, const auto& other, auto& mixed) { mixed = one + share * (other - one); };
   mix(from.force, to.force, between.force);
@@ -27,6 +28,9 @@ void interpolate(const ContactSolution& from, const ContactSolution& to, double 
   mix(from.penetration, to.penetration, between.penetration);
   mix(*from.creepage, *to.creepage, *between.creepage);
   if (to.displacement.rows() > 0) mix(from.displacement, to.displacement, between.displacement);
+  if (to.counterpart_displacement.rows() > 0) {
+    mix(from.counterpart_displacement, to.counterpart_displacement, between.counterpart_displacement);
+  }
 }
 
 }  // namespace

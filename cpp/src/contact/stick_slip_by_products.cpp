@@ -22,10 +22,10 @@ double StickSlipByProducts::imbalance(const ContactSolution& state) const {
 }
 
 void StickSlipByProducts::find_displacements(ContactSolution& state) {
-  state.displacement = problem_.surface->displacement(state.force);
+  detail::find_displacements(*problem_.surface, state);
   ++products_;
   state.gap = problem_.initial_gap - state.displacement.col(kDown) - state.penetration;
-  state.slip = slip(*problem_.friction, stride_, state.displacement, *state.creepage);
+  state.slip = slip(*problem_.friction, stride_, state);
 }
 
 void StickSlipByProducts::solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) {
@@ -39,7 +39,7 @@ void StickSlipByProducts::solve(double friction, const ContactSets& sets, double
 
 double StickSlipByProducts::drive_excess(const ContactSolution& state) const {
   const DriveRow drive =
-      problem_.friction->drive->row({*problem_.surface, problem_.friction->arms, state.force, state.displacement},
+      problem_.friction->drive->row({*problem_.surface, problem_.friction->arms, state.force, own_displacement(state)},
                                     scales_.tangential * problem_.friction->step);
   return drive.of(state.force, state.displacement, *state.creepage) - drive.value;
 }

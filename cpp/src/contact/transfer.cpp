@@ -125,7 +125,7 @@ ContactSolution extended(const LocatedContact& located, const ContactProblem& wh
   for (auto* nodes : {&contact.contact, &contact.stick}) {
     for (Index& node : *nodes) node = outer.number_of(located.window(), node);
   }
-  contact.displacement = whole.surface->displacement(contact.force);
+  find_displacements(*whole.surface, contact);
   contact.gap = whole.initial_gap - contact.displacement.col(kDown) - contact.penetration;
   return contact;
 }

@@ -30,11 +30,11 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
 
 Friction make_friction(const SurfaceWindow& window, const Assembly& given) {
   const LoadCase& load_case = given.load_case;
-  const RigidSlip slip = rigid_slip(given.displaced_points(window), given.swelling, given.options.slip_kinematics,
-                                    given.pair(), given_motion(load_case.drive));
+  RigidWays ways = rigid_slip(given.displaced_points(window), given.swelling, given.options.slip_kinematics,
+                              given.pair(), given_motion(load_case.drive));
   return {.coefficient = load_case.friction,
-          .rigid_slip = slip.own + slip.guided,
-          .guided_slip = slip.guided,
+          .rigid_slip = std::move(ways.slip),
+          .counterpart_way = std::move(ways.counterpart_way),
           .step = window.grid().radius * window.grid().phi_spacing,
           .arms = given.lever_arms(window),
           .drive = row_of(load_case.drive, given.pressure_share())};

@@ -40,9 +40,9 @@ std::array<double, 2> sliding_moments(const Assembly& assembly, ContactProblem p
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
     const LocatedContact sliding = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
-    moments[side] = moment_about_center(
-        {*sliding.problem.surface, sliding.problem.friction->arms, sliding.contact.force, sliding.contact.displacement},
-        assembly.pressure_share());
+    moments[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
+                                         sliding.contact.force, own_displacement(sliding.contact)},
+                                        assembly.pressure_share());
   }
   return moments;
 }

@@ -36,13 +36,6 @@ double settled(double sum, double largest_summand, std::optional<double> given =
   return std::abs(sum) < kRoundOff * largest_summand ? 0.0 : sum;
 }
 
-/// Of what rolls by itself.
-VectorField own_displacement(const HeldContact& held) {
-  const SurfaceOperator& surface = *held.problem.surface;
-  return surface.bodies() == Bodies::rolling ? held.contact.displacement
-                                             : surface.rolling_displacement(held.contact.force);
-}
-
 /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed surface;
 /// under a rigid ball that is the ball's.
 double deformed_pushback(const Assembly& given, const HeldContact& held) {
@@ -67,7 +60,7 @@ class Summary {
         losses_(held.losses),
         size_(window_.shape().size()),
         pressing_(pressing_force(contact_)),
-        arms_(displaced(given.lever_arms(window_), own_displacement(held), given.pressure_share())),
+        arms_(displaced(given.lever_arms(window_), own_displacement(held.contact), given.pressure_share())),
         curvature_(given.pair().on.curvatures.along),
         pushback_(deformed_pushback(given, held)),
         flat_area_(ArrayXd::Constant(

@@ -11,10 +11,12 @@
 
 namespace viscoroll::detail {
 
-/// @brief Ways of what rolls over what it rolls on, from row to row along x and z [m]; 0 in the first row.
-struct RigidSlip {
-  Eigen::ArrayX2d own;     ///< at no creepage: what turns, whose radius is smaller away from the middle (Heathcote)
-  Eigen::ArrayX2d guided;  ///< what a guide adds: lateral creepage, and spin about the vertical axis
+/// @brief Ways from row to row along x and z [m]; 0 in the first row.
+struct RigidWays {
+  /// Of what rolls over what it rolls on at no creepage of a drive: radii are smaller away from the middle (Heathcote),
+  /// and a guide adds lateral creepage, and spin about the vertical axis
+  Eigen::ArrayX2d slip;
+  Eigen::ArrayX2d counterpart_way;  ///< of the surface of what it rolls on, at no creepage
 };
 
 /// @param[in] points where displacements are taken
@@ -22,7 +24,7 @@ struct RigidSlip {
 /// @param[in] kinematics with Heathcote slip or without
 /// @param[in] pair both bodies
 /// @param[in] given lateral creepage and spin
-[[nodiscard]] RigidSlip rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
+[[nodiscard]] RigidWays rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
                                    const RollingPair& pair, const GivenMotion& given);
 
 }  // namespace viscoroll::detail

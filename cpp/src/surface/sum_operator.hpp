@@ -21,10 +21,10 @@ class SumOperator : public SurfaceOperator {
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
   [[nodiscard]] Bodies bodies() const override { return Bodies::both; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override {
-    return rolling_->displacement(force) + counterpart_->displacement(force);
+    return displacements(force).relative();
   }
-  [[nodiscard]] VectorField rolling_displacement(const VectorField& force) const override {
-    return rolling_->displacement(force);
+  [[nodiscard]] Displacements displacements(const VectorField& force) const override {
+    return {.rolling = rolling_->displacement(force), .counterpart = counterpart_->displacement(force)};
   }
   [[nodiscard]] double row_distance() const override { return rolling_->row_distance(); }
   [[nodiscard]] double pushback(const VectorField& force) const override { return counterpart_->pushback(force); }

@@ -24,8 +24,9 @@ Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, doubl
 
 }  // namespace
 
-VectorField SurfaceOperator::rolling_displacement(const VectorField& force) const {
-  return bodies() == Bodies::counterpart ? VectorField(VectorField::Zero(force.rows(), 3)) : displacement(force);
+Displacements SurfaceOperator::displacements(const VectorField& force) const {
+  return bodies() == Bodies::counterpart ? Displacements{.rolling = {}, .counterpart = displacement(force)}
+                                         : Displacements{.rolling = displacement(force), .counterpart = {}};
 }
 
 double SurfaceOperator::pushback(const VectorField& force) const {

@@ -25,6 +25,17 @@ enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
 /// @brief Which of two bodies deform.
 enum class Bodies { rolling, counterpart, both };
 
+/// @brief What the same forces do to the surfaces of two bodies, each as it adds to their relative displacement [m].
+struct Displacements {
+  VectorField rolling;      ///< no rows where it is rigid
+  VectorField counterpart;  ///< no rows where it is rigid
+
+  [[nodiscard]] VectorField relative() const {
+    if (counterpart.rows() == 0) return rolling;
+    return rolling.rows() == 0 ? counterpart : VectorField(rolling + counterpart);
+  }
+};
+
 /// @brief Work lost in each of two bodies, per radian of the one that rolls [N m].
 struct Losses {
   double rolling = 0.0;
@@ -84,8 +95,8 @@ class SurfaceOperator {
   [[nodiscard]] virtual Bodies bodies() const { return Bodies::rolling; }
 
   /// @param[in] force on every node [N]
-  /// @return displacement of every node of the body that rolls by itself [m]
-  [[nodiscard]] virtual VectorField rolling_displacement(const VectorField& force) const;
+  /// @return displacements of every node of each body
+  [[nodiscard]] virtual Displacements displacements(const VectorField& force) const;
 
   /// @return way of the material from a node to the next one downstream [m]
   [[nodiscard]] virtual double row_distance() const = 0;
