@@ -34,7 +34,7 @@ Result solve_released(const RollingBody& body, const Counterpart& on, double loa
   return solve(body, on, {.load = load, .angular_speed = angular_speed, .friction = friction, .drive = drive}, options);
 }
 
-RollingModel make_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
+RollingModel rolling_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
                         Curvature curvature, int threads, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
@@ -84,7 +84,7 @@ void bind_solve(py::module_& m) {
       .def_readonly("threads", &Options::threads);
 
   py::classh<RollingModel>(m, "RollingModel")
-      .def(py::init(&make_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
+      .def(py::init(&rolling_model), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("angular_speed"),
            py::arg("mesh"), py::arg("curvature"), py::arg("threads"), py::arg("progress").none(true))
       .def("solve", &solve_on_model, py::kw_only(), py::arg("load"), py::arg("angular_speed"), py::arg("friction"),
            py::arg("drive"), py::arg("compliance"), py::arg("patch_load"), py::arg("slip_kinematics"),

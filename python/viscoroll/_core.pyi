@@ -106,30 +106,6 @@ class CoatedCylinder:
         self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
     ) -> None: ...
 
-class Hub(enum.Enum):
-    """What the hub of a crowned wheel looks like under the tread."""
-
-    STRAIGHT = ...
-    CROWNED = ...
-
-class Sides(enum.Enum):
-    """What a tread ends in."""
-
-    FREE = ...
-    ENDLESS = ...
-
-class CoatedWheel:
-    def __init__(
-        self,
-        *,
-        core_radius: typing.SupportsFloat | typing.SupportsIndex,
-        layers: collections.abc.Sequence[Layer],
-        width: typing.SupportsFloat | typing.SupportsIndex,
-        crown_radius: typing.SupportsFloat | typing.SupportsIndex,
-        hub: Hub,
-        sides: Sides,
-    ) -> None: ...
-
 class HalfSpace:
     def __init__(
         self,
@@ -181,9 +157,6 @@ class WarningKind(enum.Enum):
     ACCURACY_NOT_REACHED = ...
     COARSE_MESH = ...
     LARGE_STRAIN = ...
-    CONTACT_AT_SIDE = ...
-    EDGE_PRESSURE = ...
-    TIGHT_CROWN = ...
 
 class Refinement:
     @property
@@ -233,11 +206,6 @@ class ResultScalars:
         contact area [m^2].
         """
     @property
-    def contact_width(self) -> float | None:
-        """
-        width of the contact, across the path [m]. From one of the outermost nodes that touch to the other, with their patches; None in line contact.
-        """
-    @property
     def counterpart_bulk_power(self) -> float:
         """
         power lost in what it rolls on [W]. The other share.
@@ -266,11 +234,6 @@ class ResultScalars:
     def error_estimate(self) -> float:
         """
         relative error estimate [1]. The power-balance error on a given mesh, else the largest of it and the changes, from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
-        """
-    @property
-    def face_distance(self) -> float | None:
-        """
-        distance of the contact from the faces [m]. Of a wheel, from the nearer one: 0 where it reaches it; None for what has no faces.
         """
     @property
     def iterations(self) -> int:
@@ -441,8 +404,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        body: CoatedSphere | CoatedCylinder | CoatedWheel,
-        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+        body: CoatedSphere | CoatedCylinder,
+        on: CoatedPlane | CoatedCylinder | Groove,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -470,20 +433,12 @@ class Tractions:
         self,
         *,
         mesh: Mesh,
-        radius: typing.SupportsFloat | typing.SupportsIndex,
-        theta_spacing: typing.SupportsFloat | typing.SupportsIndex | None,
-        crown_radius: typing.SupportsFloat | typing.SupportsIndex | None,
-        line: bool,
         pressure: numpy.typing.NDArray[numpy.float64],
         shear_traction: numpy.typing.NDArray[numpy.float64],
         friction: bool,
         compliance: Compliance,
         curvature: Curvature,
         patch_load: PatchLoad,
-        counterpart: bool,
-        counterpart_curvature: typing.Annotated[
-            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
-        ],
     ) -> None: ...
 
 class LossDensity:
@@ -492,17 +447,15 @@ class LossDensity:
     @property
     def order_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
-    def orders(self) -> numpy.typing.NDArray[numpy.float64]: ...
-    @property
     def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    @property
+    def radial_weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def surface_power(self) -> float: ...
     @property
     def theta(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def volume_power(self) -> float: ...
-    @property
-    def weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
 class Start(enum.Enum):
     """What the coating has gone through before the first instant."""
@@ -634,8 +587,6 @@ def critical_speed(
 def critical_speed(
     cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
-@typing.overload
-def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -660,10 +611,10 @@ def instant_names() -> list[str]:
     """
 
 def interior_fields(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
+    sphere: CoatedSphere,
     tractions: Tractions,
     *,
-    position: numpy.typing.NDArray[numpy.float64],
+    radius: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     phi: numpy.typing.NDArray[numpy.float64],
     theta: numpy.typing.NDArray[numpy.float64],
@@ -672,10 +623,10 @@ def interior_fields(
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def loss_density(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
+    sphere: CoatedSphere,
     tractions: Tractions,
     *,
-    position: numpy.typing.NDArray[numpy.float64],
+    radius: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     max_order: typing.SupportsInt | typing.SupportsIndex,
@@ -683,18 +634,17 @@ def loss_density(
     progress: typing.Any,
 ) -> LossDensity: ...
 def order_fields(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
+    sphere: CoatedSphere,
     m: numpy.typing.NDArray[numpy.int32],
     n: numpy.typing.NDArray[numpy.int32],
     *,
-    position: numpy.typing.NDArray[numpy.float64],
+    radius: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
-    radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def places_at(
-    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
+    sphere: CoatedSphere, radius: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """
@@ -702,8 +652,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    body: CoatedSphere | CoatedCylinder | CoatedWheel,
-    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+    body: CoatedSphere | CoatedCylinder,
+    on: CoatedPlane | CoatedCylinder | Groove,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
@@ -734,7 +684,6 @@ def state_matrix(
     n: typing.SupportsInt | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
-@typing.overload
 def surface_compliance(
     sphere: CoatedSphere,
     m: numpy.typing.NDArray[numpy.int32],
@@ -742,14 +691,6 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
-) -> numpy.typing.NDArray[numpy.complex128]: ...
-@typing.overload
-def surface_compliance(
-    wheel: CoatedWheel,
-    m: numpy.typing.NDArray[numpy.int32],
-    k: numpy.typing.NDArray[numpy.float64],
-    *,
-    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def validate_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,

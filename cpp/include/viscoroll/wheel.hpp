@@ -24,7 +24,7 @@ enum class Sides {
 /// @brief Layers bonded to one another and to a rigid hub. Without a hub a wheel has no finite approach (theory.md,
 /// wheels).
 struct CoatedWheel {
-  double core_radius = 0.0;   ///< of the hub, in the middle [m], > 0
+  double core_radius = 0.0;   ///< of the hub, in the middle of its width [m], > 0
   std::vector<Layer> layers;  ///< from the hub outwards, as thick as they are in the middle; none: a rigid wheel
   double width = 0.0;         ///< from face to face [m], > 0
   /// Of the tread's profile, across the path [m], at least half the width; infinite: flat.

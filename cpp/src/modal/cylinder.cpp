@@ -17,7 +17,7 @@ double outer_radius(const CoatedCylinder& cylinder) { return cylinder.core_radiu
 
 void validate(const CoatedCylinder& cylinder) {
   if (cylinder.core_radius == 0.0) {
-    detail::reject("core_radius", "> 0 m (without a core a cylinder under a line load has no finite compliance)",
+    detail::reject("core_radius", "> 0 m (without a core a roller under a line load has no finite compliance)",
                    cylinder.core_radius);
   }
   detail::require_positive("core_radius", cylinder.core_radius, "m");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "modal/circle.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -15,10 +16,7 @@ double coating_thickness(const CoatedWheel& wheel) {
 
 double outer_radius(const CoatedWheel& wheel) { return wheel.core_radius + coating_thickness(wheel); }
 
-double crown_drop(const CoatedWheel& wheel, double z) {
-  const double ratio = z / wheel.crown_radius;
-  return z * ratio / (1.0 + std::sqrt(1.0 - ratio * ratio));
-}
+double crown_drop(const CoatedWheel& wheel, double z) { return detail::drop_of_circle(z, 1.0 / wheel.crown_radius); }
 
 void validate(const CoatedWheel& wheel) {
   if (wheel.core_radius == 0.0) {

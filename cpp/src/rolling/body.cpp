@@ -1,11 +1,12 @@
 #include "rolling/body.hpp"
 
+#include "modal/circle.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
-/// Of a circle below its highest point, 1/k - sqrt(1/k^2 - x^2), without the round-off of small curvatures.
-Eigen::ArrayXd drop_of_circle(const Eigen::ArrayXd& x, double curvature) {
-  return curvature * x.square() / (1.0 + (1.0 - (curvature * x).square()).max(0.0).sqrt());
+Eigen::ArrayXd drops(const Eigen::ArrayXd& x, double curvature) {
+  return x.unaryExpr([curvature](double at) { return drop_of_circle(at, curvature); });
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ std::function<Profile(const SurfaceWindow&)> circles(const Curvatures& curvature
     if (points.grid().is_paraboloid) {
       return {.drop = 0.5 * (along * x.square() + across * z.square()), .slope = along * x};
     }
-    return {.drop = drop_of_circle(x, along) + drop_of_circle(z, across), .slope = along * x};
+    return {.drop = drops(x, along) + drops(z, across), .slope = along * x};
   };
 }
 

@@ -39,7 +39,7 @@ Profile under_line(double curvature, const SurfaceWindow& points) {
 /// Along a line only the path may be curved.
 void require_straight_across(const Body& body, const std::optional<double>& radius) {
   if (!radius || !body.form.is_line()) return;
-  reject("on.radius", "left out under a cylinder, which touches along a line", text(*radius) + " m");
+  reject("on.radius", "left out under a roller, which touches along a line", text(*radius) + " m");
 }
 
 }  // namespace

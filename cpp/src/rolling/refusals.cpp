@@ -109,7 +109,7 @@ void require_contact(const Assembly& assembly, double penetration) {
   require_clear_of_core(assembly, penetration);
 }
 
-void require_rolling(const Assembly& assembly, const ContactProblem& problem) {
+void require_reachable_torque(const Assembly& assembly, const ContactProblem& problem) {
   const LoadCase& load_case = assembly.load_case;
   const auto torque = given_motion(load_case.drive).torque;
   if (!torque) return;

@@ -30,7 +30,7 @@ void require_clear_of_core(const Assembly& assembly, double penetration);
 void require_contact(const Assembly& assembly, double penetration);
 
 /// @brief Where no state was found: a driving torque out of reach of the moments of what slides as a whole.
-void require_rolling(const Assembly& assembly, const ContactProblem& problem);
+void require_reachable_torque(const Assembly& assembly, const ContactProblem& problem);
 
 /// @brief The load, always.
 /// @param[in] pair both bodies

@@ -86,7 +86,7 @@ Body make_body(const CoatedSphere& sphere) {
           .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius},
           .surface = [sphere](const Crossing& crossing) { return surface_of(sphere, crossing); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
-          .name = "sphere",
+          .name = "ball",
           .counterparts = {"CoatedPlane", "Groove", "CoatedSphere"},
           .radius = radius,
           .form = kSpotContact,

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <vector>
 
+#include "modal/circle.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -34,8 +36,7 @@ Circle circle_at(const SurfaceGrid& grid, int column) {
             .drop = grid.radius * sideways.versine};
   }
   const double z = -column * grid.theta_spacing * grid.radius;
-  const double slope = z / *grid.crown_radius;
-  const double drop = z * slope / (1.0 + std::sqrt(1.0 - slope * slope));
+  const double drop = drop_of_circle(z, 1.0 / *grid.crown_radius);
   return {.z = z, .radius = grid.radius - drop, .drop = drop};
 }
 

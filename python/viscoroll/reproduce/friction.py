@@ -98,7 +98,7 @@ class Figure9:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of section 14.3."""
+        """Judge the sentences of the paper's section 14.3."""
         peak = float(self.frictions[self.torques.argmax()])
         height = float(self.torques.max() / self.torques[0] - 1.0)
         spread, fall = (_spread_and_fall(self.torques), _spread_and_fall(self.driving_torques))

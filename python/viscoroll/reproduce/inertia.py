@@ -65,7 +65,7 @@ class Figure13:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of section 14.7."""
+        """Judge the sentences of the paper's section 14.7."""
         torque, depth = (float(v[-1] / v[0]) for v in (self.torques, self.penetrations))
         rising = bool((np.diff(self.torques) > 0.0).all() and (np.diff(self.penetrations) > 0.0).all())
         example = _group(paper.ball(thickness=1e-3), 1000.0)

@@ -74,7 +74,7 @@ class Figure10:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of section 14.4."""
+        """Judge the sentences of the paper's section 14.4."""
         b = {h: fit.parameters["b"].value for h, fit in self.data.fits.items()}
         thin, thick = (b[h] for h in _THICKNESSES)
         residual = max(

@@ -124,7 +124,7 @@ class Figure12:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of section 14.6."""
+        """Judge the sentences of the paper's section 14.6."""
         single = all(_has_one_peak(torque) for torques in self.torques.values() for torque in torques)
         ends = [t[:, [0, -1]] / t.max(axis=1, keepdims=True) for t in self.torques.values()]
         slow, fast = (max(float(e[:, k].max()) for e in ends) for k in (0, 1))

@@ -110,7 +110,7 @@ class Figure11:
         return figure
 
     def verdicts(self) -> list[Verdict]:
-        """Judge the sentences of section 14.5."""
+        """Judge the sentences of the paper's section 14.5."""
         data = self.data
         rising = all(bool((np.diff(torques) > 0.0).all()) for torques in data.refined.values())
         growth = [float(t[-1] / np.interp(7e-3, data.thicknesses, t) - 1.0) for t in data.refined.values()]

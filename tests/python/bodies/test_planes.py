@@ -318,7 +318,7 @@ def test_case_file():
         ({"on": None}, "two rigid bodies"),
         ({"on": CoatedPlane()}, r"layers must be a list of at least one layer.*on\.base given, got none"),
         ({"on": Groove(radius=0.1)}, "two rigid bodies"),
-        ({"on": Groove(radius=0.021, layers=[LAYER])}, r"on\.radius must be larger than that of the sphere"),
+        ({"on": Groove(radius=0.021, layers=[LAYER])}, r"on\.radius must be larger than that of the ball"),
         ({"on": CoatedCylinder(core_radius=0.1, layers=[LAYER])}, "on must be a CoatedPlane or a Groove"),
         ({"compliance": Compliance.VERTICAL}, "compliance must be RADIAL"),
         ({"mesh": Mesh(nodes_per_revolution=600, max_order=400)}, r"mesh\.max_order must be left out"),

@@ -325,7 +325,7 @@ BAD = {
     "torque": (
         {"friction": 0.3, "drive": vr.Drive(torque=5.0)},
         ValueError,
-        r"drive.torque must be between -0\.\d+ N m and 0\.\d+ N m, else the sphere slides without end, got 5 N m",
+        r"drive.torque must be between -0\.\d+ N m and 0\.\d+ N m, else the ball slides without end, got 5 N m",
     ),
     "towed without grip": (
         {"friction": 0.001, "drive": vr.Drive(torque=0.0)},
