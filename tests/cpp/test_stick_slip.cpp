@@ -15,7 +15,7 @@ namespace {
 enum class DriveKind { force, torque, creepage, oblique };
 
 /// A contact of 121 nodes of which those in front stick and those behind slip, with forces that solve nothing yet.
-class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind, Bodies>> {
+class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, PatchLoad, DriveKind, Deforming>> {
  protected:
   StickSlipTest() {
     const CoatingSum orders(layered_body(cases::paper_sphere()), 2.5, mesh_, 2, watch_);
@@ -77,7 +77,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
   Formulation formulation_{.compliance = std::get<Compliance>(GetParam()),
                            .patch_load = std::get<PatchLoad>(GetParam()),
                            .tangential = true,
-                           .is_counterpart = std::get<Bodies>(GetParam()) == Bodies::counterpart};
+                           .is_counterpart = std::get<Deforming>(GetParam()) == Deforming::counterpart};
   Mesh mesh_{.nodes_per_revolution = 300};
   SurfaceWindow nodes_{{21e-3, phi_spacing(mesh_), theta_spacing(mesh_)}, {{-8, 8}, {-8, 8}}};
   std::shared_ptr<const SurfaceOperator> surface_;
@@ -134,13 +134,13 @@ INSTANTIATE_TEST_SUITE_P(Formulations, StickSlipTest,
                                           testing::Values(PatchLoad::flat, PatchLoad::spherical),
                                           testing::Values(DriveKind::force, DriveKind::torque, DriveKind::creepage,
                                                           DriveKind::oblique),
-                                          testing::Values(Bodies::rolling)));
+                                          testing::Values(Deforming::rolling)));
 
 INSTANTIATE_TEST_SUITE_P(Counterparts, StickSlipTest,
                          testing::Combine(testing::Values(Compliance::radial), testing::Values(PatchLoad::flat),
                                           testing::Values(DriveKind::force, DriveKind::torque, DriveKind::creepage,
                                                           DriveKind::oblique),
-                                          testing::Values(Bodies::counterpart)));
+                                          testing::Values(Deforming::counterpart)));
 
 }  // namespace
 }  // namespace viscoroll::detail

@@ -296,8 +296,8 @@ TEST(WheelRolling, PowersBalanceWithFriction) {
   EXPECT_LT(error(crown, soft, DriveTorque{1.0}), 3e-3);
 }
 
-/// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the semi-axis along
-/// per that across. Against a rigid plane the combined modulus is twice that of the tread.
+/// J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3: nu = 1/2, by the semi-axis
+/// along per that across. Against a rigid plane the combined modulus is twice that of the tread.
 struct Kalker {
   double ratio;  ///< R_c / R: by Hertz, 6.24 has the semi-axes 0.3 and 1
   double along, across, spin;

@@ -6,7 +6,7 @@ namespace viscoroll::detail {
 
 Pushback pushback(const ContactState& state) {
   const auto& [surface, arms, force, displacement] = state;
-  const bool is_rigid = surface.bodies() == Bodies::counterpart;
+  const bool is_rigid = surface.deforming() == Deforming::counterpart;
   Pushback result{.force = is_rigid ? 0.0 : surface.pushback(force), .on_force = {}};
   if (!is_rigid && arms.slope.size() == 0) return result;
   result.on_force = VectorField::Zero(force.rows(), 3);
@@ -53,7 +53,7 @@ DriveRow GivenForce::row(const ContactState& state, double) const {
 DriveRow GivenMoment::row(const ContactState& state, double) const {
   const auto& [surface, arms, force, displacement] = state;
   const double arm = arms.y.maxCoeff();  // any length turns the condition into one on a force
-  if (surface.bodies() != Bodies::rolling) return row_of_pair(state, arm);
+  if (surface.deforming() != Deforming::rolling) return row_of_pair(state, arm);
   const LeverArms at = displaced(arms, displacement, pressure_share_);
   DriveRow row{.on_force = VectorField::Zero(force.rows(), 3),
                .on_displacement = VectorField::Zero(force.rows(), 3),

@@ -39,10 +39,10 @@ double settled(double sum, double largest_summand, std::optional<double> given =
 /// D_2 = sum of p dw_2/d(way of the material): the force of the pressure along the counterpart's own deformed surface;
 /// under a rigid ball that is the ball's.
 double deformed_pushback(const Assembly& given, const HeldContact& held) {
-  switch (held.problem.surface->bodies()) {
-    case Bodies::rolling:
+  switch (held.problem.surface->deforming()) {
+    case Deforming::rolling:
       return 0.0;
-    case Bodies::counterpart:
+    case Deforming::counterpart:
       return (pressing_force(held.contact) *
               (held.nodes.x() / held.nodes.grid().radius - counterpart_slope(held.nodes, given.pair())))
           .sum();

@@ -6,7 +6,7 @@ namespace viscoroll::detail {
 
 FreeSidesOperator::FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference,
                                      SideFactors factors, DissipationSource dissipation_source, double column_distance)
-    : endless_(std::move(endless)),
+    : CorrectedOperator(std::move(endless)),
       difference_(std::move(difference)),
       factors_(std::move(factors)),
       dissipation_source_(std::move(dissipation_source)),
@@ -23,34 +23,34 @@ VectorField FreeSidesOperator::addition(const VectorField& force) const {
 }
 
 VectorField FreeSidesOperator::displacement(const VectorField& force) const {
-  return endless_->displacement(force) + addition(force);
+  return nearby().displacement(force) + addition(force);
 }
 
 Eigen::VectorXd FreeSidesOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
   VectorField force = VectorField::Zero(shape().size(), 3);
   for (Eigen::Index i = 0; i < pressing.size(); ++i) force(nodes.node(i), kDown) = pressing[i];
   const Eigen::ArrayXd added = addition(force).col(kDown);
-  Eigen::VectorXd moved = endless_->normal_displacement(nodes, pressing);
+  Eigen::VectorXd moved = nearby().normal_displacement(nodes, pressing);
   for (Eigen::Index i = 0; i < moved.size(); ++i) moved[i] += added[nodes.node(i)];
   return moved;
 }
 
 std::shared_ptr<const SurfaceOperator> FreeSidesOperator::coarsened() const {
   return std::make_shared<FreeSidesOperator>(
-      endless_->coarsened(), difference_, widened(factors_, 2, collocation()),
+      nearby().coarsened(), difference_, widened(factors_, 2, collocation()),
       [source = dissipation_source_](int phi_reach) { return widened(widened(source(2 * phi_reach + 2), 1), 2); },
       2.0 * column_distance_);
 }
 
 std::shared_ptr<const SurfaceOperator> FreeSidesOperator::within(const Window& window) const {
-  return std::make_shared<FreeSidesOperator>(endless_->within(window), difference_, factors_, dissipation_source_,
+  return std::make_shared<FreeSidesOperator>(nearby().within(window), difference_, factors_, dissipation_source_,
                                              column_distance_);
 }
 
 Losses FreeSidesOperator::dissipation(const VectorField& force) const {
   const Eigen::ArrayXXd loads = local().loads(force);
   const SideProduct product = this->product(dissipation_source_(shape().phi_nodes - 1), true);
-  const Losses endless = endless_->dissipation(force);
+  const Losses endless = nearby().dissipation(force);
   return losses(endless.sum() + (loads * product.apply(loads)).sum());
 }
 

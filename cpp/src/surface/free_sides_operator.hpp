@@ -7,13 +7,13 @@
 
 #include "influence/side_product.hpp"
 #include "influence/side_sum.hpp"
-#include "surface/surface_operator.hpp"
+#include "surface/corrected_operator.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief An endless tread's surface, and what the faces add to it. Scales and preconditioners are those of the endless
 /// one.
-class FreeSidesOperator : public SurfaceOperator {
+class FreeSidesOperator : public CorrectedOperator {
  public:
   using Difference = std::shared_ptr<const SampledDifference>;
   /// Gives factors of the power lost.
@@ -27,14 +27,8 @@ class FreeSidesOperator : public SurfaceOperator {
   FreeSidesOperator(std::shared_ptr<const SurfaceOperator> endless, Difference difference, SideFactors factors,
                     DissipationSource dissipation_source, double column_distance);
 
-  [[nodiscard]] const Window& window() const override { return endless_->window(); }
-  [[nodiscard]] const Execution& execution() const override { return endless_->execution(); }
-  [[nodiscard]] double collocation() const override { return endless_->collocation(); }
-  [[nodiscard]] double operations() const override { return endless_->operations() + product_.operations(); }
-  [[nodiscard]] const LocalCompliance& local() const override { return endless_->local(); }
+  [[nodiscard]] double operations() const override { return nearby().operations() + product_.operations(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
-  [[nodiscard]] Bodies bodies() const override { return endless_->bodies(); }
-  [[nodiscard]] double row_distance() const override { return endless_->row_distance(); }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
@@ -49,7 +43,6 @@ class FreeSidesOperator : public SurfaceOperator {
   /// What the faces add.
   [[nodiscard]] VectorField addition(const VectorField& force) const;
 
-  std::shared_ptr<const SurfaceOperator> endless_;
   Difference difference_;
   SideFactors factors_;
   DissipationSource dissipation_source_;

@@ -7,7 +7,7 @@ namespace viscoroll::detail {
 
 SphereOperator::SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
                                DissipationSource dissipation_source)
-    : nearby_(std::move(nearby)),
+    : CorrectedOperator(std::move(nearby)),
       influence_(std::move(influence)),
       dissipation_source_(std::move(dissipation_source)),
       product_(make_sphere_product(shape(), window().theta.first, influence_, execution().threads, execution().watch)) {
@@ -26,7 +26,7 @@ Eigen::VectorXd SphereOperator::normal_displacement(const NodeRows& nodes, const
 
 std::shared_ptr<const SurfaceOperator> SphereOperator::coarsened() const {
   return std::make_shared<SphereOperator>(
-      nearby_->coarsened(),
+      nearby().coarsened(),
       std::make_shared<const SphereInfluence>(with_wide_patches(*influence_, collocation(), false)),
       [source = dissipation_source_](int phi_reach, int half_theta) {
         const Influence fine = source(2 * phi_reach + 2, 2 * half_theta + 2);
@@ -35,7 +35,7 @@ std::shared_ptr<const SurfaceOperator> SphereOperator::coarsened() const {
 }
 
 std::shared_ptr<const SurfaceOperator> SphereOperator::within(const Window& window) const {
-  return std::make_shared<SphereOperator>(nearby_->within(window), influence_, dissipation_source_);
+  return std::make_shared<SphereOperator>(nearby().within(window), influence_, dissipation_source_);
 }
 
 Losses SphereOperator::dissipation(const VectorField& force) const {

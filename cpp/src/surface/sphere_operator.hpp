@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "influence/sphere_product.hpp"
-#include "surface/surface_operator.hpp"
+#include "surface/corrected_operator.hpp"
 #include "surface/table_operator.hpp"
 
 namespace viscoroll::detail {
@@ -15,7 +15,7 @@ namespace viscoroll::detail {
 /// @brief Displacements on the exact sphere, of what rolls or of what it rolls on, whose influence depends on both
 /// thetas. Translation-invariant tables of the same coating with the membrane stiffness of a sphere stand for it in
 /// scales and preconditioners.
-class SphereOperator : public SurfaceOperator {
+class SphereOperator : public CorrectedOperator {
  public:
   using Influence = std::shared_ptr<const SphereInfluence>;
   /// Gives the influence on the power lost, for thetas from -half_theta to half_theta.
@@ -27,14 +27,8 @@ class SphereOperator : public SurfaceOperator {
   SphereOperator(std::shared_ptr<const SurfaceOperator> nearby, Influence influence,
                  DissipationSource dissipation_source);
 
-  [[nodiscard]] const Window& window() const override { return nearby_->window(); }
-  [[nodiscard]] const Execution& execution() const override { return nearby_->execution(); }
-  [[nodiscard]] double collocation() const override { return nearby_->collocation(); }
   [[nodiscard]] double operations() const override { return product_->operations(); }
-  [[nodiscard]] const LocalCompliance& local() const override { return nearby_->local(); }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
-  [[nodiscard]] Bodies bodies() const override { return nearby_->bodies(); }
-  [[nodiscard]] double row_distance() const override { return nearby_->row_distance(); }
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
@@ -45,7 +39,6 @@ class SphereOperator : public SurfaceOperator {
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
-  std::shared_ptr<const SurfaceOperator> nearby_;
   Influence influence_;
   DissipationSource dissipation_source_;
   std::unique_ptr<const SphereProduct> product_;

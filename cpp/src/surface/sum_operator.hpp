@@ -19,7 +19,7 @@ class SumOperator : public SurfaceOperator {
   [[nodiscard]] const Execution& execution() const override { return rolling_->execution(); }
   [[nodiscard]] double collocation() const override { return rolling_->collocation(); }
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
-  [[nodiscard]] Bodies bodies() const override { return Bodies::both; }
+  [[nodiscard]] Deforming deforming() const override { return Deforming::both; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override {
     return displacements(force).relative();
   }

@@ -25,18 +25,18 @@ Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, doubl
 }  // namespace
 
 Displacements SurfaceOperator::displacements(const VectorField& force) const {
-  return bodies() == Bodies::counterpart ? Displacements{.rolling = {}, .counterpart = displacement(force)}
-                                         : Displacements{.rolling = displacement(force), .counterpart = {}};
+  return deforming() == Deforming::counterpart ? Displacements{.rolling = {}, .counterpart = displacement(force)}
+                                               : Displacements{.rolling = displacement(force), .counterpart = {}};
 }
 
 double SurfaceOperator::pushback(const VectorField& force) const {
-  if (bodies() != Bodies::counterpart) return 0.0;
+  if (deforming() != Deforming::counterpart) return 0.0;
   const Eigen::ArrayXd depth = -displacement(force).col(kDown);
   return -(force.col(kDown) * patch_slope(depth, shape().theta_nodes, row_distance())).sum();
 }
 
 Losses SurfaceOperator::losses(double lost) const {
-  return bodies() == Bodies::counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
+  return deforming() == Deforming::counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
 }
 
 Eigen::ArrayXXd LocalCompliance::loads(const VectorField& force) const {

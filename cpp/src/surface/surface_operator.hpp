@@ -23,7 +23,7 @@ using VectorField = Eigen::ArrayX3d;
 enum Axis : Eigen::Index { kForward = 0, kDown = 1, kSideways = 2 };
 
 /// @brief Which of two bodies deform.
-enum class Bodies { rolling, counterpart, both };
+enum class Deforming { rolling, counterpart, both };
 
 /// @brief What the same forces do to the surfaces of two bodies, each as it adds to their relative displacement [m].
 struct Displacements {
@@ -92,7 +92,7 @@ class SurfaceOperator {
 
   /// @brief Of which of the two bodies it is. Forces are those on the body that rolls; displacements those of it,
   /// relative to what it rolls on.
-  [[nodiscard]] virtual Bodies bodies() const { return Bodies::rolling; }
+  [[nodiscard]] virtual Deforming deforming() const { return Deforming::rolling; }
 
   /// @param[in] force on every node [N]
   /// @return displacements of every node of each body

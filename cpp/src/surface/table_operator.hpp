@@ -64,8 +64,8 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] const Window& window() const override { return window_; }
   [[nodiscard]] const Execution& execution() const override { return execution_; }
   [[nodiscard]] VectorField displacement(const VectorField& force) const override;
-  [[nodiscard]] Bodies bodies() const override {
-    return formulation_.is_counterpart ? Bodies::counterpart : Bodies::rolling;
+  [[nodiscard]] Deforming deforming() const override {
+    return formulation_.is_counterpart ? Deforming::counterpart : Deforming::rolling;
   }
   [[nodiscard]] double row_distance() const override { return grid_.radius * grid_.phi_spacing; }
   using SurfaceOperator::normal_displacement;
