@@ -156,6 +156,7 @@ class WarningKind(enum.Enum):
     MAX_ITERATIONS = ...
     ACCURACY_NOT_REACHED = ...
     COARSE_MESH = ...
+    POWER_BALANCE = ...
     LARGE_STRAIN = ...
 
 class Refinement:
@@ -303,7 +304,7 @@ class ResultScalars:
     @property
     def semi_axis_z(self) -> float | None:
         """
-        contact semi-axis along z [m]. Of the ellipse with the contact's second moments; None in line contact.
+        contact semi-axis along z [m]. Of the ellipse with the contact's second moments: longer than half of contact_width where the faces of a wheel cut the contact; None in line contact.
         """
     @property
     def slip_power(self) -> float:

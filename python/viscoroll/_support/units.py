@@ -39,5 +39,7 @@ UNITS = {
     "loss_factor": "1",
     "reference_frequency": "rad/s",
     "decades": "1",
+    "hardness": "Shore",
+    "rebound": "1",
     "temperature": "°C",
 }

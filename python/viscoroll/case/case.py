@@ -28,7 +28,7 @@ from ..bodies import (
 )
 from ..interior import Core, SelfHeating, Temperature, self_heating, temperature
 from ..materials import Arrhenius, WilliamsLandelFerry
-from ..rheology import LossFactor, load_material
+from ..rheology import LossFactor, hardness_to_modulus, load_material, rebound_to_loss_factor
 from ..rolling import Result, solve
 from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in_folder, read_columns, read_toml
 
@@ -56,6 +56,27 @@ def _measured(
         return load_material(file, temperature=temperature, form=form)
     except OSError as error:
         raise ValueError(f"material {file}: {error.strerror}") from None
+
+
+def _of_data_sheet(
+    *,
+    hardness: float,
+    scale: Literal["A", "D"] = "A",
+    rebound: float | None = None,
+    reference_frequency: float | None = None,
+    decades: float | None = None,
+) -> materials.Elastic | LossFactor:
+    """Return what a hardness says of a material, and a rebound of its loss."""
+    modulus = hardness_to_modulus(hardness, scale=scale).value
+    law = {"reference_frequency": reference_frequency, "decades": decades}
+    given = {name: value for name, value in law.items() if value is not None}
+    if rebound is None:
+        if given:
+            raise ValueError(f"{' and '.join(given)} must be left out where there is no rebound")
+        return materials.Elastic(modulus=modulus)
+    if reference_frequency is None:
+        raise ValueError("reference_frequency must be given with a rebound: where both hold, in rad/s")
+    return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound), **given)
 
 
 def _with_columns(table: dict[str, Any], info: ValidationInfo) -> dict[str, Any]:
@@ -97,6 +118,7 @@ _Modulus: TypeAlias = Annotated[
         BeforeValidator(_with_columns),
     ]
     | Annotated[LossFactor, Table("loss_factor")]
+    | Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)]
     | Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
     Field(discriminator="type"),
     BeforeValidator(_as_table),

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ..materials import LossFactor
 from .checks import Check, check_modulus, check_range, rolling_range
-from .hardness import hardness_to_modulus
+from .hardness import hardness_to_modulus, rebound_to_loss_factor
 from .material_file import load_material, save_material
 from .prony_fit import PronyFit, fit_prony
 from .reading import Isotherm, RheologyData, read_rheology
@@ -28,6 +28,7 @@ __all__ = [
     "hardness_to_modulus",
     "load_material",
     "read_rheology",
+    "rebound_to_loss_factor",
     "rolling_range",
     "save_material",
     "superpose",

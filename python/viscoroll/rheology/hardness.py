@@ -1,4 +1,4 @@
-"""Moduli from the hardness that data sheets give, with the scatter that this has."""
+"""Moduli from the hardness that data sheets give, with the scatter that this has, and loss from the rebound."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .._support.arguments import as_float
 from .._support.least_squares import Parameter
 from .._support.text import shown
 
-__all__ = ["hardness_to_modulus"]
+__all__ = ["hardness_to_modulus", "rebound_to_loss_factor"]
 
 #: Hardness that instruments and laboratories differ by at the least [Shore].
 _REPRODUCIBILITY = 2.0
@@ -73,6 +73,41 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
         return Parameter(value=value, lower=0.5 * value, upper=2.0 * value, unit="Pa")
     bounds = [law(shore + change) for law in (_gent, _qi) for change in (-_REPRODUCIBILITY, _REPRODUCIBILITY)]
     return Parameter(value=math.sqrt(_gent(shore) * _qi(shore)), lower=min(bounds), upper=max(bounds), unit="Pa")
+
+
+def rebound_to_loss_factor(rebound: float) -> float:
+    """Estimate the loss factor from the rebound resilience that data sheets give.
+
+    The pendulum that strikes the rubber and returns is half a swing of an oscillator, which keeps e^(-π η) of its
+    energy. The blow lasts some milliseconds: the loss factor is one of some hundred rad/s.
+
+    Parameters
+    ----------
+    rebound : float
+        Share of the energy that the pendulum keeps [-], in [0.01, 1): 0.55 for the 55 % of a data sheet.
+
+    Returns
+    -------
+    float
+        Loss factor η = tan δ [-].
+
+    Raises
+    ------
+    TypeError
+        Where the rebound is not a number.
+    ValueError
+        Where it is not in the range.
+
+    Examples
+    --------
+    >>> round(rebound_to_loss_factor(0.55), 3)
+    0.19
+    """
+    share = as_float("rebound", rebound)
+    if not 0.01 <= share < 1.0:
+        percent = f"; {share:g} % is {share / 100.0:g}" if 1.0 < share <= 100.0 else ""
+        raise ValueError(f"rebound must be in [0.01, 1), a share of the energy, got {share:g}{percent}")
+    return -math.log(share) / math.pi
 
 
 def _gent(shore: float) -> float:

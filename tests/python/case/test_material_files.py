@@ -100,9 +100,22 @@ def test_one_sweep_has_no_temperatures(curve, tmp_path):
             '{ type = "loss_factor", modulus = 1e6, loss_factor = 0.1, reference_frequency = 50.0 }',
             vr.LossFactor(modulus=1e6, loss_factor=0.1, reference_frequency=50.0),
         ),
+        (
+            '{ type = "hardness", hardness = 40, scale = "D" }',
+            vr.Elastic(modulus=vr.hardness_to_modulus(40, scale="D").value),
+        ),
+        (
+            '{ type = "hardness", hardness = 85.0, rebound = 0.55, reference_frequency = 120.0, decades = 2.0 }',
+            vr.LossFactor(
+                modulus=vr.hardness_to_modulus(85.0).value,
+                loss_factor=vr.rebound_to_loss_factor(0.55),
+                reference_frequency=120.0,
+                decades=2.0,
+            ),
+        ),
     ],
 )
-def test_case_files_take_numbers_and_loss_factors(tmp_path, modulus, expected):
+def test_case_files_take_what_data_sheets_have(tmp_path, modulus, expected):
     assert load_case(case_file(tmp_path, modulus)).ball.layers[0].shear_modulus == expected
 
 
@@ -131,6 +144,16 @@ def test_studies_vary_the_temperature(curve, saved, tmp_path):
 @pytest.mark.parametrize(
     ("modulus", "message"),
     [
+        (
+            '{ type = "hardness", hardness = 95 }',
+            r"shear_modulus: hardness must be in \[20, 90\] Shore A, got 95; give what is harder in Shore D",
+        ),
+        ('{ type = "hardness", hardness = 85, rebound = 55, reference_frequency = 1.0 }', "55 % is 0.55"),
+        ('{ type = "hardness", hardness = 85, rebound = 0.5 }', "reference_frequency must be given with a rebound"),
+        (
+            '{ type = "hardness", hardness = 85, decades = 2.0 }',
+            "decades must be left out where there is no rebound",
+        ),
         ('"b.toml"', r"ball.layers\[0\].shear_modulus: material .*b.toml: No such file"),
         ('{ type = "measured" }', "shear_modulus of type measured must have file"),
         ('{ type = "measured", file = "a.toml", at = 3 }', "shear_modulus of type measured has no parameter at"),

@@ -195,6 +195,21 @@ def test_hardness():
         vr.hardness_to_modulus(50.0, scale="B")
 
 
+def test_rebound():
+    """What a half swing of a weakly damped oscillator keeps: e^(-2 π ζ / sqrt(1 - ζ²) / 2) twice over, η = 2 ζ."""
+    for damping in (1e-3, 0.05):
+        kept = np.exp(-np.pi * damping / np.sqrt(1.0 - damping**2)) ** 2  # amplitudes of half a swing, squared
+        assert vr.rebound_to_loss_factor(kept) == pytest.approx(2.0 * damping, rel=2.0 * damping**2)
+    with pytest.raises(
+        ValueError, match=r"^rebound must be in \[0.01, 1\), a share of the energy, got 55; 55 % is 0.55$"
+    ):
+        vr.rebound_to_loss_factor(55)
+    with pytest.raises(ValueError, match=r"got 1$"):
+        vr.rebound_to_loss_factor(1.0)
+    with pytest.raises(TypeError, match="rebound must be a real number, got str '55 %'"):
+        vr.rebound_to_loss_factor("55 %")
+
+
 def test_hardness_as_data_sheets_write_it():
     assert vr.hardness_to_modulus(60.0, scale="a") == vr.hardness_to_modulus(60.0)
     assert vr.hardness_to_modulus(40.0, scale="d") == vr.hardness_to_modulus(40.0, scale="D")
