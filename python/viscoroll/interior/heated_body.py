@@ -4,25 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._core import InnerBoundary
-from .._support.arguments import as_float
 from .._support.text import shown
 from ..bodies import CoatedPlane, CoatedSphere
 from ..solution.inside import Inside, boundaries_of
 from ..solution.loss import contact_size
 from .conduction import Conduction
-from .heat_modes import HeatModes, film_matrix, modes_of_ball, modes_of_roller, modes_of_slab
+from .heat_modes import film_matrix, modes_of_ball, modes_of_roller, modes_of_slab
+from .surroundings import (
+    Core,
+    Surroundings,
+    conductivities_of,
+    even_film,
+    held_rise,
+    inner_coefficients,
+    not_negative,
+    positive,
+    refuse,
+    require_sink,
+)
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["Core", "HeatedBody", "Surroundings", "heated_body", "not_negative", "positive"]
+__all__ = ["HeatedBody", "heated_body"]
 
 #: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
@@ -31,28 +41,6 @@ _MOST_DEGREES = 400
 #: Functions between side faces: what is left out holds 1e-6 of the heat.
 _SIDE_MODES = 40
 _PLACES_ACROSS = 41
-
-
-class Core(Enum):
-    """What the core or the base does to heat; a number in its place is its conductivity [W/(m K)], of a ball's core."""
-
-    INSULATED = "insulated"  #: lets none through
-    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Surroundings:
-    """Where heat may go: the arguments of `temperature`, as they were given."""
-
-    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
-    ambient: float
-    core: Core | float = Core.INSULATED
-    core_temperature: float | None = None
-    width: float | None = None
-    side_convection: float | None = None
-    hub_conductance: float | None = None
-    base_convection: float | None = None
-    period: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -134,7 +122,7 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
     """
     if not np.isfinite(inside.thickness):
         raise ValueError("result.on must lie on something rigid for its temperature, got a half-space")
-    conductivities = _conductivities(inside, conductivity)
+    conductivities = conductivities_of(inside, conductivity)
     if isinstance(inside.body, CoatedSphere):
         return _ball(inside, given, conductivities)
     if isinstance(inside.body, CoatedPlane):
@@ -143,13 +131,13 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
 
 
 def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
     ball = inside.body
     assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise ValueError(f"core must be INSULATED in a ball without one, got {shown(given.core)}")
-    rise = _held(given)
+    rise = held_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
@@ -160,9 +148,9 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
             / ball.core_radius
         )
     varying = callable(given.convection)
-    film = film_matrix(given.convection, degrees) if callable(given.convection) else _film(given)
+    film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
     if inner is not None and not varying:
-        _require_sink(inside, film, False)
+        require_sink(inside, film, False)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -183,7 +171,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 
 def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("base_convection", "period"), "a roller")
+    refuse(given, ("base_convection", "period"), "a roller")
     width = None if given.width is None else positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
@@ -195,14 +183,14 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
         )
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
     bounds = boundaries_of(inside.body)
-    inner = _inner(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
-    film = _film(given)
-    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
     across = np.zeros(1) if width is None else np.linspace(-0.5 * width, 0.5 * width, _PLACES_ACROSS)
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=_held(given),
+        inner_rise=held_rise(given),
         along="z",
         unit="W/m" if width is None else "W",
         power=inside.bulk_power * (width or 1.0),
@@ -212,7 +200,7 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
     period = positive("period", given.period, "s")
@@ -225,9 +213,9 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     )
     if base is not None and given.core is not Core.INSULATED:
         raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")
-    inner = _inner(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
-    film = _film(given)
-    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+    inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
         density = loss.loss_density.to_numpy() / period
@@ -240,71 +228,12 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     return HeatedBody(
         inside=inside,
         conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=_held(given),
+        inner_rise=held_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
         power=inside.bulk_power / (inside.passes * inside.radius * period),
         project=project,
     )
-
-
-def _inner(given: Surroundings, modes: HeatModes, area: Callable[[], float]) -> NDArray[np.float64] | None:
-    """Coefficients at the inner surface, None where its temperature is given."""
-    if not isinstance(given.core, Core):
-        raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
-    if given.core is Core.ISOTHERMAL:
-        if given.hub_conductance is not None:
-            raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
-        return None
-    conductance = not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
-    return np.full(modes.count, conductance / area())
-
-
-def _held(given: Surroundings) -> float:
-    """Rise of a core at a given temperature [K]."""
-    if given.core is not Core.ISOTHERMAL:
-        if given.core_temperature is not None:
-            wanted = "core_temperature must be left out unless core is ISOTHERMAL"
-            raise ValueError(f"{wanted}, got {shown(given.core_temperature)}")
-        return 0.0
-    return (
-        0.0
-        if given.core_temperature is None
-        else positive("core_temperature", given.core_temperature, "K") - given.ambient
-    )
-
-
-def _film(given: Surroundings) -> float:
-    if callable(given.convection):
-        values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
-        return not_negative("convection", float(values[0]), "W/(m^2 K)")
-    return not_negative("convection", given.convection, "W/(m^2 K)")
-
-
-def _require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
-    if not other and np.ndim(film) == 0 and film == 0.0 and inside.bulk_power > 0.0:
-        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
-
-
-def _refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
-    for name in names:
-        if getattr(given, name) is not None:
-            raise ValueError(f"{name} must be left out with {body}, got {shown(getattr(given, name))}")
-
-
-def _conductivities(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
-    layers = inside.body.layers
-    if given is None:
-        values = [layer.conductivity for layer in layers]
-        if None in values:
-            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
-        return [value for value in values if value is not None]
-    if np.ndim(given) == 0:
-        return [positive("conductivity", given, "W/(m K)")] * len(layers)
-    several = [positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
-    if len(several) != len(layers):
-        raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
-    return several
 
 
 def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -317,31 +246,3 @@ def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> N
     matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
     matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
     return matrix
-
-
-def positive(name: str, value: object, unit: str) -> float:
-    """Return a finite number > 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
-    return number
-
-
-def not_negative(name: str, value: object, unit: str) -> float:
-    """Return a finite number >= 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number >= 0.0):
-        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
-    return number

@@ -16,7 +16,8 @@ from .._support.tables import html_table, number_text
 from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
 from ..rolling import Result
 from ..solution.inside import Of, finite_line, inside_of
-from .heated_body import Core, HeatedBody, Surroundings, heated_body, not_negative, positive
+from .heated_body import HeatedBody, heated_body
+from .surroundings import Core, Surroundings, not_negative, positive
 
 if TYPE_CHECKING:
     import xarray
