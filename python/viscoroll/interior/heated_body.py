@@ -1,4 +1,4 @@
-"""A ball, a roller or a slab as heat sees it: how it conducts, what leaves it, and the source that its loss is."""
+"""A ball, a roller, a wheel or a slab as heat sees it: how it conducts, what leaves it, the source that its loss is."""
 
 from __future__ import annotations
 
@@ -10,11 +10,19 @@ import numpy as np
 
 from .._core import InnerBoundary
 from .._support.text import shown
-from ..bodies import CoatedPlane, CoatedSphere
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from ..solution.inside import Inside, boundaries_of
 from ..solution.loss import contact_size
 from .conduction import Conduction
-from .heat_modes import film_matrix, modes_of_ball, modes_of_roller, modes_of_slab
+from .heat_modes import (
+    HeatModes,
+    film_across,
+    film_matrix,
+    modes_of_ball,
+    modes_of_roller,
+    modes_of_slab,
+    modes_of_wheel,
+)
 from .surroundings import (
     Core,
     Surroundings,
@@ -34,7 +42,7 @@ if TYPE_CHECKING:
 
 __all__ = ["HeatedBody", "heated_body"]
 
-#: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
+#: Degrees per r_o over the contact's semi-axis, and of waves across a wheel: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
 _MOST_DEGREES = 400
 
@@ -127,6 +135,8 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
         return _ball(inside, given, conductivities)
     if isinstance(inside.body, CoatedPlane):
         return _slab(inside, given, conductivities)
+    if isinstance(inside.body, CoatedWheel):
+        return _wheel(inside, given, conductivities)
     return _roller(inside, given, conductivities)
 
 
@@ -147,10 +157,8 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
             * np.arange(degrees, dtype=np.float64)
             / ball.core_radius
         )
-    varying = callable(given.convection)
     film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
-    if inner is not None and not varying:
-        require_sink(inside, film, False)
+    require_sink(inside, film, inner is None)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -176,17 +184,12 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
             raise ValueError(f"width must be given with {name}, got none")
-    side = not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
-    if side > 0.0 and len(set(conductivities)) > 1:
-        raise ValueError(
-            f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
-        )
+    side = _side(given, conductivities)
     modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
     bounds = boundaries_of(inside.body)
     inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
     film = even_film(given)
     require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
-    across = np.zeros(1) if width is None else np.linspace(-0.5 * width, 0.5 * width, _PLACES_ACROSS)
     return HeatedBody(
         inside=inside,
         conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
@@ -195,8 +198,66 @@ def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) ->
         unit="W/m" if width is None else "W",
         power=inside.bulk_power * (width or 1.0),
         project=lambda loss: modes.unity[:, None] * loss.power_density.to_numpy()[:, 0],
-        places=across,
+        places=np.zeros(1) if width is None else _across(width, modes),
     )
+
+
+def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    """Return a section with faces: the source varies across it."""
+    assert isinstance(inside.body, CoatedWheel)
+    result = inside.result
+    if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
+        refuse(given, ("base_convection", "period"), "a roller")
+        if given.width is None:
+            raise ValueError("width must be given with a roller under a wheel: that of the roller [m]")
+        width = positive("width", given.width, "m")
+    else:
+        refuse(given, ("width", "base_convection", "period"), "a wheel")
+        width = inside.body.width
+    side = _side(given, conductivities)
+    narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
+    wanted = int(_DEGREES_PER_CONTACT * width / (np.pi * narrowest))
+    modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MOST_DEGREES))
+    bounds = boundaries_of(inside.body)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
+    film = (
+        film_across(given.convection, modes, width, inside.radius) if callable(given.convection) else even_film(given)
+    )
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
+    z = 0.5 * width * points
+    # Squares are over the whole surface, of which z is one way.
+    waves = np.pi * width * weights * modes.values(z) / modes.square[:, None]
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        density = loss.power_density.to_numpy().T
+        return np.asarray(waves @ _between_nodes(loss.z.to_numpy()[::-1], density[::-1], z))
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W",
+        power=inside.bulk_power,
+        project=project,
+        places=_across(width, modes),
+    )
+
+
+def _across(width: float, modes: HeatModes) -> NDArray[np.float64]:
+    """Places between faces, enough of them on either side of the middle to tell all modes apart."""
+    return np.linspace(-0.5 * width, 0.5 * width, max(_PLACES_ACROSS, 2 * modes.count + 1))
+
+
+def _side(given: Surroundings, conductivities: list[float]) -> float:
+    """Coefficient at side faces."""
+    side = not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
+    if side > 0.0 and len(set(conductivities)) > 1:
+        raise ValueError(
+            f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
+        )
+    return side
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
@@ -205,7 +266,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
         raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
     period = positive("period", given.period, "s")
     result = inside.result
-    track = None if inside.line_contact else 2.0 * np.pi * inside.radius
+    track = None if inside.line_contact else _between_tracks(inside)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
     modes = modes_of_slab(track, degrees)
     base = (
@@ -236,6 +297,13 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     )
 
 
+def _between_tracks(inside: Inside) -> float:
+    """From one track across a plane to the next [m]: circumferences, as the loss has them."""
+    result = inside.result
+    width = result.ball.width if isinstance(result.ball, CoatedWheel) else 0.0
+    return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
+
+
 def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the matrix of polynomial interpolation, by the barycentric formula."""
     gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
@@ -246,3 +314,22 @@ def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> N
     matrix: NDArray[np.float64] = terms / terms.sum(axis=1, keepdims=True)
     matrix[hits.any(axis=1)] = hits[hits.any(axis=1)]
     return matrix
+
+
+def _between_nodes(
+    nodes: NDArray[np.float64], values: NDArray[np.float64], places: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return values at places between equally spaced nodes, each by the four around it; 0 beyond the nodes."""
+    offsets = (places - nodes[0]) / (nodes[1] - nodes[0])
+    first = np.clip(np.floor(offsets).astype(np.int_) - 1, 0, nodes.size - 4)
+    t = offsets - first
+    weights = np.stack(
+        [
+            -(t - 1) * (t - 2) * (t - 3) / 6,
+            t * (t - 2) * (t - 3) / 2,
+            -t * (t - 1) * (t - 3) / 2,
+            t * (t - 1) * (t - 2) / 6,
+        ]
+    )
+    there = (offsets >= 0.0) & (offsets <= nodes.size - 1.0)
+    return np.asarray(np.einsum("ip,ipd->pd", weights * there, values[first + np.arange(4)[:, None]]))

@@ -119,7 +119,7 @@ def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool)
     ValueError
         Where neither the surface nor what `other` stands for takes any.
     """
-    if not other and np.ndim(film) == 0 and film == 0.0 and inside.bulk_power > 0.0:
+    if not other and not np.any(film) and inside.bulk_power > 0.0:
         raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
 
 

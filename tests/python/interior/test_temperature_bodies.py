@@ -201,6 +201,14 @@ def test_a_cold_start_ends_in_the_steady_state(turning):
     assert again.maximum[0] == pytest.approx(t.maximum, rel=1e-5)
 
 
+def test_from_a_steady_state_nothing_changes(turning):
+    """The field at its places between the faces is all that the waves across are known by."""
+    cooling = AIR | {"width": 50e-3, "side_convection": 15.0}
+    t = vr.temperature(turning, **cooling)
+    still = vr.temperature(turning, time=[0.0, 1.0, 100.0], start=t, **cooling).history
+    np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-8)
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
