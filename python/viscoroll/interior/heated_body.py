@@ -129,7 +129,10 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
         For bad input, for what the body has not, and where nothing takes the heat.
     """
     if not np.isfinite(inside.thickness):
-        raise ValueError("result.on must lie on something rigid for its temperature, got a half-space")
+        never = "whose heat goes on spreading into the depth, so that it is never steady"
+        raise ValueError(
+            f"result.on must have a depth for its temperature, got a half-space, {never}: give a thick layer"
+        )
     conductivities = conductivities_of(inside, conductivity)
     if isinstance(inside.body, CoatedSphere):
         return _ball(inside, given, conductivities)
