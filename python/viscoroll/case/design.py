@@ -14,8 +14,8 @@ from .._support.cautions import kept_in_results
 from .._support.extras import extra
 from .._support.progress import ProgressLike, Report, reporting
 from ..rolling import Result
-from ..solution.scalars import SCALARS
 from .case import build_case
+from .limits import LIMITS, Outcome, outcome_of
 from .study import place_of, substituted
 from .tables import StrictTable, checked, errors_in, read_toml
 
@@ -31,34 +31,6 @@ __all__ = ["Design", "design_case"]
 _POINTS = 15
 
 
-#: The limit that is no scalar result: the hottest place of the coating.
-_TEMPERATURE = "temperature"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Outcome:
-    """What came of one value.
-
-    Attributes
-    ----------
-    result : Result
-        The solved case.
-    temperature : float or None
-        Of the hottest place of the coating [K], where that is limited.
-    """
-
-    result: Result
-    temperature: float | None
-
-    def value(self, name: str) -> float:
-        """Return a scalar result, or the temperature [K], by its name."""
-        return float(self.temperature if name == _TEMPERATURE else getattr(self.result, name))  # type: ignore[arg-type]
-
-    def violation(self, limits: Mapping[str, float]) -> float:
-        """Return by how much the worst limit is exceeded, relative; negative where all are kept."""
-        return max((self.value(name) / limit - 1.0 for name, limit in limits.items()), default=-1.0)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Design:
     """What a search found.
@@ -72,7 +44,7 @@ class Design:
     outcome : Outcome
         At the best value.
     limits : mapping of str to float
-        Largest values allowed, by the names of scalar results, or "temperature" [SI].
+        Largest values allowed, by the names of scalar results and of what `Outcome` has of the inside [SI].
     values : tuple of float
         All that were tried, increasing.
     outcomes : tuple of Outcome or None
@@ -139,7 +111,7 @@ class Design:
         left_out = [pair for pair in solved if pair[1].violation(self.limits) > 0.0]
         axes.plot(*_column(left_out, "dissipated_power"), "rx", label="not allowed")
         axes.plot(self.best, self.result.dissipated_power, "b*", markersize=14, label="best")
-        axes.set(xlabel=self.variable, ylabel="power lost [W]")
+        axes.set(xlabel=self.variable, ylabel=f"power lost [{self.result.unit('dissipated_power')}]")
         axes.legend()
 
 
@@ -182,9 +154,12 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         to = 5e-3
         limits = { max_pressure = 2e6, strain = 0.2 }
 
-    where limits are upper bounds of scalar results, by their names, or of the temperature [K] of the hottest place of
-    the coating, where the file has a table [thermal]. Values at equal ratios show where the limits are
-    kept; then SciPy finds the ends of that range, and the least power in it.
+    where limits are upper bounds of scalar results, by their names, and of what happens inside the layers of what
+    rolls and of what it rolls on: `bond_shear` and `bond_tension` [Pa], the largest tractions where layers are bonded
+    to a core, a base or each other; where the file has a table [thermal], `temperature` [K] of the hottest place; and
+    where that has a shift, `load_to_fold`, the load per that at which the cold state ends. With a shift the case is its
+    coldest steady state wherever heat is limited. Values at equal ratios show where the limits are kept; then SciPy
+    finds the ends of that range, and the least power in it.
 
     Parameters
     ----------
@@ -210,16 +185,7 @@ def design_case(path: str | Path, *, progress: ProgressLike = None) -> Design:
         place = place_of(variable)
 
         def solve(value: float, report: Report | None = None) -> Outcome:
-            case = build_case(substituted(document, {place: value}), path.parent)
-            result = case.solve(progress=report)
-            if _TEMPERATURE not in limits:
-                return Outcome(result=result, temperature=None)
-            if case.thermal is None:
-                raise ValueError(
-                    "design.limits.temperature needs a table [thermal] that says how the coating is cooled"
-                )
-            heated = case.thermal.temperature(result)
-            return Outcome(result=result, temperature=heated.ambient + heated.maximum)
+            return outcome_of(build_case(substituted(document, {place: value}), path.parent), limits, report)
 
         with kept_in_results(), reporting(progress) as report:
             search = _Search(solve, report)
@@ -246,8 +212,8 @@ def _checked(table: object) -> tuple[str, float, float, dict[str, float]]:
     wanted = checked(_File, {"design": table}).design
     if not wanted.low < wanted.high:
         raise ValueError(f"design.from and design.to must be 0 < from < to, got {wanted.low!r} and {wanted.high!r}")
-    if unknown := [name for name in wanted.limits if name not in SCALARS and name != _TEMPERATURE]:
-        raise ValueError(f"design.limits must be of {', '.join([*SCALARS, _TEMPERATURE])}, got {unknown[0]!r}")
+    if unknown := [name for name in wanted.limits if name not in LIMITS]:
+        raise ValueError(f"design.limits must be of {', '.join(LIMITS)}, got {unknown[0]!r}")
     return wanted.vary, wanted.low, wanted.high, wanted.limits
 
 

@@ -116,10 +116,12 @@ def design(
     check_target("--plot", plot, PICTURES)
     with progress_bar() as report:
         found = design_case(case, progress=report)
-    write_line(f"{found.variable} = {found.best:.6g}: power lost {found.result.dissipated_power:.6g} W")
+    power = f"{found.result.dissipated_power:.6g} {found.result.unit('dissipated_power')}"
+    write_line(f"{found.variable} = {found.best:.6g}: power lost {power}")
     for name, limit in found.limits.items():
         reached = ", reached" if name in found.active else ""
-        write_line(f"  {name} = {found.outcome.value(name):.6g}, limit {limit:.6g}{reached}")
+        unit = f" {found.outcome.unit(name)}".removesuffix(" 1")
+        write_line(f"  {name} = {found.outcome.value(name):.6g}{unit}, limit {limit:.6g}{unit}{reached}")
     if plot is not None:
         found.plot().savefig(plot, dpi=150)
         write_line(f"power and limits drawn to {plot}")

@@ -1,4 +1,4 @@
-"""What a temperature is a sum of along the surface of a ball, a roller or a slab: T = Σ T_j(r) Y_j."""
+"""What a temperature is a sum of along the surface of a ball, a roller, a wheel or a slab: T = Σ T_j(r) Y_j."""
 
 from __future__ import annotations
 
@@ -12,7 +12,16 @@ from numpy.polynomial import legendre
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["HeatModes", "film_matrix", "legendre_values", "modes_of_ball", "modes_of_roller", "modes_of_slab"]
+__all__ = [
+    "HeatModes",
+    "film_across",
+    "film_matrix",
+    "legendre_values",
+    "modes_of_ball",
+    "modes_of_roller",
+    "modes_of_slab",
+    "modes_of_wheel",
+]
 
 _DEEPEST = 1e-2  # of the radius of a ball without a core: below, nothing but the mean is left
 
@@ -84,20 +93,38 @@ def modes_of_roller(width: float | None, side: float, count: int = 1) -> HeatMod
     count : int
         How many.
     """
-    length = 1.0 if width is None else width
     if width is None or side == 0.0:
-        half = np.zeros(1)
-        square = np.array([length])
-        area = square
-    else:
-        half = _side_roots(0.5 * side * width, count)
-        area = length * np.sinc(half / np.pi)
-        square = 0.5 * length * (1.0 + np.sinc(2.0 * half / np.pi))
-    beta = 2.0 * half / length
+        return _between_faces(1.0 if width is None else width, np.zeros(1), np.zeros(1, np.int_))
+    halves = np.arange(0, 2 * count, 2)
+    return _between_faces(width, _side_roots(0.5 * side * width, halves), halves)
+
+
+def modes_of_wheel(width: float, side: float, count: int) -> HeatModes:
+    """Return cos(β_j z - jπ/2) between side faces: those of a roller, and between them the odd ones.
+
+    Parameters
+    ----------
+    width : float
+        L [m].
+    side : float
+        Convection at the side faces per conductivity, h_s/k [1/m].
+    count : int
+        How many.
+    """
+    halves = np.arange(count)
+    return _between_faces(width, _side_roots(0.5 * side * width, halves), halves)
+
+
+def _between_faces(length: float, root: NDArray[np.float64], halves: NDArray[np.int_]) -> HeatModes:
+    """Return cos(2 x_j z/L - jπ/2), x_j roots and j the halves of waves between the faces."""
+    beta = 2.0 * root / length
+    odd = halves % 2
+    area = np.where(odd, 0.0, length * np.sinc(root / np.pi))
+    square = 0.5 * length * (1.0 + np.where(odd, -1.0, 1.0) * np.sinc(2.0 * root / np.pi))
     return HeatModes(
         measure=lambda r: np.asarray(r, dtype=np.float64),
         rate=lambda r: np.repeat(beta[:, None] ** 2, np.size(r), axis=1),
-        values=lambda z: np.cos(beta[:, None] * z),
+        values=lambda z: np.where(odd[:, None], np.sin(beta[:, None] * z), np.cos(beta[:, None] * z)),
         unity=area / square,
         area=2.0 * np.pi * area,
         square=2.0 * np.pi * square,
@@ -139,16 +166,44 @@ def film_matrix(convection: Callable[[NDArray[np.float64]], NDArray[np.float64]]
     """
     cosine, weights = legendre.leggauss(2 * degrees + 2)
     values = legendre_values(degrees, cosine)
-    coefficient = np.broadcast_to(np.asarray(convection(np.arccos(cosine)), dtype=float), cosine.shape)
-    if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
-        raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
+    coefficient = _coefficients(convection, np.arccos(cosine))
     film: NDArray[np.float64] = (np.arange(degrees)[:, None] + 0.5) * ((values * (coefficient * weights)) @ values.T)
     return film
 
 
-def _side_roots(biot: float, count: int) -> NDArray[np.float64]:
-    """Roots of x tan x = Bi, one in each [jπ, jπ + π/2), by Newton's method on x sin x - Bi cos x."""
-    low = np.pi * np.arange(count)
+def film_across(
+    convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], modes: HeatModes, width: float, radius: float
+) -> NDArray[np.float64]:
+    """Matrix of convection on a wheel, a function of θ = π/2 - z/r_o: H = ∫ h_c Y_j Y_l dz / ∫ Y_j² dz.
+
+    Raises
+    ------
+    ValueError
+        For coefficients below 0 and not finite.
+    """
+    points, weights = legendre.leggauss(2 * modes.count + 2)
+    z = 0.5 * width * points
+    values = modes.values(z)
+    coefficient = _coefficients(convection, 0.5 * np.pi - z / radius)
+    # Squares are over the whole surface, of which z is one way.
+    norm = modes.square[:, None] / (np.pi * width)
+    return np.asarray(((values * (coefficient * weights)) @ values.T) / norm)
+
+
+def _coefficients(
+    convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], theta: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    coefficient = np.broadcast_to(np.asarray(convection(theta), dtype=float), theta.shape)
+    if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
+        raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
+    return coefficient
+
+
+def _side_roots(biot: float, halves: NDArray[np.int_]) -> NDArray[np.float64]:
+    """Roots of x tan(x - jπ/2) = Bi, each in [jπ/2, jπ/2 + π/2), by Newton's method on the arctangent's form."""
+    low = np.asarray(0.5 * np.pi * halves, dtype=np.float64)
+    if biot == 0.0:
+        return low
     x = low + np.arctan(biot / np.maximum(low, np.sqrt(biot) if biot < 1.0 else 1.0))
     for _ in range(60):
         value = (x - low) - np.arctan2(biot, x)

@@ -1,58 +1,54 @@
-"""A ball, a roller or a slab as heat sees it: how it conducts, what leaves it, and the source that its loss is."""
+"""A ball, a roller, a wheel or a slab as heat sees it: how it conducts, what leaves it, the source that its loss is."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._core import InnerBoundary
-from .._support.arguments import as_float
 from .._support.text import shown
-from ..bodies import CoatedPlane, CoatedSphere
+from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from ..solution.inside import Inside, boundaries_of
 from ..solution.loss import contact_size
 from .conduction import Conduction
-from .heat_modes import HeatModes, film_matrix, modes_of_ball, modes_of_roller, modes_of_slab
+from .heat_modes import (
+    HeatModes,
+    film_across,
+    film_matrix,
+    modes_of_ball,
+    modes_of_roller,
+    modes_of_slab,
+    modes_of_wheel,
+)
+from .surroundings import (
+    Core,
+    Surroundings,
+    conductivities_of,
+    even_film,
+    held_rise,
+    inner_coefficients,
+    not_negative,
+    positive,
+    refuse,
+    require_sink,
+)
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-__all__ = ["Core", "HeatedBody", "Surroundings", "heated_body", "not_negative", "positive"]
+__all__ = ["HeatedBody", "heated_body"]
 
-#: Degrees per r_o over the contact's semi-axis: 1e-5 of the temperature.
+#: Degrees per r_o over the contact's semi-axis, and of waves across a wheel: 1e-5 of the temperature.
 _DEGREES_PER_CONTACT = 15.0
 _MOST_DEGREES = 400
 
 #: Functions between side faces: what is left out holds 1e-6 of the heat.
 _SIDE_MODES = 40
 _PLACES_ACROSS = 41
-
-
-class Core(Enum):
-    """What the core or the base does to heat; a number in its place is its conductivity [W/(m K)], of a ball's core."""
-
-    INSULATED = "insulated"  #: lets none through
-    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Surroundings:
-    """Where heat may go: the arguments of `temperature`, as they were given."""
-
-    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
-    ambient: float
-    core: Core | float = Core.INSULATED
-    core_temperature: float | None = None
-    width: float | None = None
-    side_convection: float | None = None
-    hub_conductance: float | None = None
-    base_convection: float | None = None
-    period: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -133,23 +129,28 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
         For bad input, for what the body has not, and where nothing takes the heat.
     """
     if not np.isfinite(inside.thickness):
-        raise ValueError("result.on must lie on something rigid for its temperature, got a half-space")
-    conductivities = _conductivities(inside, conductivity)
+        never = "whose heat goes on spreading into the depth, so that it is never steady"
+        raise ValueError(
+            f"result.on must have a depth for its temperature, got a half-space, {never}: give a thick layer"
+        )
+    conductivities = conductivities_of(inside, conductivity)
     if isinstance(inside.body, CoatedSphere):
         return _ball(inside, given, conductivities)
     if isinstance(inside.body, CoatedPlane):
         return _slab(inside, given, conductivities)
+    if isinstance(inside.body, CoatedWheel):
+        return _wheel(inside, given, conductivities)
     return _roller(inside, given, conductivities)
 
 
 def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
+    refuse(given, ("width", "side_convection", "hub_conductance", "base_convection", "period"), "a ball")
     ball = inside.body
     assert isinstance(ball, CoatedSphere)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(inside.result)) + 2, _MOST_DEGREES)
     if ball.inner_boundary is not InnerBoundary.RIGID and given.core is not Core.INSULATED:
         raise ValueError(f"core must be INSULATED in a ball without one, got {shown(given.core)}")
-    rise = _held(given)
+    rise = held_rise(given)
     inner: NDArray[np.float64] | None
     if isinstance(given.core, Core):
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
@@ -159,10 +160,8 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
             * np.arange(degrees, dtype=np.float64)
             / ball.core_radius
         )
-    varying = callable(given.convection)
-    film = film_matrix(given.convection, degrees) if callable(given.convection) else _film(given)
-    if inner is not None and not varying:
-        _require_sink(inside, film, False)
+    film = film_matrix(given.convection, degrees) if callable(given.convection) else even_film(given)
+    require_sink(inside, film, inner is None)
     modes = modes_of_ball(degrees)
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
@@ -183,41 +182,94 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 
 def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("base_convection", "period"), "a roller")
+    refuse(given, ("base_convection", "period"), "a roller")
     width = None if given.width is None else positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
             raise ValueError(f"width must be given with {name}, got none")
+    side = _side(given, conductivities)
+    modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
+    bounds = boundaries_of(inside.body)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W/m" if width is None else "W",
+        power=inside.bulk_power * (width or 1.0),
+        project=lambda loss: modes.unity[:, None] * loss.power_density.to_numpy()[:, 0],
+        places=np.zeros(1) if width is None else _across(width, modes),
+    )
+
+
+def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
+    """Return a section with faces: the source varies across it."""
+    assert isinstance(inside.body, CoatedWheel)
+    result = inside.result
+    if isinstance(result.on if inside.of == "counterpart" else result.ball, CoatedCylinder):
+        refuse(given, ("base_convection", "period"), "a roller")
+        if given.width is None:
+            raise ValueError("width must be given with a roller under a wheel: that of the roller [m]")
+        width = positive("width", given.width, "m")
+    else:
+        refuse(given, ("width", "base_convection", "period"), "a wheel")
+        width = inside.body.width
+    side = _side(given, conductivities)
+    narrowest = 0.5 * result.contact_width if result.contact_width else contact_size(result)
+    wanted = int(_DEGREES_PER_CONTACT * width / (np.pi * narrowest))
+    modes = modes_of_wheel(width, side / conductivities[0], min(max(wanted, 2 * _SIDE_MODES), _MOST_DEGREES))
+    bounds = boundaries_of(inside.body)
+    inner = inner_coefficients(given, modes, lambda: 2.0 * np.pi * bounds[0] * width)
+    film = (
+        film_across(given.convection, modes, width, inside.radius) if callable(given.convection) else even_film(given)
+    )
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
+    points, weights = np.polynomial.legendre.leggauss(2 * modes.count)
+    z = 0.5 * width * points
+    # Squares are over the whole surface, of which z is one way.
+    waves = np.pi * width * weights * modes.values(z) / modes.square[:, None]
+
+    def project(loss: xarray.Dataset) -> NDArray[np.float64]:
+        density = loss.power_density.to_numpy().T
+        return np.asarray(waves @ _between_nodes(loss.z.to_numpy()[::-1], density[::-1], z))
+
+    return HeatedBody(
+        inside=inside,
+        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
+        inner_rise=held_rise(given),
+        along="z",
+        unit="W",
+        power=inside.bulk_power,
+        project=project,
+        places=_across(width, modes),
+    )
+
+
+def _across(width: float, modes: HeatModes) -> NDArray[np.float64]:
+    """Places between faces, enough of them on either side of the middle to tell all modes apart."""
+    return np.linspace(-0.5 * width, 0.5 * width, max(_PLACES_ACROSS, 2 * modes.count + 1))
+
+
+def _side(given: Surroundings, conductivities: list[float]) -> float:
+    """Coefficient at side faces."""
     side = not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
     if side > 0.0 and len(set(conductivities)) > 1:
         raise ValueError(
             f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
         )
-    modes = modes_of_roller(width, side / conductivities[0], _SIDE_MODES)
-    bounds = boundaries_of(inside.body)
-    inner = _inner(given, modes, lambda: 2.0 * np.pi * bounds[0] * (width or 1.0))
-    film = _film(given)
-    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0) or side > 0.0)
-    across = np.zeros(1) if width is None else np.linspace(-0.5 * width, 0.5 * width, _PLACES_ACROSS)
-    return HeatedBody(
-        inside=inside,
-        conduction=Conduction(bounds.tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=_held(given),
-        along="z",
-        unit="W/m" if width is None else "W",
-        power=inside.bulk_power * (width or 1.0),
-        project=lambda loss: modes.unity[:, None] * loss.power_density.to_numpy()[:, 0],
-        places=across,
-    )
+    return side
 
 
 def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
-    _refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
+    refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
     period = positive("period", given.period, "s")
     result = inside.result
-    track = None if inside.line_contact else 2.0 * np.pi * inside.radius
+    track = None if inside.line_contact else _between_tracks(inside)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
     modes = modes_of_slab(track, degrees)
     base = (
@@ -225,9 +277,9 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     )
     if base is not None and given.core is not Core.INSULATED:
         raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")
-    inner = _inner(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
-    film = _film(given)
-    _require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
+    inner = inner_coefficients(given, modes, lambda: 1.0) if base is None else np.full(modes.count, base)
+    film = even_film(given)
+    require_sink(inside, film, inner is None or bool(inner[0] > 0.0))
 
     def project(loss: xarray.Dataset) -> NDArray[np.float64]:
         density = loss.loss_density.to_numpy() / period
@@ -240,7 +292,7 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     return HeatedBody(
         inside=inside,
         conduction=Conduction(boundaries_of(inside.body).tolist(), conductivities, modes, film=film, inner=inner),
-        inner_rise=_held(given),
+        inner_rise=held_rise(given),
         along="z",
         unit="W/m²" if inside.line_contact else "W/m",
         power=inside.bulk_power / (inside.passes * inside.radius * period),
@@ -248,63 +300,11 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     )
 
 
-def _inner(given: Surroundings, modes: HeatModes, area: Callable[[], float]) -> NDArray[np.float64] | None:
-    """Coefficients at the inner surface, None where its temperature is given."""
-    if not isinstance(given.core, Core):
-        raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
-    if given.core is Core.ISOTHERMAL:
-        if given.hub_conductance is not None:
-            raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
-        return None
-    conductance = not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
-    return np.full(modes.count, conductance / area())
-
-
-def _held(given: Surroundings) -> float:
-    """Rise of a core at a given temperature [K]."""
-    if given.core is not Core.ISOTHERMAL:
-        if given.core_temperature is not None:
-            wanted = "core_temperature must be left out unless core is ISOTHERMAL"
-            raise ValueError(f"{wanted}, got {shown(given.core_temperature)}")
-        return 0.0
-    return (
-        0.0
-        if given.core_temperature is None
-        else positive("core_temperature", given.core_temperature, "K") - given.ambient
-    )
-
-
-def _film(given: Surroundings) -> float:
-    if callable(given.convection):
-        values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
-        return not_negative("convection", float(values[0]), "W/(m^2 K)")
-    return not_negative("convection", given.convection, "W/(m^2 K)")
-
-
-def _require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
-    if not other and np.ndim(film) == 0 and film == 0.0 and inside.bulk_power > 0.0:
-        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
-
-
-def _refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
-    for name in names:
-        if getattr(given, name) is not None:
-            raise ValueError(f"{name} must be left out with {body}, got {shown(getattr(given, name))}")
-
-
-def _conductivities(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
-    layers = inside.body.layers
-    if given is None:
-        values = [layer.conductivity for layer in layers]
-        if None in values:
-            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
-        return [value for value in values if value is not None]
-    if np.ndim(given) == 0:
-        return [positive("conductivity", given, "W/(m K)")] * len(layers)
-    several = [positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
-    if len(several) != len(layers):
-        raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
-    return several
+def _between_tracks(inside: Inside) -> float:
+    """From one track across a plane to the next [m]: circumferences, as the loss has them."""
+    result = inside.result
+    width = result.ball.width if isinstance(result.ball, CoatedWheel) else 0.0
+    return 2.0 * np.pi * inside.radius * max(1, int(np.ceil(width / (np.pi * inside.radius))))
 
 
 def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -319,29 +319,20 @@ def _interpolation(nodes: NDArray[np.float64], points: NDArray[np.float64]) -> N
     return matrix
 
 
-def positive(name: str, value: object, unit: str) -> float:
-    """Return a finite number > 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
-    return number
-
-
-def not_negative(name: str, value: object, unit: str) -> float:
-    """Return a finite number >= 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number >= 0.0):
-        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
-    return number
+def _between_nodes(
+    nodes: NDArray[np.float64], values: NDArray[np.float64], places: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return values at places between equally spaced nodes, each by the four around it; 0 beyond the nodes."""
+    offsets = (places - nodes[0]) / (nodes[1] - nodes[0])
+    first = np.clip(np.floor(offsets).astype(np.int_) - 1, 0, nodes.size - 4)
+    t = offsets - first
+    weights = np.stack(
+        [
+            -(t - 1) * (t - 2) * (t - 3) / 6,
+            t * (t - 2) * (t - 3) / 2,
+            -t * (t - 1) * (t - 3) / 2,
+            t * (t - 1) * (t - 2) / 6,
+        ]
+    )
+    there = (offsets >= 0.0) & (offsets <= nodes.size - 1.0)
+    return np.asarray(np.einsum("ip,ipd->pd", weights * there, values[first + np.arange(4)[:, None]]))

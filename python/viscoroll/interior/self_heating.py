@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._support.arguments import as_float, as_int, as_kelvin
+from .._support.arguments import as_float, as_int, as_kelvin, require_type
 from .._support.cautions import kept_in_results, warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, counted, reporting
 from .._support.tables import html_table, number_text
-from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
+from ..bodies import RollingBody
 from ..materials import Shift
 from .steady_states import Fold, StateSearch, SteadyState
 from .temperature import QUANTITIES, Core
@@ -159,7 +159,7 @@ def self_heating(
 
     Parameters
     ----------
-    ball : CoatedSphere or CoatedCylinder
+    ball : CoatedSphere or CoatedCylinder or CoatedWheel
         Its moduli are those at the reference temperature of `shift`.
     load, angular_speed : float
         As of `solve`.
@@ -221,7 +221,7 @@ def self_heating(
     with extra("studies"):  # before the first solve
         from scipy.optimize import brentq
 
-    require_body("ball", ball, CoatedSphere | CoatedCylinder, "self-heating")
+    require_type("ball", ball, RollingBody)
     shifts = _shifts(ball, shift)
     parts = as_int("sublayers", sublayers)
     count = as_int("points", points)

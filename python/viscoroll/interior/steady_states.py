@@ -201,13 +201,15 @@ class StateSearch:
             stable=self.at(high).excess <= self.at(low).excess,
         )
 
-    def speed_at(self, mean: float, reach: int = _REACH) -> float:
+    def speed_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
         """Speed at which a mean temperature is steady: heat grows with speed where temperature is held."""
-        return self._where(mean, self.angular_speed, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
+        first = self.angular_speed if near is None else near
+        return self._where(mean, first, lambda speed: self.at(mean, angular_speed=speed), "speed", reach)
 
-    def load_at(self, mean: float, reach: int = _REACH) -> float:
+    def load_at(self, mean: float, *, near: float | None = None, reach: int = _REACH) -> float:
         """Load at which a mean temperature is steady: heat grows with it, too."""
-        return self._where(mean, self.load, lambda load: self.at(mean, load=load), "load", reach)
+        first = self.load if near is None else near
+        return self._where(mean, first, lambda load: self.at(mean, load=load), "load", reach)
 
     def _where(self, mean: float, first: float, at: Callable[[float], _Point], name: str, reach: int) -> float:
         if not mean > self.ambient:
@@ -228,11 +230,13 @@ class StateSearch:
         """First maximum, over mean temperatures, of the load or the speed that makes them."""
         from scipy.optimize import minimize_scalar
 
-        def found_at(mean: float) -> float:
-            return (self.load_at if name == "load" else self.speed_at)(mean, _FOLD_REACH)
-
         rises: list[float] = []
         values: list[float] = []
+
+        def found_at(mean: float) -> float:
+            near = values[-1] if values else None
+            return (self.load_at if name == "load" else self.speed_at)(mean, near=near, reach=_FOLD_REACH)
+
         with kept_in_results():
             for rise in (self.limit - self.ambient) * np.geomspace(*_FOLD_RISES):
                 try:

@@ -13,10 +13,10 @@ from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.tables import html_table, number_text
-from ..bodies import CoatedCylinder, CoatedSphere, RollingBody, require_body
 from ..rolling import Result
 from ..solution.inside import Of, finite_line, inside_of
-from .heated_body import Core, HeatedBody, Surroundings, heated_body, not_negative, positive
+from .heated_body import HeatedBody, heated_body
+from .surroundings import Core, Surroundings, not_negative, positive
 
 if TYPE_CHECKING:
     import xarray
@@ -47,8 +47,8 @@ class Temperature:
     Attributes
     ----------
     rise : xarray.DataArray
-        Over that of the surroundings [K], over (radius, theta) of a ball, (radius, z) of a roller, (depth, z) of a
-        plane.
+        Over that of the surroundings [K], over (radius, theta) of a ball, (radius, z) of a roller or a wheel, and
+        (depth, z) of a plane.
     maximum, surface_maximum : float
         Largest rise anywhere, and on the surface [K].
     mean : float
@@ -68,6 +68,7 @@ class Temperature:
         W; of a roller without a width and of a track W/m; of a belt W/m².
     times : tuple of float
         The three slowest times in which the state is come to [s], with this heat capacity: what is left falls to 1/e.
+        None where convection varies along the surface.
     history : xarray.Dataset or None
         Over the times that were asked for [s]: `rise` [K] as above, and `maximum`, `surface_maximum`, `mean` [K].
     """
@@ -97,11 +98,11 @@ class Temperature:
 
     def __repr__(self) -> str:
         """Return a summary."""
+        times = f"; come to in {', '.join(f'{time:.3g}' for time in self.times)} s" if self.times else ""
         return (
             f"Temperature(at most {self.ambient + self.maximum:.2f} K: rise {self.maximum:.3g} K, on the surface "
             f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K; {self.heat:.3g} {self.heat_unit}, of which "
-            f"to the core {self.heat_to_core:.3g} {self.heat_unit}; ripple {self.ripple:.2g} K; "
-            f"come to in {', '.join(f'{time:.3g}' for time in self.times)} s)"
+            f"to the core {self.heat_to_core:.3g} {self.heat_unit}; ripple {self.ripple:.2g} K{times})"
         )
 
 
@@ -135,22 +136,22 @@ def temperature(
         Of the layers, or of each [W/(m K)], > 0; by default that of each `Layer`.
     convection : float or callable
         Coefficient at the surface [W/(m² K)], ≥ 0, or a function of an array of angles θ [rad] that returns it:
-        `plane_cooling` makes one that adds the heat that the plane takes; only a ball's may vary with θ.
+        `plane_cooling` makes one that adds the heat that the plane takes; only a ball's and a wheel's may vary with θ.
     ambient : float
         Temperature of the surroundings [K], ≥ 100.
     core : Core or float, default Core.INSULATED
-        What the core of a ball or a roller, or the base of a plane, does: insulated, isothermal, or the conductivity of
-        a ball's solid core [W/(m K)]. Without a core, INSULATED.
+        What the core of a ball, the hub of a roller or a wheel, or the base of a plane, does: insulated, isothermal, or
+        the conductivity of a ball's solid core [W/(m K)]. Without a core, INSULATED.
     core_temperature : float, optional
         Of an isothermal core [K]; by default that of the surroundings.
     of : "ball" or "counterpart", optional
         What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
     width : float, optional
-        Of a roller from face to face [m], > 0; without it heat is per length and no face takes any.
+        Of a roller from face to face [m], > 0; without it heat is per length and no face takes any. Wheels have theirs.
     side_convection : float, optional
-        Coefficient at a roller's side faces [W/(m² K)], ≥ 0, by default 0; layers of one conductivity.
+        Coefficient at the side faces of a roller or a wheel [W/(m² K)], ≥ 0, by default 0; layers of one conductivity.
     hub_conductance : float, optional
-        From a roller's hub to the surroundings [W/K], ≥ 0, by default 0.
+        From the hub of a roller or a wheel to the surroundings [W/K], ≥ 0, by default 0.
     base_convection : float, optional
         Coefficient below a plane, such as at a belt's other face [W/(m² K)], ≥ 0.
     period : float, optional
@@ -186,7 +187,9 @@ def temperature(
     Notes
     -----
     The source is what the model loses in r² dr dθ dφ, put into the sphere's volume. The heat of slip on the plane is
-    not in it. A track across a plane has others beside it, a circumference of what rolls apart.
+    not in it. A track across a plane has others beside it, a circumference of what rolls apart. A wheel conducts in its
+    straight section, whatever its crown, between faces at its width; the source there is its loss between them, which
+    is made up to all that it loses.
 
     Examples
     --------
@@ -199,7 +202,7 @@ def temperature(
     with extra("files"):
         import xarray
 
-    _require_no_wheel(result)
+    require_type("result", result, Result)
     capacity = positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     given = Surroundings(
         convection=convection,
@@ -247,13 +250,6 @@ def temperature(
             ]
         )
     return found
-
-
-def _require_no_wheel(result: Result) -> None:
-    require_type("result", result, Result)
-    for name, body in (("result.ball", result.ball), ("result.on", result.on)):
-        if isinstance(body, RollingBody):
-            require_body(name, body, CoatedSphere | CoatedCylinder, "temperature inside")
 
 
 def _slowest(body: HeatedBody, rises: NDArray[np.float64], capacity: float) -> tuple[float, ...]:
@@ -354,7 +350,7 @@ def plane_cooling(
     ----------
     H. S. Carslaw and J. C. Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), section 2.9.
     """
-    _require_no_wheel(result)
+    require_type("result", result, Result)
     inside = inside_of(result, "ball")
     base = not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(

@@ -267,7 +267,8 @@ def bonds(result: Solution, *, of: Of | None = None, threads: int = 0, progress:
     inside = inside_of(result, of)
     depths = inside.depth(inside.bonded())
     if not depths.size:
-        raise ValueError("ball must have a rigid core or several layers, for anything to be bonded")
+        body = "result.ball" if inside.of == "ball" else "result.on"
+        raise ValueError(f"{body} must have a rigid core or base, or several layers, for anything to be bonded")
     return interior(result, depth=depths, of=inside.of, threads=threads, progress=progress)
 
 

@@ -94,10 +94,6 @@ def test_table_of_a_notebook():
     [
         (lambda: vr.roll(FLAT, time=[0.0, 1.0], angle=[0.0, 1.0], load=1.0), "ball must be a ball: starting and stop"),
         (lambda: vr.RollingHistory(FLAT, load=1.0), "of a wheel is not there yet"),
-        (
-            lambda: vr.self_heating(FLAT, load=1.0, angular_speed=1.0, convection=1.0, ambient=293.0, shift=abs),
-            "ball must be a ball or roller: self-heating of a wheel is not there yet",
-        ),
         (lambda: vr.solve("wheel", load=1.0, angular_speed=1.0), "or viscoroll.CoatedWheel, got 'wheel'"),
     ],
 )
@@ -268,12 +264,6 @@ def test_picture_shows_the_faces(rolled, friction):
         heights = {line.get_ydata()[0] for line in axes.lines if len(set(line.get_ydata())) == 1}
         assert {-15.0, 15.0} <= {round(height, 9) for height in heights}
         assert axes.get_ylim()[1] > 15.0
-
-
-def test_temperature_inside_is_not_there_yet(rolled):
-    message = r"result\.ball must be a ball or roller: temperature inside of a wheel is not there yet"
-    with pytest.raises(TypeError, match=message):
-        vr.temperature(rolled, convection=1.0, ambient=293.0, conductivity=0.2)
 
 
 def test_a_model_solves_as_a_single_call(rolled):

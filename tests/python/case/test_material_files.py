@@ -242,7 +242,7 @@ def test_design_under_a_temperature(tmp_path):
     hottest = heated.ambient + 0.999 * heated.maximum
     table = DESIGN.replace("{limits}", f"{{ temperature = {hottest!r} }}")
     found = design_case(case_file(tmp_path, RUBBER, cooled + table, **coarse))
-    assert found.outcome.temperature <= hottest
+    assert found.outcome.value("temperature") <= hottest
     with pytest.raises(ValueError, match=r"design.limits.temperature needs a table \[thermal\]"):
         design_case(case_file(tmp_path, RUBBER, table))
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import viscoroll as vr
 from reference.self_heating import steady_rises, torque_curve
+from scipy.optimize import brentq
 from specimens import RUBBER, coated_ball, one_layer
 from viscoroll import paper
 from viscoroll.interior.picture import plot_folds
@@ -161,6 +163,63 @@ def test_a_vertical_shift_is_a_load_per_modulus():
     )
     plain = vr.solve(half, load=8e3, angular_speed=5.0, mesh=given["mesh"])
     assert hot.states[0].result.resisting_torque == pytest.approx(0.5 * plain.resisting_torque, rel=1e-9)
+
+
+#: A wheel of 50 + 10 mm, 50 mm wide, with a crown, whose film takes what its power makes.
+WHEEL = vr.CoatedWheel(core_radius=50e-3, layers=[one_layer(thickness=10e-3)], width=50e-3, crown_radius=0.2)
+EVEN = {"conductivity": 1e3, "convection": 15.0, "ambient": AMBIENT}  # as warm everywhere
+
+
+def test_a_wheel_is_as_warm_as_its_moduli():
+    """Its moduli, solved again, make its temperature; and the load that makes it is the one it was found at."""
+    given = COOLING | {"side_convection": 8.0, "hub_conductance": 0.1}
+    mesh = vr.Mesh(nodes_per_revolution=80)
+    hot = vr.self_heating(
+        WHEEL, load=150.0, angular_speed=20.0, shift=falling, limit=AMBIENT + 20.0, points=4, mesh=mesh, **given
+    )
+    state = hot.states[0]
+    assert state.stable
+    heated = replace(WHEEL, layers=[one_layer(shifted(RUBBER, falling(state.mean_temperature)), thickness=10e-3)])
+    again = vr.temperature(vr.solve(heated, load=150.0, angular_speed=20.0, mesh=mesh), **given)
+    assert again.mean == pytest.approx(state.mean_temperature - AMBIENT, rel=2e-3)
+    assert hot.loads([state.mean_temperature])[0] == pytest.approx(150.0, rel=2e-3)
+    assert "mN m" in repr(state)  # a wheel's torque is not per length
+    with pytest.raises(ValueError, match="width must be left out with a wheel"):
+        vr.self_heating(WHEEL, load=150.0, angular_speed=20.0, shift=falling, width=0.05, mesh=mesh, **given)
+
+
+@pytest.mark.slow
+def test_loads_of_a_softening_wheel_have_a_maximum():
+    """By T(F; b) = b T(F/b; 1) contacts of one modulus make every state, past the largest load, too."""
+    body = replace(WHEEL, core_radius=20e-3, width=30e-3, crown_radius=0.1)
+    mesh, speed = vr.Mesh(nodes_per_revolution=60), 15.0
+
+    def softening(temperature):
+        return 1.0 / (1.0 + math.exp((temperature - AMBIENT - 4.0) / 0.8))
+
+    film = 15.0 * 2.0 * math.pi * body.outer_radius * body.width  # [W/K]
+    temperatures, loads = [], []
+    for harder in (150.0, 400.0, 800.0):
+        power = vr.solve(body, load=harder, angular_speed=speed, mesh=mesh).bulk_power
+        rise = brentq(lambda rise, power=power: rise - softening(AMBIENT + rise) * power / film, 0.0, 30.0)
+        temperatures.append(AMBIENT + rise)
+        loads.append(harder * softening(AMBIENT + rise))
+    assert loads[1] > max(loads[0], loads[2])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        hot = vr.self_heating(
+            body,
+            load=loads[0],
+            angular_speed=speed,
+            shift=lambda temperature: 1.0,
+            vertical_shift=softening,
+            limit=temperatures[1],
+            points=4,
+            mesh=mesh,
+            **EVEN,
+        )
+    assert hot.states[0].mean_temperature == pytest.approx(temperatures[0], abs=0.02)
+    np.testing.assert_allclose(hot.loads(temperatures), loads, rtol=0.01)  # of so coarse a mesh powers climb by steps
 
 
 def test_shift_factors():

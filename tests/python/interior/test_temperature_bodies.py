@@ -201,6 +201,33 @@ def test_a_cold_start_ends_in_the_steady_state(turning):
     assert again.maximum[0] == pytest.approx(t.maximum, rel=1e-5)
 
 
+def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
+    """Heated at the surface it lacks e^(x²) erfc x of its last rise, x = h √(κt)/k: 13 % after a day."""
+    h, capacity, depth = 10.0, 2e6, 6.0  # so deep that it does not end within these times
+    places = (-depth, -3.0, -1.5, -0.7, -0.3, -0.1, -0.03, -0.01, -1e-3, -5e-5, 0.0)
+    layers = Conduction(places, (K,) * 10, modes_of_slab(None), film=h, inner=np.zeros(1))
+    source = np.where(layers.layer == 9, Q, 0.0)[None]
+    times = np.array([86400.0, 30 * 86400.0])
+    steady = layers.solve(source)
+    rises, slowest = layers.approach(steady, np.zeros_like(steady), times, capacity)
+    lacking = 1.0 - rises[:, 0, -1] / steady[0, -1]
+    np.testing.assert_allclose(lacking, special.erfcx(h * np.sqrt(times / (K * capacity))), rtol=2e-3)
+    np.testing.assert_allclose(lacking, [0.132, 0.0248], rtol=5e-3)
+    assert slowest[0] > 2 * 365 * 86400.0
+    block = vr.CoatedPlane(layers=[], base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
+    r = vr.solve(vr.CoatedCylinder(core_radius=20e-3), on=block, load=500.0, angular_speed=10.0)
+    with pytest.raises(ValueError, match="got a half-space, whose heat goes on spreading into the depth"):
+        vr.temperature(r, period=1.0, **AIR)
+
+
+def test_from_a_steady_state_nothing_changes(turning):
+    """The field at its places between the faces is all that the waves across are known by."""
+    cooling = AIR | {"width": 50e-3, "side_convection": 15.0}
+    t = vr.temperature(turning, **cooling)
+    still = vr.temperature(turning, time=[0.0, 1.0, 100.0], start=t, **cooling).history
+    np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-8)
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

@@ -1,0 +1,186 @@
+"""Where the heat of a body may go: what a user says of its surroundings, and what of it a kind of body can have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._support.arguments import as_float
+from .._support.text import shown
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ..solution.inside import Inside
+    from .heat_modes import HeatModes
+
+__all__ = [
+    "Core",
+    "Surroundings",
+    "conductivities_of",
+    "even_film",
+    "held_rise",
+    "inner_coefficients",
+    "not_negative",
+    "positive",
+    "refuse",
+    "require_sink",
+]
+
+
+class Core(Enum):
+    """What the core or the base does to heat; a number in its place is its conductivity [W/(m K)], of a ball's core."""
+
+    INSULATED = "insulated"  #: lets none through
+    ISOTHERMAL = "isothermal"  #: takes what comes, at a temperature of its own
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """Where heat may go: the arguments of `temperature`, as they were given."""
+
+    convection: float | Callable[[NDArray[np.float64]], NDArray[np.float64]]
+    ambient: float
+    core: Core | float = Core.INSULATED
+    core_temperature: float | None = None
+    width: float | None = None
+    side_convection: float | None = None
+    hub_conductance: float | None = None
+    base_convection: float | None = None
+    period: float | None = None
+
+
+def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[], float]) -> NDArray[np.float64] | None:
+    """Return coefficients at the inner surface [W/(m² K)], None where its temperature is given.
+
+    Parameters
+    ----------
+    area : callable
+        Returns that of the inner surface [m²].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input.
+    """
+    if not isinstance(given.core, Core):
+        raise TypeError(f"core must be a viscoroll.Core but in a ball, got {shown(given.core)}")
+    if given.core is Core.ISOTHERMAL:
+        if given.hub_conductance is not None:
+            raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
+        return None
+    conductance = not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
+    return np.full(modes.count, conductance / area())
+
+
+def held_rise(given: Surroundings) -> float:
+    """Return the rise of a core at a given temperature [K].
+
+    Raises
+    ------
+    ValueError
+        Where another core has one.
+    """
+    if given.core is not Core.ISOTHERMAL:
+        if given.core_temperature is not None:
+            wanted = "core_temperature must be left out unless core is ISOTHERMAL"
+            raise ValueError(f"{wanted}, got {shown(given.core_temperature)}")
+        return 0.0
+    return (
+        0.0
+        if given.core_temperature is None
+        else positive("core_temperature", given.core_temperature, "K") - given.ambient
+    )
+
+
+def even_film(given: Surroundings) -> float:
+    """Return the one coefficient at the surface [W/(m² K)], of a function that in the middle.
+
+    Raises
+    ------
+    TypeError, ValueError
+        Unless it is >= 0.
+    """
+    if callable(given.convection):
+        values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
+        return not_negative("convection", float(values[0]), "W/(m^2 K)")
+    return not_negative("convection", given.convection, "W/(m^2 K)")
+
+
+def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
+    """Refuse a body that nothing takes heat from.
+
+    Raises
+    ------
+    ValueError
+        Where neither the surface nor what `other` stands for takes any.
+    """
+    if not other and not np.any(film) and inside.bulk_power > 0.0:
+        raise ValueError("convection must be > 0 W/(m^2 K) where the core takes no heat, got 0")
+
+
+def refuse(given: Surroundings, names: Sequence[str], body: str) -> None:
+    """Refuse what a kind of body has not.
+
+    Raises
+    ------
+    ValueError
+        Where any of the names was given.
+    """
+    for name in names:
+        if getattr(given, name) is not None:
+            raise ValueError(f"{name} must be left out with {body}, got {shown(getattr(given, name))}")
+
+
+def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> list[float]:
+    """Return the conductivity of every layer [W/(m K)].
+
+    Raises
+    ------
+    TypeError, ValueError
+        For bad input, and where there is none.
+    """
+    layers = inside.body.layers
+    if given is None:
+        values = [layer.conductivity for layer in layers]
+        if None in values:
+            raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
+        return [value for value in values if value is not None]
+    if np.ndim(given) == 0:
+        return [positive("conductivity", given, "W/(m K)")] * len(layers)
+    several = [positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
+    if len(several) != len(layers):
+        raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
+    return several
+
+
+def positive(name: str, value: object, unit: str) -> float:
+    """Return a finite number > 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For anything else.
+    """
+    number = as_float(name, value)
+    if not (np.isfinite(number) and number > 0.0):
+        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
+    return number
+
+
+def not_negative(name: str, value: object, unit: str) -> float:
+    """Return a finite number >= 0.
+
+    Raises
+    ------
+    TypeError, ValueError
+        For anything else.
+    """
+    number = as_float(name, value)
+    if not (np.isfinite(number) and number >= 0.0):
+        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
+    return number
