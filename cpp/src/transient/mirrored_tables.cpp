@@ -46,12 +46,15 @@ Eigen::ArrayXd half_weights(Index half_nodes) {
   return weights;
 }
 
-MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index half_nodes, int threads, Watch& watch)
-    : components_(components), half_nodes_(half_nodes), ring_(sum.mesh().nodes_per_revolution) {
-  const auto most = static_cast<int>(ring_ / 2);
-  const auto aside = static_cast<int>(std::min<Index>(2 * half_nodes - 2, theta_nodes_per_revolution(sum.mesh()) / 2));
-  const std::vector<Table> tables = sum.tables(requests(components), most, aside, threads, watch);
+MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) : shape_(shape) {
+  const Index half_nodes = shape.half_nodes;
+  const auto aside = static_cast<int>(2 * half_nodes - 2);
+  const std::vector<Table> tables =
+      sum.tables(requests(shape.components), static_cast<int>(shape.most), aside, threads, watch);
   for (const Table& table : tables) reach_ = std::max(reach_, useful_reach(table));
+  constexpr double kLeft = 1e-6;  // which moments do not notice
+  const Table& radial = tables.front();
+  dies_out_ = shape.ring || std::abs(radial(radial.phi_reach(), 0)) < kLeft * radial(0, 0);
 
   const Eigen::ArrayXd weights = half_weights(half_nodes);
   const auto fill = [&](Index p, Index q, int j, Eigen::Ref<HalfField> block) {
@@ -71,21 +74,22 @@ MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index ha
   };
   ahead_.resize((reach_ + 1) * height(), height());
   for (Index j = 0; j <= reach_; ++j) {
-    for (Index p = 0; p < components; ++p) {
-      for (Index q = 0; q < components; ++q) fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
+    for (Index p = 0; p < components(); ++p) {
+      for (Index q = 0; q < components(); ++q)
+        fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
     }
   }
 }
 
 Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  const Index offset = displaced / half_nodes_ - loaded / half_nodes_;
+  const Index offset = displaced / half_nodes() - loaded / half_nodes();
   if (std::abs(offset) > reach_) return matrix;
-  const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes_, loaded % half_nodes_);
-  for (Index q = 0; q < components_; ++q) {
-    for (Index p = 0; p < components_; ++p) {
+  const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes(), loaded % half_nodes());
+  for (Index q = 0; q < components(); ++q) {
+    for (Index p = 0; p < components(); ++p) {
       const bool is_reversed = offset < 0 && (p == kPhi) != (q == kPhi);
-      const double value = first[half_nodes_ * (p + q * ahead_.rows())];
+      const double value = first[half_nodes() * (p + q * ahead_.rows())];
       matrix(p, q) = is_reversed ? -value : value;
     }
   }
@@ -94,12 +98,12 @@ Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
 
 Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced,
                                            const std::vector<Index>& loaded) const {
-  Eigen::MatrixXd matrix(components_ * static_cast<Index>(displaced.size()),
-                         components_ * static_cast<Index>(loaded.size()));
+  Eigen::MatrixXd matrix(components() * static_cast<Index>(displaced.size()),
+                         components() * static_cast<Index>(loaded.size()));
   for (std::size_t j = 0; j < loaded.size(); ++j) {
     for (std::size_t i = 0; i < displaced.size(); ++i) {
-      matrix.block(components_ * static_cast<Index>(i), components_ * static_cast<Index>(j), components_, components_) =
-          influence(displaced[i], loaded[j]).topLeftCorner(components_, components_);
+      matrix.block(components() * static_cast<Index>(i), components() * static_cast<Index>(j), components(),
+                   components()) = influence(displaced[i], loaded[j]).topLeftCorner(components(), components());
     }
   }
   return matrix;
@@ -109,12 +113,12 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
                                            const std::array<HalfField, 3>& direction) const {
   const auto count = static_cast<Index>(nodes.size());
   Eigen::MatrixXd matrix(count, count);
-  if (components_ == 1) {
+  if (components() == 1) {
     const Eigen::Map<const Eigen::ArrayX<Index>> numbers(nodes.data(), count);
-    const Eigen::ArrayX<Index> row = numbers / half_nodes_;
-    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes_;  // in a column of the table
+    const Eigen::ArrayX<Index> row = numbers / half_nodes();
+    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes();  // in a column of the table
     for (Index j = 0; j < count; ++j) {
-      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes_);
+      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes());
       for (Index i = j; i < count; ++i)
         matrix(i, j) = row[i] - row[j] > reach_ ? 0.0 : column[place[i] - row[j] * height()];
     }
@@ -140,30 +144,30 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
   // The nodes beside the loaded ones are left out of the product.
   const auto sources = loads.middleCols(first, count);
   const auto is_loaded = [&](Index node) {
-    for (Index p = 0; p < components_; ++p) {
-      if ((sources.row(p * half_nodes_ + node).array() != 0.0).any()) return true;
+    for (Index p = 0; p < components(); ++p) {
+      if ((sources.row(p * half_nodes() + node).array() != 0.0).any()) return true;
     }
     return false;
   };
-  Index width = half_nodes_;
+  Index width = half_nodes();
   while (width > 1 && !is_loaded(width - 1)) --width;
   const auto add_influence = [&](Index component, HalfField& displaced) {
-    const Index start = component * half_nodes_;
+    const Index start = component * half_nodes();
     add_product(ahead_.block(0, start, (reach + 1) * height(), width), sources.middleRows(start, width), displaced);
   };
   HalfField forward = HalfField::Zero((reach + 1) * height(), count);
-  for (Index q = 0; q < components_; ++q) {
+  for (Index q = 0; q < components(); ++q) {
     if (q != kPhi) add_influence(q, forward);
   }
   HalfField backward;
-  if (components_ == 3) {
+  if (components() == 3) {
     HalfField along = HalfField::Zero(forward.rows(), count);
     add_influence(kPhi, along);
     backward = forward - along;
-    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes_, half_nodes_) *= -1.0;
+    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes(), half_nodes()) *= -1.0;
     forward += along;
   }
-  const HalfField& other = components_ == 1 ? forward : backward;
+  const HalfField& other = components() == 1 ? forward : backward;
   for (Index source = 0; source < count; ++source) {
     const Index place = first + source + shift;
     const Index up = std::min(reach, result.cols() - 1 - place);
@@ -171,7 +175,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
       result.col(place + j) += forward.block(j * height(), source, height(), 1);
     }
     // Half way around the ring both offsets are the same one.
-    const Index down = std::min({reach, place, ring_ % 2 == 0 ? ring_ / 2 - 1 : reach});
+    const Index down = std::min({reach, place, shape_.ring && *shape_.ring % 2 == 0 ? *shape_.ring / 2 - 1 : reach});
     for (Index j = 1; j <= down; ++j) {
       result.col(place - j) += other.block(j * height(), source, height(), 1);
     }

@@ -368,11 +368,11 @@ def test_roll_follows_the_example_motion(tmp_path):
     ("lines", "message"),
     [
         ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
-        ("time = [0.0, 1.0]", "motion needs angle and load with time"),
+        ("time = [0.0, 1.0]", "motion needs angle or way, and load, with time"),
         ("load = 1.0", "motion must have one of time, file and amplitude, got none"),
         ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be > 0 Hz, got 0.0"),
         ("file = 'none.csv'\nload = 1.0", "No such file"),
-        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time, angle and maybe load"),
+        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time and maybe angle, way, load"),
         ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed: extra inputs"),
     ],
 )

@@ -1,10 +1,11 @@
-#include "transient/coating_history.hpp"
+#include "transient/creeping_body.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "validate.hpp"
@@ -42,23 +43,48 @@ double difference(const ShearModulus& a, const ShearModulus& b, std::span<const 
   return largest;
 }
 
+void rest(Layer& layer) {
+  layer.shear_modulus = Elastic{relaxed_modulus(layer.shear_modulus)};
+  layer.density = 0.0;
+}
+
+void rest(CoatedPlane& plane) {
+  for (Layer& layer : plane.layers) rest(layer);
+  if (!plane.base) return;
+  plane.base->shear_modulus = Elastic{relaxed_modulus(plane.base->shear_modulus)};
+  plane.base->density = 0.0;
+}
+
+void rest(Groove& groove) { rest(groove.surface); }
+
+/// Of a ball, a roller or a wheel.
+template <class Round>
+void rest(Round& body) {
+  for (Layer& layer : body.layers) rest(layer);
+}
+
+template <class Any>
+Any rested(Any any) {
+  std::visit([](auto& body) { rest(body); }, any);
+  return any;
+}
+
 }  // namespace
 
-CreepSpectrum common_spectrum(const CoatedSphere& sphere, const TimeRange& range) {
+CreepSpectrum common_spectrum(const std::vector<NamedLayer>& layers, std::string_view prefix, const TimeRange& range) {
   constexpr double kSame = 1e-6;
-  const ShearModulus& outermost = sphere.layers.back().shear_modulus;
+  const ShearModulus& outermost = layers.back().layer.shear_modulus;
   CreepSpectrum spectrum = creep_spectrum(outermost, range);
-  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const Layer& layer = sphere.layers[l];
-    const std::string name = "layers[" + std::to_string(l) + "].";
+  for (const auto& [name, layer] : layers) {
+    const std::string place = std::string(prefix) + name + ".";
     if (layer.bulk_modulus && spectrum.size() > 0) {
-      reject(name + "bulk_modulus",
+      reject(place + "bulk_modulus",
              "left out in transient rolling (poisson_ratio given instead): with it, creep depends on the order",
              text(*layer.bulk_modulus) + " Pa");
     }
     const double apart = difference(outermost, layer.shear_modulus, compared_frequencies(outermost, range));
     if (apart > kSame) {
-      reject(name + "shear_modulus",
+      reject(place + "shear_modulus",
              "a multiple of that of the outermost layer in transient rolling (layers that share no relaxation function "
              "creep differently at every order)",
              "a modulus whose share of its value at rest differs by " + rounded(apart));
@@ -67,13 +93,8 @@ CreepSpectrum common_spectrum(const CoatedSphere& sphere, const TimeRange& range
   return spectrum;
 }
 
-CoatedSphere coating_without_time(const CoatedSphere& sphere) {
-  CoatedSphere elastic = sphere;
-  for (Layer& layer : elastic.layers) {
-    layer.shear_modulus = Elastic{relaxed_modulus(layer.shear_modulus)};
-    layer.density = 0.0;
-  }
-  return elastic;
-}
+RollingBody at_rest(const RollingBody& body) { return rested(body); }
+
+Counterpart at_rest(const Counterpart& on) { return rested(on); }
 
 }  // namespace viscoroll::detail
