@@ -7,7 +7,6 @@
 #include <cmath>
 #include <complex>
 #include <random>
-#include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 #include <vector>
@@ -347,12 +346,6 @@ TEST(LayerSpectrum, OfLayersAtRandomLosesEnergyAtEveryOrderAndFrequency) {
     }
     ASSERT_LT(spectrum.error(kRange), kTolerance) << stack;
   }
-}
-
-TEST(LayerSpectrum, RefusesWhatDoesNotYieldAtOnce) {
-  LayeredBody body = mat(two_solids());
-  body.layers[1].shear_modulus = KelvinVoigt{.modulus = 1e6, .viscosity = 1e4};
-  EXPECT_THROW(LayerSpectrum(body, kRange, 1e-3), std::invalid_argument);
 }
 
 constexpr std::array kAllEntries{Entry::rr,     Entry::rphi,     Entry::rtheta,

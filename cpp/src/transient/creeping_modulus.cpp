@@ -2,10 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
-
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -32,14 +29,8 @@ std::complex<double> CreepingModulus::at_frequency(double omega) const {
 std::vector<CreepingModulus> creeping_moduli(const std::vector<Layer>& layers, const TimeRange& range) {
   std::vector<CreepingModulus> moduli;
   moduli.reserve(layers.size());
-  for (std::size_t l = 0; l < layers.size(); ++l) {
-    const ShearModulus& modulus = layers[l].shear_modulus;
-    const auto* solid = std::get_if<KelvinVoigt>(&modulus);
-    if (solid != nullptr && solid->viscosity > 0.0) {
-      reject("layers[" + std::to_string(l) + "].shear_modulus",
-             "one that yields at once in transient rolling on layers of unlike relaxation functions",
-             "KelvinVoigt, which does not");
-    }
+  for (const Layer& layer : layers) {
+    const ShearModulus& modulus = layer.shear_modulus;
     moduli.push_back({.relaxed = complex_modulus(modulus, std::array{0.0}).front().real(),
                       .creep = yielding_at_once(creep_spectrum(modulus, range))});
   }

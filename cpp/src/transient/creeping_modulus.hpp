@@ -37,7 +37,7 @@ struct CreepingModulus {
 /// @brief The moduli of layers that creep, each by itself.
 /// @param[in] layers whose moduli yield in part at once: KelvinVoigt does not
 /// @param[in] range in which continuous spectra are resolved
-/// @throws std::invalid_argument for bad parameters, and for a modulus that does not yield at once
+/// @throws std::invalid_argument for bad parameters
 [[nodiscard]] std::vector<CreepingModulus> creeping_moduli(const std::vector<Layer>& layers, const TimeRange& range);
 
 /// @return times at which a modulus has its poles, ascending: one below each of its retardation times [s]

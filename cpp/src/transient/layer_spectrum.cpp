@@ -72,6 +72,13 @@ LayerSpectrum::LayerSpectrum(LayeredBody body, const TimeRange& range, double to
   }
 }
 
+LayerSpectrum LayerSpectrum::with_orders_of(double radius) const {
+  LayerSpectrum other = *this;
+  other.body_.metric.radius = other.at_rest_.metric.radius = radius;
+  for (auto& stack : other.on_contour_) stack.metric.radius = radius;
+  return other;
+}
+
 std::vector<std::vector<Eigen::Matrix3d>> LayerSpectrum::weights_of(std::span<const SurfaceOrder> orders) const {
   const auto at_once =
       stack_at<double>(body_, moduli_, [](const CreepingModulus& layer) { return layer.instantaneous(); });

@@ -22,11 +22,11 @@ namespace viscoroll::detail {
 /// @brief Layers without inertia as a sum of elastic surfaces whose forces lag by one retardation time each.
 class LayerSpectrum {
  public:
-  /// @param[in] body at least one layer that creeps
+  /// @param[in] body at least one layer that creeps, and none that does not yield at once
   /// @param[in] range of times that continuous spectra are resolved in
   /// @param[in] tolerance relative error of the compliance of any order at any frequency that the choice of times may
   /// leave
-  /// @throws std::invalid_argument for bad parameters, and for a modulus that does not yield at once
+  /// @throws std::invalid_argument for bad parameters
   LayerSpectrum(LayeredBody body, const TimeRange& range, double tolerance);
 
   [[nodiscard]] const Metric& metric() const { return body_.metric; }
@@ -34,6 +34,10 @@ class LayerSpectrum {
   [[nodiscard]] const std::vector<double>& retardation_times() const { return times_; }
   /// @return number of weights of an order: one for what yields at once, and one for each time
   [[nodiscard]] std::size_t weights() const { return times_.size() + 1; }
+  /// @return the same plane, whose wave numbers are orders at another radius [m]; a body around a center has its own
+  [[nodiscard]] LayerSpectrum with_orders_of(double radius) const;
+  /// @return those of the layers, outwards
+  [[nodiscard]] const std::vector<CreepingModulus>& moduli() const { return moduli_; }
   /// @return relaxed, for the choice of orders
   [[nodiscard]] const LayeredBody& body_at_rest() const { return at_rest_; }
 
