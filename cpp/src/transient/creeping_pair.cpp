@@ -19,9 +19,6 @@ namespace {
 
 using Eigen::Index;
 
-/// How much of the tolerance the choice of common times may take: what is lost is a part of the compliance.
-constexpr double kShareOfTimes = 0.1;
-
 /// What layers that do not creep alike cannot be.
 void require_layer_spectrum(const Body& body, std::string_view prefix, const Metric& metric) {
   if (metric.is_wheel()) {
@@ -40,8 +37,7 @@ void require_layer_spectrum(const Body& body, std::string_view prefix, const Met
 
 /// Of layers that do not creep alike.
 BodySpectrum layer_spectrum(LayeredBody body, const HistoryOptions& options, const TimeRange& range) {
-  auto layers =
-      std::make_shared<const LayerSpectrum>(std::move(body), range, kShareOfTimes * options.spectrum_tolerance);
+  auto layers = std::make_shared<const LayerSpectrum>(std::move(body), range, options.spectrum_tolerance);
   const auto& times = layers->retardation_times();
   CreepSpectrum each{.weights = std::vector(times.size(), 1.0), .retardation_times = times};
   each.error = layers->error(range);

@@ -49,16 +49,13 @@ def test_kelvin_voigt_cannot_jump():
 def test_coatings_that_are_not_for_this():
     slow = vr.KelvinVoigt(modulus=3e6, viscosity=1e5)
     layers = [
-        vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45) for modulus in (slow, vr.Elastic(modulus=2e6))
+        vr.Layer(thickness=1e-3, shear_modulus=modulus, poisson_ratio=0.45)
+        for modulus in (slow, vr.Elastic(modulus=2e6))
     ]
     with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be one that yields at once .*, got KelvinV"):
         vr.roll(vr.CoatedSphere(core_radius=20e-3, layers=layers), **GOOD)
     with pytest.raises(ValueError, match=r"on.layers\[0\].shear_modulus must be one that yields at once"):
         vr.roll(vr.CoatedSphere(core_radius=20e-3, layers=[]), on=vr.CoatedPlane(layers=layers), **GOOD)
-    layers[0] = vr.Layer(thickness=1e-3, shear_modulus=BALL.layers[0].shear_modulus, poisson_ratio=0.45)
-    wheel = vr.CoatedWheel(core_radius=20e-3, width=10e-3, sides=vr.Sides.ENDLESS, layers=layers)
-    with pytest.raises(ValueError, match=r"layers\[0\].shear_modulus must be a multiple of that of the outermost"):
-        vr.roll(wheel, **GOOD)
     with pytest.raises(ValueError, match=r"angle must be turned so slowly that inertia is negligible, at most"):
         vr.roll(paper.ball(density=1000.0), **GOOD | {"angle": [0.0, 1000.0]})
     like = vr.CoatedSphere(
