@@ -43,7 +43,8 @@ struct HistoryOptions {
   int threads = 0;                   ///< 0 for all cores
 };
 
-/// @brief A history at an instant. Energies are counted from the first instant, and means over the lattices.
+/// @brief A history at an instant, as the mean over the lattices. Energies are counted from the first instant; those of
+/// a half-plane, on which nothing rests, are as arbitrary as its approach while the load changes.
 struct RollingInstant {
   double time = 0.0;   ///< [s]
   double angle = 0.0;  ///< psi, turned forward [rad]; r_o times it is the way of the contact along the track

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "contact/contact_extent.hpp"
@@ -136,7 +137,9 @@ bool Lattice::fits(const Touch& touch, double load) {
   if (at_side && !pair_->ends_at_sides()) throw ContactTooWide();
   if (!at_end) return true;
   if (half_rows_ >= most) {
-    reject("load", "small enough for the coating", text(load) + " N (it is in contact over 60 degrees to a side)");
+    reject("load", "small enough for the coating",
+           text(load) + " " + std::string(pair_->pair.body.form.load_unit) +
+               " (it is in contact over 60 degrees to a side)");
   }
   half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
   forget_contact();
@@ -315,8 +318,8 @@ void Lattice::take_contact(const Touch& touch) {
   const double coating_thickness = thickness(pair_->pair);
   if (now_.penetration >= coating_thickness) {
     reject("load", "small enough for the coating",
-           text(now_.load) + " N (it is pressed " + rounded(now_.penetration) + " m into a coating of " +
-               text(coating_thickness) + " m)");
+           text(now_.load) + " " + std::string(pair_->pair.body.form.load_unit) + " (it is pressed " +
+               rounded(now_.penetration) + " m into a coating of " + text(coating_thickness) + " m)");
   }
 
   const ArrayXd patches = nodes.patch_area();

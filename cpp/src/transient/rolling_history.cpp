@@ -174,7 +174,7 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   if (!(to.time >= now.time)) {
     reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
   }
-  detail::require_nonnegative("load", to.load, "N");
+  detail::require_nonnegative("load", to.load, pair->pair.body.form.load_unit);
   require_forces(to);
   const double duration = to.time - now.time;
   if (duration == 0.0) {

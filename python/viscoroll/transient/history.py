@@ -85,7 +85,7 @@ class History:
     max_pressure : ndarray
         [Pa].
     stored_energy : ndarray
-        In both bodies [J].
+        In both bodies [J]. On a half-plane, where approach has no datum, energies and work have one of the mesh's.
     counterpart_stored_energy : ndarray
         Part of `stored_energy` in what it rolls on [J].
     dissipated_energy : ndarray

@@ -57,7 +57,8 @@ def test_a_track_that_was_rolled_is_found_as_it_was_left():
     assert np.interp(1.0, way, force) == pytest.approx(-173.5, abs=1.0)
     assert force.max() == pytest.approx(656.4, rel=5e-3)
     far = (way > 10.0) & (way < 45.0)
-    assert np.abs(np.diff(force[far])).max() < 0.01 * force.max()  # no jump
+    # No jump, which is 7 mN where the ball leaves what is kept within 6 mm; the steps of the lattices are 0.4.
+    assert np.abs(np.diff(force[far])).max() < 1.0
     assert h.energy_balance_error[-1] < 1e-3
 
 
