@@ -27,7 +27,9 @@ constexpr std::array kInstantMembers{
     std::pair{"semi_axis_z", &RollingInstant::semi_axis_z},
     std::pair{"max_pressure", &RollingInstant::max_pressure},
     std::pair{"stored_energy", &RollingInstant::stored_energy},
+    std::pair{"counterpart_stored_energy", &RollingInstant::counterpart_stored_energy},
     std::pair{"dissipated_energy", &RollingInstant::dissipated_energy},
+    std::pair{"counterpart_dissipated_energy", &RollingInstant::counterpart_dissipated_energy},
     std::pair{"work", &RollingInstant::work},
     std::pair{"energy_imbalance", &RollingInstant::energy_imbalance},
     std::pair{"driving_force", &RollingInstant::driving_force},
@@ -56,11 +58,11 @@ py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
   return array;
 }
 
-RollingHistory make_history(const CoatedSphere& sphere, double load, Start start, const HistoryOptions& options,
-                            double time, double angle, const py::object& progress) {
+RollingHistory make_history(const RollingBody& body, const Counterpart& on, double load, Start start,
+                            const HistoryOptions& options, double time, double angle, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
-  return {sphere, load, start, options, time, angle, observer};
+  return {body, on, load, start, options, time, angle, observer};
 }
 
 py::array_t<double> roll_array(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
@@ -124,7 +126,7 @@ void bind_roll(py::module_& m) {
       .def_property_readonly("pressure", field(&ContactField::pressure));
 
   py::classh<RollingHistory>(m, "RollingHistory")
-      .def(py::init(&make_history), py::arg("sphere"), py::kw_only(), py::arg("load"), py::arg("start"),
+      .def(py::init(&make_history), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"), py::arg("start"),
            py::arg("options"), py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),

@@ -523,7 +523,8 @@ class ContactField:
 class RollingHistory:
     def __init__(
         self,
-        sphere: CoatedSphere,
+        body: CoatedSphere | CoatedCylinder | CoatedWheel,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         load: typing.SupportsFloat | typing.SupportsIndex,
         start: Start,

@@ -9,9 +9,9 @@
 #include "cases.hpp"
 #include "influence/coating_sum.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/coating_history.hpp"
 #include "transient/contact_stiffness.hpp"
 #include "transient/creep_spectrum.hpp"
+#include "transient/creeping_body.hpp"
 #include "transient/nnls.hpp"
 #include "transient/step_choice.hpp"
 #include "transient/time_step.hpp"
@@ -149,8 +149,9 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   const Observer silent;
   Watch watch(silent);
   const Mesh mesh{.nodes_per_revolution = 200};
-  const CoatingSum sum(layered_body(coating_without_time(cases::paper_sphere())), 1.0, mesh, 1, watch);
-  const MirroredTables tables(sum, 3, 5, 1, watch);
+  const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh, 1,
+                       watch);
+  const MirroredTables tables(sum, {.components = 3, .half_nodes = 5, .ring = 200, .most = 100}, 1, watch);
   const auto nodes = [](Eigen::Index first, Eigen::Index last) {
     std::vector<Eigen::Index> range;
     for (Eigen::Index node = first; node < last; ++node) range.push_back(node);

@@ -1,8 +1,8 @@
 /// @file
-/// @brief Transient rolling of a coated sphere on a rigid plane: start, stop, stand, reverse.
+/// @brief Transient rolling of a body on a counterpart: start, stop, stand, reverse.
 ///
-/// Frame as in result.hpp: an angle that grows rolls forward. Layers share one relaxation function, inertia is left
-/// out.
+/// Frame as in result.hpp: an angle that grows rolls forward, and without friction the contact goes r_o times the angle
+/// along the track. Inertia is left out. In line contact loads, forces, torques and energies are per length.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 #include "viscoroll/formulation.hpp"
 #include "viscoroll/mesh.hpp"
 #include "viscoroll/observer.hpp"
-#include "viscoroll/sphere.hpp"
+#include "viscoroll/rolling_body.hpp"
 
 namespace viscoroll {
 
-/// @brief What the coating has gone through before the first instant. It decides the first turn.
+/// @brief What the layers have gone through before the first instant. It decides the first turn.
 enum class Start {
   relaxed,  ///< it has borne the load for ever
   fresh,    ///< it is pressed on in no time
@@ -42,30 +42,38 @@ struct HistoryOptions {
   int threads = 0;                   ///< 0 for all cores
 };
 
-/// @brief A history at an instant. Energies are counted from the first instant, and means over the lattices.
+/// @brief A history at an instant, as the mean over the lattices. Energies are counted from the first instant; those of
+/// a half-plane, on which nothing rests, are as arbitrary as its approach while the load changes.
 struct RollingInstant {
-  double time = 0.0;               ///< [s]
-  double angle = 0.0;              ///< psi, turned forward [rad]
-  double load = 0.0;               ///< P [N]
-  double resisting_torque = 0.0;   ///< T_r = sum of x p [N m]
-  double driving_torque = 0.0;     ///< T, moment of the contact forces about the center, which does the work [N m]
-  double penetration = 0.0;        ///< r_o - H [m]
-  double contact_area = 0.0;       ///< [m^2]
-  double semi_axis_x = 0.0;        ///< of the ellipse with the contact's second moments [m]
-  double semi_axis_z = 0.0;        ///< likewise [m]
-  double max_pressure = 0.0;       ///< [Pa]
-  double stored_energy = 0.0;      ///< in the coating [J]
-  double dissipated_energy = 0.0;  ///< lost in the coating and by slip since the start [J]
-  double work = 0.0;               ///< of torque and load since the start, by the trapezoidal rule [J]
-  double energy_imbalance = 0.0;   ///< work - change of stored energy - dissipated_energy [J]
-  /// Q = -sum of t_x, what pushes the coating along: force on the center less its mass times acceleration [N]; 0
-  /// without friction.
+  double time = 0.0;   ///< [s]
+  double angle = 0.0;  ///< psi, turned forward [rad]; r_o times it is the way of the contact along the track
+  double load = 0.0;   ///< P [N]
+  /// M = sum of x p, whoever deforms: what rolling costs, M / R per way along the track, 1/R the sum of the curvatures
+  /// along it [N m]. After a stop it is what keeps the body from rolling back.
+  double resisting_torque = 0.0;
+  /// T, moment of the contact forces about the center [N m]: on a rigid plane M and what does the work, of a rigid body
+  /// on what deforms 0, of two soft ones the share of what rolls.
+  double driving_torque = 0.0;
+  double penetration = 0.0;  ///< approach of the two bodies, r_o - H [m]; not a number where nothing rests (half-plane)
+  double contact_area = 0.0;   ///< [m^2]
+  double semi_axis_x = 0.0;    ///< of the ellipse with the contact's second moments, in line contact half its width [m]
+  double semi_axis_z = 0.0;    ///< likewise [m]; not a number in line contact
+  double max_pressure = 0.0;   ///< [Pa]
+  double stored_energy = 0.0;  ///< in both bodies [J]
+  double counterpart_stored_energy = 0.0;      ///< part of it in what it rolls on [J]
+  double dissipated_energy = 0.0;              ///< lost in both bodies and by slip since the start [J]
+  double counterpart_dissipated_energy = 0.0;  ///< part of it lost in what it rolls on, and forgotten there [J]
+  double work = 0.0;                           ///< of rolling and load since the start, by the trapezoidal rule [J]
+  double energy_imbalance = 0.0;               ///< work - change of stored energy - dissipated_energy [J]
+  /// Q, force on the center, forward [N]. On the rigid plane with friction -sum of t_x, force on the center less its
+  /// mass times acceleration; without 0. On what deforms that of the pressure along the deformed surface, of a rigid
+  /// body M / R.
   double driving_force = 0.0;
   double center_way = 0.0;      ///< of the center since the start [m]; 0 without friction
   double center_speed = 0.0;    ///< its speed [m/s]; without mass the mean over the step before
   double slip_energy = 0.0;     ///< part of dissipated_energy that slip on the plane takes [J]
   double stick_share = 0.0;     ///< of the nodes in contact [-]; 0 without friction
-  double error_estimate = 0.0;  ///< of the torque: standard error of the mean over the lattices [N m]
+  double error_estimate = 0.0;  ///< of resisting_torque: standard error of the mean over the lattices [N m]
 };
 
 /// @brief Fields of the contact of one lattice at an instant, row-major [phi][theta].
@@ -82,7 +90,7 @@ struct ContactField {
 struct Motion {
   std::vector<double> time;   ///< [s], at least one, not decreasing
   std::vector<double> angle;  ///< psi [rad], as many
-  std::vector<double> load;   ///< P [N], as many, >= 0; at 0 the sphere has lifted off
+  std::vector<double> load;   ///< P [N], as many, >= 0; at 0 the body has lifted off
   /// Of the center since the first instant [m], as many, with friction; none: forces move the center.
   std::vector<double> center_way = {};
 };
@@ -96,18 +104,23 @@ struct RollingState {
   std::vector<double> numbers;  ///< in an order of the library's own
 };
 
-/// @brief A coated sphere on its way: state in, state out. Copies are independent of each other and share tables, so
+/// @brief A body on its way: state in, state out. Copies are independent of each other and share tables, so
 /// that a step can be tried and taken back.
 class RollingHistory {
  public:
-  /// @param[in] sphere core and layers that share one relaxation function, with constant Poisson's ratios
-  /// @param[in] load P at the first instant [N], > 0
+  /// On the rigid plane.
+  explicit RollingHistory(const RollingBody& body, double load, Start start = Start::relaxed,
+                          const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
+                          const Observer& observer = {});
+  /// @param[in] body what rolls, with layers, of a wheel such as share one relaxation function; or rigid
+  /// @param[in] on what it rolls on, likewise: one of the two deforms
+  /// @param[in] load P at the first instant [N], of a roller per length, > 0
   /// @param[in] start what was before
   /// @param[in] options how to compute
   /// @param[in] time,angle of the first instant [s], [rad]
   /// @param[in] observer progress and cancellation
-  /// @throws std::invalid_argument for bad input, and coatings that are not for this method
-  RollingHistory(const CoatedSphere& sphere, double load, Start start = Start::relaxed,
+  /// @throws std::invalid_argument for bad input, and layers that are not for this method
+  RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                  const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
@@ -119,7 +132,7 @@ class RollingHistory {
   /// @brief Turn and load linearly in time, in steps of the library's choice.
   /// @param[in] time [s], not before now; now for a jump
   /// @param[in] angle [rad]
-  /// @param[in] load [N], >= 0; at 0 the sphere has lifted off
+  /// @param[in] load [N], >= 0; at 0 the body has lifted off
   /// @param[in] center_way of the center since the first instant [m], with friction; none: forces move the center
   /// @param[in] observer progress and cancellation
   /// @return the instant at the end
@@ -140,10 +153,10 @@ class RollingHistory {
   /// @return largest relative error of the creep compliance by discrete retardation times [-]
   [[nodiscard]] double spectrum_error() const;
 
-  /// @return what is needed to go on from here, in a history of the same sphere and options
+  /// @return what is needed to go on from here, in a history of the same bodies and options
   [[nodiscard]] RollingState state() const;
   /// @brief Go on from a state.
-  /// @throws std::invalid_argument where it is of another sphere or of other options
+  /// @throws std::invalid_argument where it is of other bodies or of other options
   void restore(const RollingState& state);
 
  private:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "rolling/contact_estimate.hpp"
@@ -40,28 +39,11 @@ Friction make_friction(const SurfaceWindow& window, const Assembly& given) {
           .drive = row_of(load_case.drive, given.pressure_share())};
 }
 
-/// Nodes from the lowest one to where a surface that bulges has turned by 60 degrees, too.
-NodeRange within_60_degrees(const NodeRange& range, double curvature, double distance) {
-  const double turned = curvature * distance;  // from node to node [rad]
-  const double most = turned > 0.0 ? std::numbers::pi / 3.0 / turned : range.last;
-  const int last = most < range.last ? static_cast<int>(most) : range.last;
-  return {-last, last};
-}
-
-/// What no load can be borne beyond on a counterpart, either.
-Nodes within_60_degrees(Nodes nodes, const Curvatures& curvatures) {
-  const SurfaceGrid& grid = nodes.grid;
-  auto& [phi, theta] = nodes.widest;
-  phi = within_60_degrees(phi, curvatures.along, grid.radius * grid.phi_spacing);
-  theta = within_60_degrees(theta, curvatures.across, grid.radius * grid.theta_spacing);
-  return nodes;
-}
-
 }  // namespace
 
 bool Assembly::has_sides() const { return std::isfinite(width(pair())); }
 
-bool Assembly::approach_exists() const { return pair().body.form.half_space_rests || std::isfinite(thickness(pair())); }
+bool Assembly::approach_exists() const { return detail::approach_exists(pair()); }
 
 SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
   return {window.grid(), window.window(), formulation.collocation};
@@ -97,7 +79,7 @@ Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Optio
                           .patch_load = options.patch_load,
                           .tangential = load_case.friction > 0.0,
                           .collocation = model.collocation},
-          .nodes = within_60_degrees(body.nodes(model.mesh, on), on.curvatures),
+          .nodes = nodes_of(model.pair, model.mesh),
           .swelling = 1.0 + model.centrifugal / radius,
           .contact = contact,
           .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};

@@ -28,14 +28,24 @@ void require_curvature_of_cylinder(Curvature curvature) {
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
-BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
+void require_crossing(const Crossing& crossing) {
   if (crossing.form.is_line()) require_line_mesh(crossing.mesh);
   require_curvature_of_cylinder(crossing.curvature);
-  if (cylinder.layers.empty()) return {};
+}
+
+/// Under a wheel it is a tread without sides.
+LayeredBody layers_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
+  require_crossing(crossing);
   LayeredBody layers = layered_body(cylinder);
-  if (crossing.form.is_line()) return surface_under_line(layers, crossing);
-  layers.metric.across = Way::line;  // under a wheel it is a tread without sides
-  return surface_under_spot(layers, crossing);
+  if (!crossing.form.is_line()) layers.metric.across = Way::line;
+  return layers;
+}
+
+BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
+  require_crossing(crossing);
+  if (cylinder.layers.empty()) return {};
+  const LayeredBody layers = layers_of(cylinder, crossing);
+  return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
 }
 
 /// At the same arcs as the nodes of what rolls on it.
@@ -63,6 +73,7 @@ Body make_body(const CoatedCylinder& cylinder) {
           .layers = named(cylinder.layers),
           .curvatures = {.along = 1.0 / radius},
           .surface = [cylinder](const Crossing& crossing) { return surface_of(cylinder, crossing); },
+          .layered = [cylinder](const Crossing& crossing) { return layers_of(cylinder, crossing); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "roller",
           .counterparts = {"CoatedPlane", "CoatedCylinder", "Groove"},

@@ -11,25 +11,28 @@
 
 namespace viscoroll::detail {
 
-BodySurface surface_under_line(const LayeredBody& layers, const Crossing& crossing) {
+std::unique_ptr<const TableSum> sum_under_line(const LayeredBody& layers, const Crossing& crossing) {
   const auto& [threads, watch] = crossing.execution;
-  const double radius = layers.metric.radius;
-  const double angular_speed = crossing.angular_speed_at(radius);
-  const MeshOnBody mesh = crossing.mesh_at(radius);
+  const double angular_speed = crossing.angular_speed_at(layers.metric.radius);
+  const MeshOnBody mesh = crossing.mesh_at(layers.metric.radius);
+  std::vector<OrderBand> bands = phi_bands(layers, angular_speed, mesh.rounded());
+  const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), measured_order(mesh.rounded()));
+  return std::make_unique<const LineSum>(std::move(bands), harmonics, mesh, threads, watch);
+}
+
+BodySurface surface_under_line(const LayeredBody& layers, const Crossing& crossing) {
+  const double angular_speed = crossing.angular_speed_at(layers.metric.radius);
+  const MeshOnBody mesh = crossing.mesh_at(layers.metric.radius);
   const Mesh& around = mesh.rounded();
   const double limit = measured_order(around);
-  std::vector<OrderBand> bands = phi_bands(layers, angular_speed, around);
-  const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), limit);
+  const HarmonicBody harmonics(layers, angular_speed, all_orders(phi_bands(layers, angular_speed, around)), limit);
   const HarmonicBody alternating(layers, angular_speed, {std::numbers::pi / mesh.phi_spacing()}, limit);
   const Eigen::Matrix3cd compliance = alternating.compliance({.i = 0, .n = 0.0});
-  BodySurface surface{.tables = nullptr,
-                      .normal = compliance(0, 0),
-                      .along = compliance(1, 1),
-                      .stiffest_modulus = harmonics.stiffest_modulus(),
-                      .centrifugal = centrifugal_displacement(layers, angular_speed)};
-  surface.tables = std::make_unique<const TableStore>(
-      std::make_unique<const LineSum>(std::move(bands), harmonics, mesh, threads, watch), around);
-  return surface;
+  return {.tables = std::make_unique<const TableStore>(sum_under_line(layers, crossing), around),
+          .normal = compliance(0, 0),
+          .along = compliance(1, 1),
+          .stiffest_modulus = harmonics.stiffest_modulus(),
+          .centrifugal = centrifugal_displacement(layers, angular_speed)};
 }
 
 }  // namespace viscoroll::detail

@@ -9,6 +9,10 @@ namespace viscoroll::detail {
 
 /// @param[in] layers of a body, at least one; those of a plane with the radius of what rolls
 /// @param[in] crossing how its material crosses the contact
+[[nodiscard]] std::unique_ptr<const TableSum> sum_under_line(const LayeredBody& layers, const Crossing& crossing);
+
+/// @param[in] layers of a body, at least one; those of a plane with the radius of what rolls
+/// @param[in] crossing how its material crosses the contact
 [[nodiscard]] BodySurface surface_under_line(const LayeredBody& layers, const Crossing& crossing);
 
 }  // namespace viscoroll::detail

@@ -24,17 +24,7 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
 
 MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                      const Execution& execution, double inertia_tolerance) {
-  const Nodes nodes = pair.body.nodes(mesh, pair.on);
-  const double theta_spacing = nodes.grid.theta_spacing;
-  const Crossing crossing{.angular_speed = angular_speed,
-                          .radius = pair.body.radius,
-                          .mesh = mesh,
-                          .theta_spacing = theta_spacing,
-                          .widest = (nodes.widest.theta.count() - 1) * theta_spacing,
-                          .curvature = curvature,
-                          .inertia_tolerance = inertia_tolerance,
-                          .form = pair.body.form,
-                          .execution = execution};
+  const Crossing crossing = crossing_of(pair, angular_speed, mesh, curvature, execution, inertia_tolerance);
   BodySurface own = pair.body.surface(crossing);
   BodySurface counterpart = pair.on.surface(crossing);
   return {.pair = pair,

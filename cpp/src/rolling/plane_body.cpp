@@ -51,6 +51,7 @@ Body make_body(const CoatedPlane& plane) {
           .layers = std::move(layers),
           .curvatures = {},
           .surface = [plane](const Crossing& crossing) { return surface_of(plane, crossing); },
+          .layered = [plane](const Crossing& crossing) { return layered_body(plane, crossing.radius); },
           .profile = circles({})};
 }
 

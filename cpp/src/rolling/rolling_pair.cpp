@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <variant>
 
@@ -31,6 +32,14 @@ void require_counterpart(const Body& body, const Body& on) {
   reject("on", all + " for a " + std::string(body.type), "a " + std::string(on.type));
 }
 
+/// Nodes from the lowest one to where a surface that bulges has turned by 60 degrees, too.
+NodeRange within_60_degrees(const NodeRange& range, double curvature, double distance) {
+  const double turned = curvature * distance;  // from node to node [rad]
+  const double most = turned > 0.0 ? std::numbers::pi / 3.0 / turned : range.last;
+  const int last = most < range.last ? static_cast<int>(most) : range.last;
+  return {-last, last};
+}
+
 }  // namespace
 
 RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
@@ -42,6 +51,31 @@ RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
   }
   pair.on.require_room_for(pair.body);
   return pair;
+}
+
+Nodes nodes_of(const RollingPair& pair, const Mesh& mesh) {
+  Nodes nodes = pair.body.nodes(mesh, pair.on);
+  const SurfaceGrid& grid = nodes.grid;
+  const Curvatures& counterpart = pair.on.curvatures;
+  auto& [phi, theta] = nodes.widest;
+  phi = within_60_degrees(phi, counterpart.along, grid.radius * grid.phi_spacing);
+  theta = within_60_degrees(theta, counterpart.across, grid.radius * grid.theta_spacing);
+  return nodes;
+}
+
+Crossing crossing_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
+                     const Execution& execution, double inertia_tolerance) {
+  const Nodes nodes = pair.body.nodes(mesh, pair.on);
+  const double theta_spacing = nodes.grid.theta_spacing;
+  return {.angular_speed = angular_speed,
+          .radius = pair.body.radius,
+          .mesh = mesh,
+          .theta_spacing = theta_spacing,
+          .widest = (nodes.widest.theta.count() - 1) * theta_spacing,
+          .curvature = curvature,
+          .inertia_tolerance = inertia_tolerance,
+          .form = pair.body.form,
+          .execution = execution};
 }
 
 double relative_radius(const RollingPair& pair) {
@@ -60,6 +94,10 @@ double thickness(const RollingPair& pair) {
   double sum = 0.0;
   for (const NamedLayer& named : layers(pair)) sum += named.layer.thickness;
   return sum;
+}
+
+bool approach_exists(const RollingPair& pair) {
+  return pair.body.form.half_space_rests || std::isfinite(thickness(pair));
 }
 
 double layer_thickness(const RollingPair& pair) {

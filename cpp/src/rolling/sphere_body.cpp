@@ -4,12 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "influence/coating_sum.hpp"
 #include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
 #include "rolling/sphere_tables.hpp"
+#include "rolling/spot_surface.hpp"
 #include "rolling/table_store.hpp"
 #include "validate.hpp"
 
@@ -37,7 +37,6 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
 BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   BodySurface surface;
   if (sphere.layers.empty()) return surface;
-  const auto& [threads, watch] = crossing.execution;
   const double radius = outer_radius(sphere);
   const double speed = crossing.angular_speed_at(radius);
   const MeshOnBody mesh = crossing.mesh_at(radius);
@@ -50,8 +49,7 @@ BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
   if (exact) {
     surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), around);
   } else {
-    surface.tables = std::make_unique<const TableStore>(
-        std::make_unique<const CoatingSum>(layers, speed, mesh, threads, watch, crossing.inertia_tolerance), around);
+    surface.tables = std::make_unique<const TableStore>(sum_under_spot(layers, crossing), around);
   }
   surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
   const int highest_order = around.nodes_per_revolution / 2;
@@ -85,6 +83,7 @@ Body make_body(const CoatedSphere& sphere) {
           .layers = named(sphere.layers),
           .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius},
           .surface = [sphere](const Crossing& crossing) { return surface_of(sphere, crossing); },
+          .layered = [sphere](const Crossing& crossing) { return layered_body(sphere, crossing.curvature); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "ball",
           .counterparts = {"CoatedPlane", "Groove", "CoatedSphere"},

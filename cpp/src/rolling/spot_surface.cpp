@@ -9,15 +9,19 @@
 
 namespace viscoroll::detail {
 
-BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing) {
+std::unique_ptr<const TableSum> sum_under_spot(const LayeredBody& layers, const Crossing& crossing) {
   const auto& [threads, watch] = crossing.execution;
+  const double radius = layers.metric.radius;
+  return std::make_unique<const CoatingSum>(layers, crossing.angular_speed_at(radius), crossing.mesh_at(radius),
+                                            threads, watch, crossing.inertia_tolerance);
+}
+
+BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing) {
   const double radius = layers.metric.radius;
   const MeshOnBody mesh = crossing.mesh_at(radius);
   const double angular_speed = crossing.angular_speed_at(radius);
   BodySurface surface;
-  surface.tables = std::make_unique<const TableStore>(
-      std::make_unique<const CoatingSum>(layers, angular_speed, mesh, threads, watch, crossing.inertia_tolerance),
-      mesh.rounded());
+  surface.tables = std::make_unique<const TableStore>(sum_under_spot(layers, crossing), mesh.rounded());
   const double highest = std::numbers::pi / mesh.phi_spacing();
   const HarmonicBody harmonics(layers, angular_speed, {highest, 16.0 * highest}, measured_order(mesh.rounded()));
   const Eigen::Matrix3cd compliance = harmonics.compliance({.i = 0, .n = 0.0});

@@ -28,7 +28,7 @@ class CoatingSurface : public PressedSurface {
   /// The preconditioner keeps the sum of forces as it is.
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
-    const Eigen::MatrixXd compliance = problem_.tables.compliance(nodes, problem_.down);
+    const Eigen::MatrixXd compliance = problem_.surface.compliance(nodes, problem_.down);
     const auto times = [&](const VectorXd& forces) -> VectorXd {
       return compliance.selfadjointView<Eigen::Lower>() * forces;
     };
@@ -65,15 +65,15 @@ class CoatingSurface : public PressedSurface {
     const Index first = contact.nodes.front() / half_nodes;
     const Index last = contact.nodes.back() / half_nodes;
     const HalfField pressing = contact.pressing.matrix().reshaped(half_nodes, problem_.gap.cols());
-    if (problem_.tables.components() == 1) {
-      return (problem_.gap + problem_.tables.displacement(pressing, first, last)).reshaped();
+    if (problem_.surface.components() == 1) {
+      return (problem_.gap + problem_.surface.displacement(pressing, first, last)).reshaped();
     }
-    const HalfField moved = problem_.tables.displacement(spread(problem_.down, pressing), first, last);
+    const HalfField moved = problem_.surface.displacement(spread(problem_.down, pressing), first, last);
     return (problem_.gap + along(problem_.down, moved)).reshaped();
   }
 
   [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
-  [[nodiscard]] double stiffness() const override { return 1.0 / problem_.tables.own_compliance(); }
+  [[nodiscard]] double stiffness() const override { return 1.0 / problem_.surface.own_compliance(); }
 
  private:
   const ElasticContactProblem& problem_;

@@ -11,6 +11,7 @@
 
 #include "contact/active_set.hpp"
 #include "transient/plane_frame.hpp"
+#include "transient/step_operator.hpp"
 
 namespace viscoroll::detail {
 
@@ -39,7 +40,7 @@ class ContactInverse {
 
 /// @brief Minimize p K p / 2 + gap p over the pressing forces p >= 0 of a given sum.
 struct ElasticContactProblem {
-  const MirroredTables& tables;
+  const StepOperator& surface;
   std::array<HalfField, 3> down;  ///< its components at every node; empty where there is r alone
   HalfField gap;                  ///< without these forces, up to a constant
   HalfField weights;              ///< of `half_weights`, at every node

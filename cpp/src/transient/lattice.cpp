@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "contact/contact_extent.hpp"
 #include "contact/lever_arms.hpp"
+#include "surface/patch_slope.hpp"
 #include "validate.hpp"
-#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -24,45 +26,19 @@ constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForwar
 /// Steps in which a load rises on a coating with friction.
 constexpr int kPressingSteps = 8;
 
-Index on_ring(Index row, Index ring) { return ((row % ring) + ring) % ring; }
+/// Parts that have yielded after steps whose durations differ by the round-off of their times.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kRoundOff = 1e-10;
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kRoundOff * std::abs(x); });
+}
+
+double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing; }
 
 }  // namespace
 
-Lattice::Lattice(std::shared_ptr<const CreepingCoating> coating, double shift, Index half_rows)
-    : coating_(std::move(coating)),
-      shift_(shift),
-      half_rows_(half_rows),
-      memory_(coating_->tables, coating_->spectrum) {}
-
-Axes Lattice::axes_at(const SurfaceWindow& nodes) const {
-  const Index half_nodes = coating_->tables.half_nodes();
-  Axes axes;
-  if (coating_->tables.components() == 1) return axes;
-  const auto exact = nodes.axes();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t component = 0; component < 3; ++component) {
-      axes[axis][component] = as_field(exact[axis][component], half_nodes);
-    }
-  }
-  if (coating_->compliance == Compliance::vertical) return axes;
-  // As at the lowest point, but that forces along the plane press with their share of r, and u_r moves the surface
-  // along the plane: theory.md section 6.
-  const HalfField one = HalfField::Ones(half_nodes, axes[0][0].cols());
-  const HalfField none = HalfField::Zero(half_nodes, axes[0][0].cols());
-  return {{{axes[0][0], -one, none}, {one, none, none}, {axes[2][0], none, -one}}};
-}
-
-Lattice::Place Lattice::place_at(double angle) const {
-  const MirroredTables& tables = coating_->tables;
-  const double lowest = -angle / coating_->grid.phi_spacing - shift_;  // row under the center, not whole
-  const double middle = std::round(lowest);
-  const auto half_rows = static_cast<int>(half_rows_);
-  const SurfaceWindow nodes(coating_->grid, {{-half_rows, half_rows}, {0, static_cast<int>(tables.half_nodes()) - 1}},
-                            middle - lowest);
-  const auto first = static_cast<Index>(std::fmod(middle, static_cast<double>(tables.ring()))) - half_rows_;
-  return {.rows = {.first = on_ring(first, tables.ring()), .count = 2 * half_rows_ + 1},
-          .nodes = nodes,
-          .axes = axes_at(nodes)};
+Lattice::Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Index half_rows)
+    : pair_(std::move(pair)), shift_(shift), half_rows_(half_rows) {
+  for (const CreepingBody& body : pair_->bodies) memories_.emplace_back(body);
 }
 
 /// Without mass the center goes where forces balance. With it, by the method of J. Chung and G. M. Hulbert, J. Appl.
@@ -70,12 +46,12 @@ Lattice::Place Lattice::place_at(double angle) const {
 /// steps is gone after two of them. The trapezoidal rule would ring.
 CenterCondition Lattice::center_condition(double duration, const StepEnd& end) const {
   if (end.center_way) return {.force = 0.0, .way = 1.0, .value = *end.center_way - now_.center_way};
-  const double mass = coating_->mass;
-  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -coating_->driving_force};
+  const double mass = pair_->mass;
+  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -pair_->driving_force};
   if (duration == 0.0) return {.force = 0.0, .way = 1.0, .value = 0.0};
   return {.force = 1.0,
           .way = -2.0 * mass / (duration * duration),
-          .value = -coating_->driving_force - 2.0 * mass * now_.center_speed / duration};
+          .value = -pair_->driving_force - 2.0 * mass * now_.center_speed / duration};
 }
 
 void Lattice::move_center(double duration, double way) {
@@ -83,7 +59,7 @@ void Lattice::move_center(double duration, double way) {
   if (duration == 0.0) return;
   const double mean_speed = way / duration;
   const double before = center_acceleration_;
-  if (coating_->mass == 0.0) {
+  if (pair_->mass == 0.0) {
     now_.center_speed = mean_speed;
     return;
   }
@@ -91,113 +67,187 @@ void Lattice::move_center(double duration, double way) {
   now_.center_speed += duration * (1.5 * center_acceleration_ - 0.5 * before);
 }
 
-Lattice::Touch Lattice::touch(const TimeStep* step, double compliance, const StepEnd& end,
+/// Tables that are sums serve on while steps take as long.
+template <class Parts>
+Lattice::Yielding Lattice::yielding(const Parts& parts_in) {
+  last_.resize(pair_->bodies.size());
+  Yielding yielding{.of_bodies = {}, .sum = 0.0};
+  for (std::size_t b = 0; b < last_.size(); ++b) {
+    const CreepingTables& tables = pair_->bodies[b].tables;
+    std::vector<double> parts = parts_in(b);
+    if (tables.count() == 1 || !are_same(parts, last_[b].parts)) {
+      last_[b] = tables.yielding(std::move(parts));
+      if (tables.count() > 1) stiffness_ = {};
+    }
+    yielding.sum += last_[b].share;
+  }
+  yielding.of_bodies = last_;
+  return yielding;
+}
+
+Lattice::Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                               const CenterCondition& center) {
-  const MirroredTables& tables = coating_->tables;
-  const Index half_nodes = tables.half_nodes();
-  const Index most = nodes_to_60_degrees(tables.ring());
   for (;;) {
-    Touch touch{.place = place_at(end.angle), .known = {}, .compliance = compliance, .contact = {}};
-    const RingRows& rows = touch.place.rows;
-    touch.known =
-        step != nullptr ? memory_.known_displacement(*step, rows) : HalfField::Zero(tables.height(), rows.count);
+    Touch touch{.place = place_at(*pair_, shift_, half_rows_, end.angle),
+                .yielding = yielding,
+                .known = {},
+                .contact = {},
+                .moved = {}};
+    require_reach(touch.place);
+    const auto& [first, count] = std::pair(touch.place.first, touch.place.count);
+    for (std::size_t b = 0; b < memories_.size(); ++b) {
+      const Index height = pair_->bodies[b].tables.height();
+      touch.known.push_back(step != nullptr ? memories_[b].known_displacement(step->parts[b], first, count)
+                                            : HalfField::Zero(height, count));
+    }
     if (end.load == 0.0) {
-      touch.contact = lifted(touch.place, touch.known, center);
-      return touch;
+      touch.contact = lifted(touch, center);
+    } else {
+      touch.contact =
+          has_friction() ? touch_with_friction(touch, end, center) : touch_smooth(touch, yielding.sum * end.load);
+      if (!fits(touch, end.load)) continue;
     }
-    touch.contact = has_friction() ? touch_with_friction(touch.place, touch.known, compliance, end, center)
-                                   : touch_smooth(touch.place, touch.known, compliance * end.load);
-    bool at_side = false;
-    bool at_end = false;
-    for (const Index node : touch.contact.nodes) {
-      at_side = at_side || node % half_nodes == half_nodes - 1;
-      at_end = at_end || node / half_nodes == 0 || node / half_nodes == rows.count - 1;
-    }
-    if (at_side) throw ContactTooWide();
-    if (!at_end) return touch;
-    if (half_rows_ >= most) {
-      reject("load", "small enough for the coating",
-             text(end.load) + " N (it is in contact over 60 degrees to a side)");
-    }
-    half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
-    forget_contact();
+    find_displacements(touch);
+    return touch;
   }
 }
 
-StickSlip Lattice::touch_smooth(const Place& place, const HalfField& known, double load) {
-  const MirroredTables& tables = coating_->tables;
-  const Index half_nodes = tables.half_nodes();
-  const auto& down = place.axes[kDown];
+/// Where displacements do not die out, as those of a half-space, all that a track remembers displaces the contact.
+void Lattice::require_reach(const ContactPlace& place) const {
+  if (pair_->track_reach >= pair_->most_track_reach()) return;
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const CreepingTables& tables = pair_->bodies[b].tables;
+    const auto alive = memories_[b].living();
+    if (!alive || tables.dies_out()) continue;
+    const Index farthest = std::max(place.first + place.count - 1 - alive->first, alive->last - place.first);
+    if (farthest > tables.reach()) throw TrackTooLong();
+  }
+}
+
+/// Whether the contact ends within the window, which is made wider where it does not.
+bool Lattice::fits(const Touch& touch, double load) {
+  const Index half_nodes = pair_->half_nodes();
+  const Index most = pair_->nodes.widest.phi.last;
+  bool at_side = false;
+  bool at_end = false;
+  for (const Index node : touch.contact.nodes) {
+    at_side = at_side || node % half_nodes == half_nodes - 1;
+    at_end = at_end || node / half_nodes == 0 || node / half_nodes == touch.place.count - 1;
+  }
+  if (at_side && !pair_->ends_at_sides()) throw ContactTooWide();
+  if (!at_end) return true;
+  if (half_rows_ >= most) {
+    reject("load", "small enough for the coating",
+           text(load) + " " + std::string(pair_->pair.body.form.load_unit) +
+               " (it is in contact over 60 degrees to a side)");
+  }
+  half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
+  forget_contact();
+  return false;
+}
+
+void Lattice::find_displacements(Touch& touch) const {
+  if (has_friction() && !touch.contact.nodes.empty() && coating().count() == 1) {
+    touch.moved.push_back({std::move(touch.contact.displacement)});
+    return;
+  }
+  const Index half_nodes = pair_->half_nodes();
+  const HalfField pressing = by_components(touch.contact.force, touch.place);
+  const auto& nodes = touch.contact.nodes;
+  for (const CreepingBody& body : pair_->bodies) {
+    touch.moved.emplace_back();
+    for (const MirroredTables& tables : body.tables.all()) {
+      touch.moved.back().push_back(
+          nodes.empty()
+              ? HalfField::Zero(pressing.rows(), touch.place.count + 2 * tables.reach())
+              : tables.displacement_in_reach(pressing, nodes.front() / half_nodes, nodes.back() / half_nodes));
+    }
+  }
+}
+
+/// What both bodies remember opens the gap.
+HalfField Lattice::known_gap(const Touch& touch) const {
+  HalfField known = touch.known.front();
+  for (std::size_t b = 1; b < touch.known.size(); ++b) known += touch.known[b];
+  return coating().components() == 1 ? known : along(touch.place.axes[kDown], known);
+}
+
+StickSlip Lattice::touch_smooth(const Touch& touch, double load) {
+  const Index half_nodes = pair_->half_nodes();
   const ArrayXd weights = half_weights(half_nodes);
-  ElasticContactProblem problem{.tables = tables,
-                                .down = down,
-                                .gap = weights.matrix().asDiagonal() * as_field(place.nodes.height(), half_nodes),
-                                .weights = weights.matrix().replicate(1, place.rows.count),
+  std::vector<StepOperator::Part> parts;
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const YieldingTables& body = touch.yielding.of_bodies[b];
+    parts.push_back({body.share / touch.yielding.sum, body.tables.get()});
+  }
+  const StepOperator surface(std::move(parts));
+  ElasticContactProblem problem{.surface = surface,
+                                .down = touch.place.axes[kDown],
+                                .gap = weights.matrix().asDiagonal() * as_field(touch.place.gap, half_nodes),
+                                .weights = weights.matrix().replicate(1, touch.place.count),
                                 .load = load};
-  problem.gap += tables.components() == 1 ? known : along(down, known);
-  PressedNodes contact = solve_elastic_contact(problem, -guess(place, load).col(kDown), inverse_);
+  problem.gap += known_gap(touch);
+  PressedNodes contact = solve_elastic_contact(problem, -guess(touch.place, load).col(kDown), inverse_);
   StickSlip result;
   result.force = VectorField::Zero(contact.pressing.size(), 3);
   result.force.col(kDown) = -contact.pressing;
   result.penetration = *contact.penetration;
-  result.displacement = tables.displacement_in_reach(
-      by_components(result.force, place), contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
   result.nodes = std::move(contact.nodes);
   return result;
 }
 
-/// The plane just touches what the coating remembers, and bears nothing.
-StickSlip Lattice::lifted(const Place& place, const HalfField& known, const CenterCondition& center) const {
-  const Index half_nodes = coating_->tables.half_nodes();
-  const HalfField weights = half_weights(half_nodes).matrix().replicate(1, place.rows.count);
-  const HalfField rise = coating_->tables.components() == 1 ? known : along(place.axes[1], known);
+/// The bodies just touch with what they remember, and bear nothing.
+StickSlip Lattice::lifted(const Touch& touch, const CenterCondition& center) const {
+  const Index half_nodes = pair_->half_nodes();
+  const HalfField weights = half_weights(half_nodes).matrix().replicate(1, touch.place.count);
   StickSlip result;
   result.force = VectorField::Zero(weights.size(), 3);
-  result.penetration = (as_field(place.nodes.height(), half_nodes) + rise.cwiseQuotient(weights)).minCoeff();
+  result.penetration = (as_field(touch.place.gap, half_nodes) + known_gap(touch).cwiseQuotient(weights)).minCoeff();
   result.way = center.way != 0.0 ? center.value / center.way : 0.0;
   result.slip = Eigen::ArrayX2d::Zero(weights.size(), 2);
-  result.displacement = HalfField::Zero(coating_->tables.height(), place.rows.count + 2 * coating_->tables.reach());
   return result;
 }
 
-StickSlip Lattice::touch_with_friction(const Place& place, const HalfField& known, double compliance,
-                                       const StepEnd& end, const CenterCondition& center) {
-  const SurfaceGrid& grid = coating_->grid;
-  const ArrayXd weights = half_weights(coating_->tables.half_nodes()).replicate(place.rows.count, 1);
+StickSlip Lattice::touch_with_friction(const Touch& touch, const StepEnd& end, const CenterCondition& center) {
+  const ContactPlace& place = touch.place;
+  const SurfaceGrid& grid = pair_->nodes.grid;
+  const double compliance = touch.yielding.sum;
+  const HalfField& known = touch.known.front();
+  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(place.count, 1);
   const SurfaceWindow before(grid, place.nodes.window(),
                              place.nodes.shift() - (end.angle - now_.angle) / grid.phi_spacing);
-  const Axes axes_before = axes_at(before);
-  const HalfField borne = memory_.displacement(place.rows);
+  const Axes axes_before = axes_at(*pair_, before);
+  const HalfField borne = memories_.front().displacement(place.first, place.count);
   const auto part = [](const Axes& axes, std::size_t axis, const HalfField& field) -> ArrayXd {
     return along(axes[axis], field).reshaped();
   };
   const StickSlipProblem problem{
-      .tables = coating_->tables,
+      .tables = *touch.yielding.of_bodies.front().tables,
       .axes = place.axes,
-      .gap = weights * place.nodes.height() + part(place.axes, kDown, known),
+      .gap = weights * place.gap + part(place.axes, kDown, known),
       .forward_way = weights * (place.nodes.x() - before.x()) - part(place.axes, kForward, known) +
                      part(axes_before, kForward, borne),
       .sideways_way = weights * (place.nodes.z() - before.z()) - part(place.axes, kSideways, known) +
                       part(axes_before, kSideways, borne),
       .weights = weights,
       .load = compliance * end.load,
-      .friction = coating_->friction,
+      .friction = pair_->friction,
       .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};
   return solve_stick_slip(problem, guess(place, problem.load), stiffness_);
 }
 
 /// Forces of the last window, where they have been carried to: they stay below while nodes pass.
-VectorField Lattice::carried_forces(const Place& place) const {
-  const Index half_nodes = coating_->tables.half_nodes();
-  VectorField force = VectorField::Zero(half_nodes * place.rows.count, 3);
-  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(rows_.count - place.rows.count);
+VectorField Lattice::carried_forces(const ContactPlace& place) const {
+  const Index half_nodes = pair_->half_nodes();
+  VectorField force = VectorField::Zero(half_nodes * place.count, 3);
+  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(count_ - place.count);
   const auto whole = static_cast<Index>(std::floor(lowest));
   const double ahead = lowest - static_cast<double>(whole);
   const auto add = [&](Index row, Index last, double share) {
-    if (last < 0 || last >= rows_.count) return;
+    if (last < 0 || last >= count_) return;
     force.middleRows(half_nodes * row, half_nodes) += share * force_.middleRows(half_nodes * last, half_nodes);
   };
-  for (Index row = 0; row < place.rows.count; ++row) {
+  for (Index row = 0; row < place.count; ++row) {
     add(row, row + whole, 1.0 - ahead);
     add(row, row + whole + 1, ahead);
   }
@@ -205,20 +255,18 @@ VectorField Lattice::carried_forces(const Place& place) const {
 }
 
 /// The last forces for a new load, or those of a first contact, which the window was made a little wider than.
-VectorField Lattice::guess(const Place& place, double load) const {
+VectorField Lattice::guess(const ContactPlace& place, double load) const {
   VectorField guess = carried_forces(place);
   if (!(guess.col(kDown) < 0.0).any()) {
-    const ArrayXd& height = place.nodes.height();
-    guess.col(kDown) = -(kContactShare * kContactShare * height[0] - height).max(0.0);
+    guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);
   }
-  const ArrayXd weights = half_weights(coating_->tables.half_nodes()).replicate(place.rows.count, 1);
+  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(place.count, 1);
   return load / -(weights * guess.col(kDown)).sum() * guess;
 }
 
-/// What the plane does to the coating.
-HalfField Lattice::by_components(const VectorField& force, const Place& place) const {
-  const MirroredTables& tables = coating_->tables;
-  return tables.components() == 1 ? as_field(-force.col(kDown), tables.half_nodes()) : on_plane(place.axes, force);
+/// What is below does to the nodes.
+HalfField Lattice::by_components(const VectorField& force, const ContactPlace& place) const {
+  return coating().components() == 1 ? as_field(-force.col(kDown), pair_->half_nodes()) : on_plane(place.axes, force);
 }
 
 void Lattice::forget_contact() {
@@ -226,15 +274,28 @@ void Lattice::forget_contact() {
   stiffness_ = {};
 }
 
-RingMemory::Load Lattice::load_of(const Touch& touch) const {
-  const MirroredTables& tables = coating_->tables;
-  const RingRows& rows = touch.place.rows;
+RowMemory::Load Lattice::load_of(const Touch& touch, std::size_t body) const {
+  const ContactPlace& place = touch.place;
+  const CreepingTables& tables = pair_->bodies[body].tables;
   const Index reach = tables.reach();
-  RingMemory::Load load{.rows = {.first = on_ring(rows.first - reach, tables.ring()), .count = rows.count + 2 * reach},
-                        .force = HalfField::Zero(tables.height(), rows.count + 2 * reach),
-                        .displacement = touch.contact.displacement / touch.compliance};
-  load.force.middleCols(reach, rows.count) = by_components(touch.contact.force, touch.place) / touch.compliance;
+  RowMemory::Load load{.first = place.first - reach,
+                       .force = HalfField::Zero(tables.height(), place.count + 2 * reach),
+                       .displacements = {}};
+  for (const HalfField& moved : touch.moved[body]) load.displacements.emplace_back(moved / touch.yielding.sum);
+  load.force.middleCols(reach, place.count) = by_components(touch.contact.force, place) / touch.yielding.sum;
   return load;
+}
+
+/// All of a body's own displacement in the window.
+HalfField Lattice::deformed(const Touch& touch, std::size_t body) const {
+  HalfField deformed = touch.known[body];
+  const std::vector<double>& parts = touch.yielding.of_bodies[body].parts;
+  const Index reach = pair_->bodies[body].tables.reach();
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    const double share = parts[t] / touch.yielding.sum;
+    deformed += share * touch.moved[body][t].middleCols(reach, touch.place.count);
+  }
+  return deformed;
 }
 
 void Lattice::take(const Touch& touch, const StepEnd& end) {
@@ -243,49 +304,60 @@ void Lattice::take(const Touch& touch, const StepEnd& end) {
   take_contact(touch);
   take_moments(touch);
   if (has_friction()) take_friction(touch);
-  force_ = touch.contact.force / touch.compliance;
-  rows_ = touch.place.rows;
+  force_ = touch.contact.force / touch.yielding.sum;
+  first_ = touch.place.first;
+  count_ = touch.place.count;
   lowest_ = touch.place.nodes.shift();
 }
 
 void Lattice::take_contact(const Touch& touch) {
-  const Index half_nodes = coating_->tables.half_nodes();
   const SurfaceWindow& nodes = touch.place.nodes;
-  const ArrayXd weights = half_weights(half_nodes).matrix().replicate(1, touch.place.rows.count).reshaped();
-  const ArrayXd forces = -touch.contact.force.col(kDown) / touch.compliance;
+  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(touch.place.count, 1);
+  const ArrayXd forces = -touch.contact.force.col(kDown) / touch.yielding.sum;
   now_.penetration = touch.contact.penetration;
-  if (now_.penetration >= coating_->thickness) {
+  const double coating_thickness = thickness(pair_->pair);
+  if (now_.penetration >= coating_thickness) {
     reject("load", "small enough for the coating",
-           text(now_.load) + " N (it is pressed " + rounded(now_.penetration) + " m into a coating of " +
-               text(coating_->thickness) + " m)");
+           text(now_.load) + " " + std::string(pair_->pair.body.form.load_unit) + " (it is pressed " +
+               rounded(now_.penetration) + " m into a coating of " + text(coating_thickness) + " m)");
   }
 
-  const SurfaceGrid& grid = coating_->grid;
-  const double flat_patch = std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing;
-  const ArrayXd patches = flat_patch * (1.0 - (nodes.z() / grid.radius).square()).sqrt();
+  const ArrayXd patches = nodes.patch_area();
   ArrayXd touching = ArrayXd::Zero(forces.size());
   for (const Index node : touch.contact.nodes) touching[node] = weights[node] * weights[node] * patches[node];
   const ContactExtent extent = contact_extent(nodes, touching, 0.0);
   now_.contact_area = extent.area;
   now_.semi_axis_x = extent.semi_axis_x;
-  now_.semi_axis_z = extent.semi_axis_z.value();
-  now_.max_pressure = (forces / weights).maxCoeff() / flat_patch;
+  now_.semi_axis_z = extent.semi_axis_z.value_or(std::numeric_limits<double>::quiet_NaN());
+  now_.max_pressure = (forces / weights).maxCoeff() / flat_patch(nodes.grid());
+}
+
+/// D_2, the force of the pressure along the counterpart's own deformed surface: theory.md section 15.
+double Lattice::pushback(const Touch& touch, const ArrayXd& pressing) const {
+  const auto& bodies = pair_->bodies;
+  if (bodies.size() == 1) return bodies.front().rolls ? 0.0 : now_.resisting_torque / relative_radius(pair_->pair);
+  const SurfaceGrid& grid = pair_->nodes.grid;
+  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(touch.place.count, 1);
+  const ArrayXd depth = deformed(touch, 1).reshaped().array() / weights;
+  return (pressing * patch_slope(depth, pair_->half_nodes(), grid.radius * grid.phi_spacing)).sum();
 }
 
 /// About the center. Pressure works along the plane where it moves what it stands on along it.
 void Lattice::take_moments(const Touch& touch) {
-  const SurfaceWindow& nodes = touch.place.nodes;
-  const ArrayXd weights =
-      half_weights(coating_->tables.half_nodes()).matrix().replicate(1, touch.place.rows.count).reshaped();
-  const double radius = coating_->grid.radius;
-  LeverArms arms{
-      .x = nodes.x(), .y = ArrayXd::Constant(weights.size(), radius - touch.contact.penetration), .radius = radius};
-  const VectorField force = touch.contact.force.colwise() * weights / touch.compliance;
-  now_.resisting_torque = -(arms.x * force.col(kDown)).sum();
-  if (coating_->compliance == Compliance::vertical) {
-    const HalfField moved =
-        touch.known + touch.contact.displacement.middleCols(coating_->tables.reach(), touch.place.rows.count);
-    arms.x -= along(touch.place.axes[kForward], moved).reshaped().array() / weights;
+  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(touch.place.count, 1);
+  const VectorField force = touch.contact.force.colwise() * weights / touch.yielding.sum;
+  const double radius = pair_->nodes.grid.radius;
+  const double turning = pair_->pair.on.curvatures.along;  // of what it rolls on [1/m]
+  now_.resisting_torque = -(touch.place.lever * force.col(kDown)).sum();
+  const double pushed_back = pushback(touch, -force.col(kDown));
+  now_.driving_force = pushed_back - turning * now_.resisting_torque;
+  now_.driving_torque = radius / relative_radius(pair_->pair) * now_.resisting_torque - radius * pushed_back;
+  if (coating().components() == 1) return;
+  LeverArms arms{.x = touch.place.lever,
+                 .y = ArrayXd::Constant(weights.size(), radius - touch.contact.penetration),
+                 .radius = radius};
+  if (pair_->compliance == Compliance::vertical) {
+    arms.x -= along(touch.place.axes[kForward], deformed(touch, 0)).reshaped().array() / weights;
   }
   if (has_friction()) now_.driving_force = -force.col(kForward).sum();
   now_.driving_torque = moment(arms, force);
@@ -301,11 +373,11 @@ void Lattice::take_friction(const Touch& touch) {
 
 /// Energy lost by slip in a step, by the mean of old and new tractions of each node.
 double Lattice::slip_work(const Touch& touch) const {
-  const Index half_nodes = coating_->tables.half_nodes();
-  VectorField force = touch.contact.force / touch.compliance;
-  for (Index row = 0; row < touch.place.rows.count; ++row) {
-    const Index last = on_ring(touch.place.rows.first + row - rows_.first, coating_->tables.ring());
-    if (last >= rows_.count) continue;
+  const Index half_nodes = pair_->half_nodes();
+  VectorField force = touch.contact.force / touch.yielding.sum;
+  for (Index row = 0; row < touch.place.count; ++row) {
+    const Index last = touch.place.first + row - first_;
+    if (last < 0 || last >= count_) continue;
     force.middleRows(half_nodes * row, half_nodes) += force_.middleRows(half_nodes * last, half_nodes);
   }
   const auto& slip = touch.contact.slip;
@@ -314,53 +386,79 @@ double Lattice::slip_work(const Touch& touch) const {
 
 void Lattice::start(Start start, const StepEnd& at, double center_speed) {
   const bool relaxed = start == Start::relaxed;
-  const double compliance = relaxed ? 1.0 : coating_->spectrum.instantaneous;
+  const Yielding yielding = this->yielding([&](std::size_t b) {
+    const CreepingBody& body = pair_->bodies[b];
+    return relaxed ? body.parts_at_rest() : body.parts_at_once();
+  });
   now_.angle = at.angle;
   // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
   const int count = has_friction() ? kPressingSteps : 1;
   for (int i = 1; i <= count; ++i) {
     StepEnd end = at;
     end.load *= static_cast<double>(i) / count;
-    const Touch contact = touch(nullptr, compliance, end, {});
+    const Touch contact = touch(nullptr, yielding, end, {});
     take(contact, end);
-    if (relaxed) {
-      memory_.relax(load_of(contact));
-    } else {
-      memory_.press(load_of(contact));
+    for (std::size_t b = 0; b < memories_.size(); ++b) {
+      if (relaxed) {
+        memories_[b].relax(load_of(contact, b));
+      } else {
+        memories_[b].press(load_of(contact, b));
+      }
     }
   }
-  now_.stored_energy = memory_.stored_energy();
-  now_.dissipated_energy = now_.slip_energy = 0.0;
+  take_stored_energy();
+  now_.dissipated_energy = now_.counterpart_dissipated_energy = now_.slip_energy = 0.0;
   now_.center_speed = center_speed;
 }
 
-void Lattice::advance(const TimeStep& step, double duration, const StepEnd& end) {
+void Lattice::advance(const PairStep& step, const StepEnd& end) {
   const RollingInstant before = now_;
-  const Touch contact = touch(&step, step.compliance, end, center_condition(duration, end));
+  const double duration = step.duration;
+  const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
+  const Touch contact = touch(&step, yielding, end, center_condition(duration, end));
   take(contact, end);
   if (has_friction()) move_center(duration, contact.contact.way);
-  const double lost = memory_.advance(step, load_of(contact));
-  now_.dissipated_energy += lost;
-  now_.stored_energy = memory_.stored_energy();
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const double lost = memories_[b].advance(step.parts[b], duration, load_of(contact, b));
+    now_.dissipated_energy += lost;
+    if (!pair_->bodies[b].rolls) now_.counterpart_dissipated_energy += lost;
+  }
+  take_stored_energy();
   const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
   // A jump is elastic, whatever its way: it takes the energy that it stores.
   const double work = duration == 0.0
                           ? used
-                          : 0.5 * ((before.driving_torque + now_.driving_torque) * (end.angle - before.angle) +
+                          : 0.5 * ((working_torque(before) + working_torque(now_)) * (end.angle - before.angle) +
                                    (before.load + end.load) * (now_.penetration - before.penetration) +
                                    (before.driving_force + now_.driving_force) * (now_.center_way - before.center_way));
   now_.work += work;
   now_.energy_imbalance += work - used;
 }
 
-void Lattice::widen(std::shared_ptr<const CreepingCoating> coating) {
-  coating_ = std::move(coating);
-  memory_ = memory_.widened(coating_->tables);
+/// What works by the turning: without friction the force along what deforms below does, too, for it never slips.
+double Lattice::working_torque(const RollingInstant& at) const {
+  if (has_friction()) return at.driving_torque;
+  const double along = at.driving_force + pair_->pair.on.curvatures.along * at.resisting_torque;
+  return at.driving_torque + pair_->nodes.grid.radius * along;
+}
+
+void Lattice::take_stored_energy() {
+  now_.stored_energy = now_.counterpart_stored_energy = 0.0;
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    now_.stored_energy += memories_[b].stored_energy();
+    if (!pair_->bodies[b].rolls) now_.counterpart_stored_energy += memories_[b].stored_energy();
+  }
+}
+
+void Lattice::widen(std::shared_ptr<const CreepingPair> pair) {
+  const Index before = pair_->half_nodes();
+  pair_ = std::move(pair);
+  for (std::size_t b = 0; b < memories_.size(); ++b) memories_[b] = memories_[b].widened(pair_->bodies[b].tables);
+  last_.clear();
   forget_contact();
-  const Index half_nodes = coating_->tables.half_nodes();
-  const Index before = force_.rows() / std::max<Index>(rows_.count, 1);
-  VectorField wide = VectorField::Zero(half_nodes * rows_.count, 3);
-  for (Index row = 0; row < rows_.count; ++row) {
+  const Index half_nodes = pair_->half_nodes();
+  VectorField wide = VectorField::Zero(half_nodes * count_, 3);
+  for (Index row = 0; row < count_; ++row) {
     wide.middleRows(half_nodes * row, before) = force_.middleRows(before * row, before);
   }
   force_ = std::move(wide);
@@ -371,39 +469,41 @@ void Lattice::write(NumberWriter& numbers) const {
   numbers.put(center_acceleration_);
   numbers.put(static_cast<double>(half_rows_));
   numbers.put(lowest_);
-  numbers.put(static_cast<double>(rows_.first));
-  numbers.put(static_cast<double>(rows_.count));
-  for (const auto& [axis, sign] : kSaved) {
-    numbers.put(as_field(sign * force_.col(axis), coating_->tables.half_nodes()));
-  }
-  memory_.write(numbers);
+  numbers.put(static_cast<double>(first_));
+  numbers.put(static_cast<double>(count_));
+  for (const auto& [axis, sign] : kSaved) numbers.put(as_field(sign * force_.col(axis), pair_->half_nodes()));
+  for (const RowMemory& memory : memories_) memory.write(numbers);
 }
 
 void Lattice::read(NumberReader& numbers) {
   for (const auto member : kLatticeScalars) now_.*member = numbers.get();
   center_acceleration_ = numbers.get();
-  half_rows_ = numbers.count(static_cast<double>(nodes_to_60_degrees(coating_->tables.ring())));
+  half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));
   lowest_ = numbers.get();
-  rows_ = {.first = numbers.count(static_cast<double>(coating_->tables.ring())), .count = numbers.count()};
-  force_ = VectorField::Zero(coating_->tables.half_nodes() * rows_.count, 3);
+  first_ = numbers.row();
+  count_ = numbers.count();
+  force_ = VectorField::Zero(pair_->half_nodes() * count_, 3);
   for (const auto& [axis, sign] : kSaved) {
     const HalfField field = numbers.matrix();
     if (field.size() == force_.rows()) force_.col(axis) = sign * field.reshaped();
   }
-  memory_ = RingMemory(coating_->tables, coating_->spectrum);
-  memory_.read(numbers, coating_->tables);
+  memories_.clear();
+  for (const CreepingBody& body : pair_->bodies) {
+    memories_.emplace_back(body);
+    memories_.back().read(numbers, body.tables);
+  }
+  last_.clear();
   forget_contact();
 }
 
 ContactField Lattice::field() const {
-  const Place place = place_at(now_.angle);
-  const Index half_nodes = coating_->tables.half_nodes();
+  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle);
+  const Index half_nodes = pair_->half_nodes();
   const Index sides = 2 * half_nodes - 1;
-  const SurfaceGrid& grid = coating_->grid;
-  const double patch = std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing;
+  const double patch = flat_patch(pair_->nodes.grid);
   const ArrayXd weights = half_weights(half_nodes);
-  ContactField field{.phi_nodes = static_cast<int>(place.rows.count), .theta_nodes = static_cast<int>(sides)};
-  for (Index i = 0; i < place.rows.count; ++i) {
+  ContactField field{.phi_nodes = static_cast<int>(place.count), .theta_nodes = static_cast<int>(sides)};
+  for (Index i = 0; i < place.count; ++i) {
     for (Index k = 1 - half_nodes; k < half_nodes; ++k) {
       const Index node = i * half_nodes + std::abs(k);
       field.x.push_back(place.nodes.x()[node]);

@@ -7,11 +7,13 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
-#include "transient/coating_history.hpp"
+#include "transient/contact_place.hpp"
 #include "transient/contact_stiffness.hpp"
+#include "transient/creeping_pair.hpp"
 #include "transient/elastic_contact.hpp"
-#include "transient/ring_memory.hpp"
+#include "transient/row_memory.hpp"
 #include "transient/stick_slip_step.hpp"
 #include "viscoroll/rolling_history.hpp"
 
@@ -21,6 +23,12 @@ namespace viscoroll::detail {
 class ContactTooWide : public std::runtime_error {
  public:
   ContactTooWide() : std::runtime_error("the contact reaches the side of the tables") {}
+};
+
+/// @brief A track that remembers more than its tables reach.
+class TrackTooLong : public std::runtime_error {
+ public:
+  TrackTooLong() : std::runtime_error("the track is remembered farther than its tables reach") {}
 };
 
 /// @brief Numbers that each lattice has of an instant: what is averaged over lattices, and stored of each.
@@ -34,7 +42,9 @@ inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
                                             &RollingInstant::semi_axis_z,
                                             &RollingInstant::max_pressure,
                                             &RollingInstant::stored_energy,
+                                            &RollingInstant::counterpart_stored_energy,
                                             &RollingInstant::dissipated_energy,
+                                            &RollingInstant::counterpart_dissipated_energy,
                                             &RollingInstant::work,
                                             &RollingInstant::energy_imbalance,
                                             &RollingInstant::driving_force,
@@ -51,80 +61,93 @@ struct StepEnd {
   std::optional<double> center_way;  ///< since the first instant [m]; none: forces decide
 };
 
-/// @brief Nodes of the coating at angles (I + shift) spacing + angle turned, what they bear and what they remember.
+/// @brief Nodes at angles (I + shift) spacing + angle turned, what they bear, and what each body remembers of it.
 class Lattice {
  public:
-  /// @param[in] coating shared by all lattices
+  /// @param[in] pair shared by all lattices
   /// @param[in] shift of the nodes at angle 0 [spacings], in [0, 1)
   /// @param[in] half_rows rows on either side of the lowest one that may touch, to begin with
-  Lattice(std::shared_ptr<const CreepingCoating> coating, double shift, Eigen::Index half_rows);
+  Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Eigen::Index half_rows);
 
   /// @brief The first contact, at rest.
   void start(Start start, const StepEnd& at, double center_speed);
 
   /// @brief Turn and load linearly in time.
   /// @param[in] step weights of the time that it takes
-  /// @param[in] duration that time [s], 0 for a jump
   /// @param[in] end of the step
-  /// @throws ContactTooWide, ConvergenceError
-  void advance(const TimeStep& step, double duration, const StepEnd& end);
+  /// @throws ContactTooWide, TrackTooLong, ConvergenceError
+  void advance(const PairStep& step, const StepEnd& end);
 
   /// @brief The same history on wider tables.
-  void widen(std::shared_ptr<const CreepingCoating> coating);
+  void widen(std::shared_ptr<const CreepingPair> pair);
 
   void write(NumberWriter& numbers) const;
-  /// @brief Take over what a lattice of the same coating has written.
+  /// @brief Take over what a lattice of the same bodies has written.
   void read(NumberReader& numbers);
 
   [[nodiscard]] const RollingInstant& now() const { return now_; }
   [[nodiscard]] ContactField field() const;
 
  private:
-  /// Where the rows around the lowest point are.
-  struct Place {
-    RingRows rows;
-    SurfaceWindow nodes;
-    Axes axes;  ///< empty where pressure is radial and there is no friction
+  /// What the new forces displace in each body, once parts of them have yielded.
+  struct Yielding {
+    std::vector<YieldingTables> of_bodies;
+    double sum;  ///< of the shares of their tables
   };
 
-  /// Who touches at an angle, in scaled forces.
+  /// Who touches at an angle, in forces scaled by what has yielded in all bodies.
   struct Touch {
-    Place place;
-    HalfField known;  ///< K h
-    double compliance;
-    StickSlip contact;  ///< without friction only with what presses
+    ContactPlace place;
+    Yielding yielding;
+    std::vector<HalfField> known;  ///< K h of every body
+    StickSlip contact;             ///< without friction only with what presses
+    /// K p' of every body's every tables, over their reach
+    std::vector<std::vector<HalfField>> moved;
   };
 
-  [[nodiscard]] Place place_at(double angle) const;
-  [[nodiscard]] Axes axes_at(const SurfaceWindow& nodes) const;
-  /// @param[in] step none for a first contact, on a coating that bears nothing else
-  [[nodiscard]] Touch touch(const TimeStep* step, double compliance, const StepEnd& end, const CenterCondition& center);
-  [[nodiscard]] StickSlip touch_smooth(const Place& place, const HalfField& known, double load);
-  [[nodiscard]] StickSlip touch_with_friction(const Place& place, const HalfField& known, double compliance,
-                                              const StepEnd& end, const CenterCondition& center);
-  [[nodiscard]] StickSlip lifted(const Place& place, const HalfField& known, const CenterCondition& center) const;
+  /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
+  template <class Parts>
+  [[nodiscard]] Yielding yielding(const Parts& parts_in);
+  /// @param[in] step none for a first contact, on bodies that bear nothing else
+  [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
+                            const CenterCondition& center);
+  [[nodiscard]] StickSlip touch_smooth(const Touch& touch, double load);
+  [[nodiscard]] StickSlip touch_with_friction(const Touch& touch, const StepEnd& end, const CenterCondition& center);
+  [[nodiscard]] StickSlip lifted(const Touch& touch, const CenterCondition& center) const;
+  void find_displacements(Touch& touch) const;
+  [[nodiscard]] HalfField known_gap(const Touch& touch) const;
+  void require_reach(const ContactPlace& place) const;
+  [[nodiscard]] bool fits(const Touch& touch, double load);
   [[nodiscard]] CenterCondition center_condition(double duration, const StepEnd& end) const;
   void move_center(double duration, double way);
-  [[nodiscard]] VectorField carried_forces(const Place& place) const;
-  [[nodiscard]] VectorField guess(const Place& place, double load) const;
-  [[nodiscard]] HalfField by_components(const VectorField& force, const Place& place) const;
-  [[nodiscard]] RingMemory::Load load_of(const Touch& touch) const;
+  [[nodiscard]] VectorField carried_forces(const ContactPlace& place) const;
+  [[nodiscard]] VectorField guess(const ContactPlace& place, double load) const;
+  [[nodiscard]] HalfField by_components(const VectorField& force, const ContactPlace& place) const;
+  [[nodiscard]] HalfField deformed(const Touch& touch, std::size_t body) const;
+  [[nodiscard]] RowMemory::Load load_of(const Touch& touch, std::size_t body) const;
   void take(const Touch& touch, const StepEnd& end);
   void take_contact(const Touch& touch);
   void take_moments(const Touch& touch);
+  [[nodiscard]] double pushback(const Touch& touch, const Eigen::ArrayXd& pressing) const;
   void take_friction(const Touch& touch);
+  void take_stored_energy();
   [[nodiscard]] double slip_work(const Touch& touch) const;
+  [[nodiscard]] double working_torque(const RollingInstant& at) const;
   void forget_contact();
-  [[nodiscard]] bool has_friction() const { return coating_->friction > 0.0; }
+  [[nodiscard]] bool has_friction() const { return pair_->friction > 0.0; }
+  /// What presses between, and slides on, a rigid plane.
+  [[nodiscard]] const CreepingTables& coating() const { return pair_->bodies.front().tables; }
 
-  std::shared_ptr<const CreepingCoating> coating_;
+  std::shared_ptr<const CreepingPair> pair_;
   double shift_;
   Eigen::Index half_rows_;
-  RingMemory memory_;
+  std::vector<RowMemory> memories_;   // of every body
+  std::vector<YieldingTables> last_;  // of every body, in the last step
   ContactInverse inverse_;            // without friction,
   ContactStiffness stiffness_;        // and with it
-  VectorField force_;                 // of the plane on the window at the last angle, row by row
-  RingRows rows_;                     // which it is of
+  VectorField force_;                 // of what is below on the window at the last angle, row by row
+  Eigen::Index first_ = 0;            // its first row,
+  Eigen::Index count_ = 0;            // and how many there are
   double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
   double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]
   RollingInstant now_;

@@ -26,16 +26,28 @@ std::vector<TableRequest> requests(Index components) {
   return requests;
 }
 
-/// The offset beyond which no value of a table is above a share of its center.
-Index useful_reach(const Table& table) {
+/// The offset beyond which no value of some tables is above a share of the center of them all.
+Index useful_reach(const std::vector<std::vector<Table>>& tables) {
   constexpr double kNegligible = 1e-10;
-  const double center = std::abs(table(0, 0));
-  for (int j = table.phi_reach(); j > 0; --j) {
-    for (const double value : table.row(j)) {
-      if (std::abs(value) > kNegligible * center) return j;
+  std::vector<double> centers(tables.front().size());
+  for (const auto& of_sum : tables) {
+    for (std::size_t e = 0; e < centers.size(); ++e) centers[e] += of_sum[e](0, 0);
+  }
+  Index reach = 0;
+  for (const auto& of_sum : tables) {
+    for (std::size_t e = 0; e < centers.size(); ++e) {
+      const auto matters = [&](double value) { return std::abs(value) > kNegligible * std::abs(centers[e]); };
+      int j = of_sum[e].phi_reach();
+      while (j > reach && std::ranges::none_of(of_sum[e].row(j), matters)) --j;
+      reach = std::max<Index>(reach, j);
     }
   }
-  return 0;
+  return reach;
+}
+
+std::vector<Table> summed(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) {
+  const auto aside = static_cast<int>(2 * shape.half_nodes - 2);
+  return sum.tables(requests(shape.components), static_cast<int>(shape.most), aside, threads, watch);
 }
 
 }  // namespace
@@ -46,13 +58,45 @@ Eigen::ArrayXd half_weights(Index half_nodes) {
   return weights;
 }
 
-MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index half_nodes, int threads, Watch& watch)
-    : components_(components), half_nodes_(half_nodes), ring_(sum.mesh().nodes_per_revolution) {
-  const auto most = static_cast<int>(ring_ / 2);
-  const auto aside = static_cast<int>(std::min<Index>(2 * half_nodes - 2, theta_nodes_per_revolution(sum.mesh()) / 2));
-  const std::vector<Table> tables = sum.tables(requests(components), most, aside, threads, watch);
-  for (const Table& table : tables) reach_ = std::max(reach_, useful_reach(table));
+MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) {
+  const std::vector<std::vector<Table>> tables{summed(sum, shape, threads, watch)};
+  *this = MirroredTables(tables.front(), shape, extent_of(tables, shape));
+}
 
+std::vector<MirroredTables> MirroredTables::of_all(const std::vector<std::unique_ptr<const TableSum>>& sums,
+                                                   const RowShape& shape, int threads, Watch& watch) {
+  std::vector<std::vector<Table>> tables;
+  tables.reserve(sums.size());
+  for (const auto& sum : sums) tables.push_back(summed(*sum, shape, threads, watch));
+  const Extent extent = extent_of(tables, shape);
+  std::vector<MirroredTables> mirrored;
+  mirrored.reserve(sums.size());
+  for (const auto& of_sum : tables) mirrored.push_back(MirroredTables(of_sum, shape, extent));
+  return mirrored;
+}
+
+MirroredTables MirroredTables::sum_of(std::span<const MirroredTables> tables, std::span<const double> factors) {
+  MirroredTables sum = tables.front();
+  sum.ahead_ *= factors.front();
+  for (std::size_t i = 1; i < tables.size(); ++i) sum.ahead_ += factors[i] * tables[i].ahead_;
+  return sum;
+}
+
+MirroredTables::Extent MirroredTables::extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape) {
+  constexpr double kLeft = 1e-6;  // which moments do not notice
+  double center = 0.0;
+  double end = 0.0;
+  for (const auto& of_sum : tables) {
+    const Table& radial = of_sum.front();
+    center += radial(0, 0);
+    end += radial(radial.phi_reach(), 0);
+  }
+  return {.reach = useful_reach(tables), .dies_out = shape.ring || std::abs(end) < kLeft * center};
+}
+
+MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent)
+    : shape_(shape), extent_(extent) {
+  const Index half_nodes = shape.half_nodes;
   const Eigen::ArrayXd weights = half_weights(half_nodes);
   const auto fill = [&](Index p, Index q, int j, Eigen::Ref<HalfField> block) {
     const SignedEntry source = entry_of(static_cast<std::size_t>(p), static_cast<std::size_t>(q));
@@ -69,23 +113,24 @@ MirroredTables::MirroredTables(const CoatingSum& sum, Index components, Index ha
       }
     }
   };
-  ahead_.resize((reach_ + 1) * height(), height());
-  for (Index j = 0; j <= reach_; ++j) {
-    for (Index p = 0; p < components; ++p) {
-      for (Index q = 0; q < components; ++q) fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
+  ahead_.resize((extent_.reach + 1) * height(), height());
+  for (Index j = 0; j <= extent_.reach; ++j) {
+    for (Index p = 0; p < components(); ++p) {
+      for (Index q = 0; q < components(); ++q)
+        fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
     }
   }
 }
 
 Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  const Index offset = displaced / half_nodes_ - loaded / half_nodes_;
-  if (std::abs(offset) > reach_) return matrix;
-  const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes_, loaded % half_nodes_);
-  for (Index q = 0; q < components_; ++q) {
-    for (Index p = 0; p < components_; ++p) {
+  const Index offset = displaced / half_nodes() - loaded / half_nodes();
+  if (std::abs(offset) > extent_.reach) return matrix;
+  const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes(), loaded % half_nodes());
+  for (Index q = 0; q < components(); ++q) {
+    for (Index p = 0; p < components(); ++p) {
       const bool is_reversed = offset < 0 && (p == kPhi) != (q == kPhi);
-      const double value = first[half_nodes_ * (p + q * ahead_.rows())];
+      const double value = first[half_nodes() * (p + q * ahead_.rows())];
       matrix(p, q) = is_reversed ? -value : value;
     }
   }
@@ -94,12 +139,12 @@ Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
 
 Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced,
                                            const std::vector<Index>& loaded) const {
-  Eigen::MatrixXd matrix(components_ * static_cast<Index>(displaced.size()),
-                         components_ * static_cast<Index>(loaded.size()));
+  Eigen::MatrixXd matrix(components() * static_cast<Index>(displaced.size()),
+                         components() * static_cast<Index>(loaded.size()));
   for (std::size_t j = 0; j < loaded.size(); ++j) {
     for (std::size_t i = 0; i < displaced.size(); ++i) {
-      matrix.block(components_ * static_cast<Index>(i), components_ * static_cast<Index>(j), components_, components_) =
-          influence(displaced[i], loaded[j]).topLeftCorner(components_, components_);
+      matrix.block(components() * static_cast<Index>(i), components() * static_cast<Index>(j), components(),
+                   components()) = influence(displaced[i], loaded[j]).topLeftCorner(components(), components());
     }
   }
   return matrix;
@@ -109,14 +154,14 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
                                            const std::array<HalfField, 3>& direction) const {
   const auto count = static_cast<Index>(nodes.size());
   Eigen::MatrixXd matrix(count, count);
-  if (components_ == 1) {
+  if (components() == 1) {
     const Eigen::Map<const Eigen::ArrayX<Index>> numbers(nodes.data(), count);
-    const Eigen::ArrayX<Index> row = numbers / half_nodes_;
-    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes_;  // in a column of the table
+    const Eigen::ArrayX<Index> row = numbers / half_nodes();
+    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes();  // in a column of the table
     for (Index j = 0; j < count; ++j) {
-      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes_);
+      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes());
       for (Index i = j; i < count; ++i)
-        matrix(i, j) = row[i] - row[j] > reach_ ? 0.0 : column[place[i] - row[j] * height()];
+        matrix(i, j) = row[i] - row[j] > extent_.reach ? 0.0 : column[place[i] - row[j] * height()];
     }
     return matrix;
   }
@@ -140,30 +185,30 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
   // The nodes beside the loaded ones are left out of the product.
   const auto sources = loads.middleCols(first, count);
   const auto is_loaded = [&](Index node) {
-    for (Index p = 0; p < components_; ++p) {
-      if ((sources.row(p * half_nodes_ + node).array() != 0.0).any()) return true;
+    for (Index p = 0; p < components(); ++p) {
+      if ((sources.row(p * half_nodes() + node).array() != 0.0).any()) return true;
     }
     return false;
   };
-  Index width = half_nodes_;
+  Index width = half_nodes();
   while (width > 1 && !is_loaded(width - 1)) --width;
   const auto add_influence = [&](Index component, HalfField& displaced) {
-    const Index start = component * half_nodes_;
+    const Index start = component * half_nodes();
     add_product(ahead_.block(0, start, (reach + 1) * height(), width), sources.middleRows(start, width), displaced);
   };
   HalfField forward = HalfField::Zero((reach + 1) * height(), count);
-  for (Index q = 0; q < components_; ++q) {
+  for (Index q = 0; q < components(); ++q) {
     if (q != kPhi) add_influence(q, forward);
   }
   HalfField backward;
-  if (components_ == 3) {
+  if (components() == 3) {
     HalfField along = HalfField::Zero(forward.rows(), count);
     add_influence(kPhi, along);
     backward = forward - along;
-    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes_, half_nodes_) *= -1.0;
+    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes(), half_nodes()) *= -1.0;
     forward += along;
   }
-  const HalfField& other = components_ == 1 ? forward : backward;
+  const HalfField& other = components() == 1 ? forward : backward;
   for (Index source = 0; source < count; ++source) {
     const Index place = first + source + shift;
     const Index up = std::min(reach, result.cols() - 1 - place);
@@ -171,7 +216,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
       result.col(place + j) += forward.block(j * height(), source, height(), 1);
     }
     // Half way around the ring both offsets are the same one.
-    const Index down = std::min({reach, place, ring_ % 2 == 0 ? ring_ / 2 - 1 : reach});
+    const Index down = std::min({reach, place, shape_.ring && *shape_.ring % 2 == 0 ? *shape_.ring / 2 - 1 : reach});
     for (Index j = 1; j <= down; ++j) {
       result.col(place - j) += other.block(j * height(), source, height(), 1);
     }
@@ -180,13 +225,13 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
 
 HalfField MirroredTables::displacement(const HalfField& loads, Index first, Index last) const {
   HalfField result = HalfField::Zero(height(), loads.cols());
-  add(loads, first, last, 0, std::min(reach_, std::max(last, loads.cols() - 1 - first)), result);
+  add(loads, first, last, 0, std::min(extent_.reach, std::max(last, loads.cols() - 1 - first)), result);
   return result;
 }
 
 HalfField MirroredTables::displacement_in_reach(const HalfField& loads, Index first, Index last) const {
-  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * reach_);
-  add(loads, first, last, reach_, reach_, result);
+  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * extent_.reach);
+  add(loads, first, last, extent_.reach, extent_.reach, result);
   return result;
 }
 

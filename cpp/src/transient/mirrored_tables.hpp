@@ -1,5 +1,6 @@
 /// @file
-/// @brief Displacements of a ring of material nodes by forces that are mirror images of each other in z.
+/// @brief Displacements of rows of material nodes, around a ring or along a track, by forces that are mirror images of
+/// each other in z.
 ///
 /// Half of such a field is kept: the nodes k = 0 ... of every row, those off the middle plane times sqrt(2), so that
 /// inner products over the half are those over the whole. Components r and phi are even in z, theta is odd.
@@ -7,9 +8,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "influence/coating_sum.hpp"
+#include "influence/table_sum.hpp"
 #include "parallel.hpp"
 
 namespace viscoroll::detail {
@@ -21,25 +25,41 @@ using HalfField = Eigen::MatrixXd;
 /// @brief What nodes are multiplied by in a `HalfField`: 1 in the middle, sqrt(2) beside it.
 [[nodiscard]] Eigen::ArrayXd half_weights(Eigen::Index half_nodes);
 
+/// @brief Rows of nodes that tables are to serve.
+struct RowShape {
+  Eigen::Index components;           ///< 1 for r alone, 3 for r, phi and theta
+  Eigen::Index half_nodes;           ///< nodes of a row on one side, that in the middle included
+  std::optional<Eigen::Index> ring;  ///< rows around the body; none along a track
+  Eigen::Index most;                 ///< rows that influence may reach, at most half of a ring
+};
+
 /// @brief Influence tables of an elastic coating, folded at the plane of symmetry. They know differences along phi
 /// alone, and so serve every position of the body.
 class MirroredTables {
  public:
   /// @param[in] sum orders of the coating
-  /// @param[in] components 1 for r alone, 3 for r, phi and theta
-  /// @param[in] half_nodes nodes of a row on one side, that in the middle included
+  /// @param[in] shape of the rows
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
-  MirroredTables(const CoatingSum& sum, Eigen::Index components, Eigen::Index half_nodes, int threads, Watch& watch);
+  MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch);
 
-  [[nodiscard]] Eigen::Index components() const { return components_; }
-  [[nodiscard]] Eigen::Index half_nodes() const { return half_nodes_; }
+  /// @brief Those of several sums, which reach equally far: to ten digits of the center of them all.
+  [[nodiscard]] static std::vector<MirroredTables> of_all(const std::vector<std::unique_ptr<const TableSum>>& sums,
+                                                          const RowShape& shape, int threads, Watch& watch);
+  /// @brief The sum of tables of one shape and reach, each times a factor.
+  /// @param[in] tables at least one
+  /// @param[in] factors one for each
+  [[nodiscard]] static MirroredTables sum_of(std::span<const MirroredTables> tables, std::span<const double> factors);
+
+  [[nodiscard]] Eigen::Index components() const { return shape_.components; }
+  [[nodiscard]] Eigen::Index half_nodes() const { return shape_.half_nodes; }
   /// @return numbers in a column of a field
-  [[nodiscard]] Eigen::Index height() const { return components_ * half_nodes_; }
-  /// @return rows of nodes around the body
-  [[nodiscard]] Eigen::Index ring() const { return ring_; }
+  [[nodiscard]] Eigen::Index height() const { return components() * half_nodes(); }
   /// @return offset along phi beyond which nothing is displaced, to ten digits of the table's center
-  [[nodiscard]] Eigen::Index reach() const { return reach_; }
+  [[nodiscard]] Eigen::Index reach() const { return extent_.reach; }
+
+  /// @return whether what lies beyond is not displaced, rather than out of the tables
+  [[nodiscard]] bool dies_out() const { return extent_.dies_out; }
 
   /// @return displacement of a node in the middle by a unit force on it, along r [m/N]
   [[nodiscard]] double own_compliance() const { return ahead_(0, 0); }
@@ -67,15 +87,21 @@ class MirroredTables {
   [[nodiscard]] HalfField displacement_in_reach(const HalfField& loads, Eigen::Index first, Eigen::Index last) const;
 
  private:
+  struct Extent {
+    Eigen::Index reach = 0;
+    bool dies_out = true;
+  };
+  /// @param[in] tables of every sum
+  [[nodiscard]] static Extent extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape);
+  MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent);
+
   /// The influence of one node on another, by components.
   [[nodiscard]] Eigen::Matrix3d influence(Eigen::Index displaced, Eigen::Index loaded) const;
   void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, Eigen::Index shift, Eigen::Index reach,
            HalfField& result) const;
 
-  Eigen::Index components_;
-  Eigen::Index half_nodes_;
-  Eigen::Index ring_;
-  Eigen::Index reach_ = 0;
+  RowShape shape_;
+  Extent extent_;
   HalfField ahead_;  // influence of a row on those 0, 1, ... rows ahead, one below the other; behind, phi is reversed
 };
 

@@ -12,6 +12,9 @@
 
 namespace viscoroll::detail {
 
+/// @brief Rows that are counted, to either side: beyond, their places are lost in round-off.
+inline constexpr double kMostRows = 1e15;
+
 /// @brief Appends numbers.
 class NumberWriter {
  public:
@@ -40,6 +43,13 @@ class NumberReader {
   [[nodiscard]] Eigen::Index count(double most = 1e9) {
     const double number = get();
     if (!(number >= 0.0 && number <= most && number == std::floor(number))) refuse();
+    return static_cast<Eigen::Index>(number);
+  }
+
+  /// @return the number of a row, of either sign
+  [[nodiscard]] Eigen::Index row() {
+    const double number = get();
+    if (!(std::abs(number) <= kMostRows && number == std::floor(number))) refuse();
     return static_cast<Eigen::Index>(number);
   }
 

@@ -8,11 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "influence/coating_sum.hpp"
 #include "parallel.hpp"
 #include "rolling/contact_estimate.hpp"
+#include "transient/creeping_pair.hpp"
 #include "transient/history_input.hpp"
 #include "transient/lattice.hpp"
+#include "transient/spectrum_numbers.hpp"
 #include "transient/step_choice.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
@@ -20,7 +21,7 @@
 namespace viscoroll {
 namespace {
 
-using detail::CreepingCoating;
+using detail::CreepingPair;
 using detail::Lattice;
 using detail::reject;
 using detail::StepEnd;
@@ -34,46 +35,6 @@ Mesh chosen_mesh(double outer_radius, double contact_radius) {
   constexpr double kMost = 4000.0;
   const double nodes = std::numbers::pi * outer_radius / contact_radius * kNodesAcross;
   return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMost)))};
-}
-
-/// What the coating is to creep like, checked.
-detail::CreepSpectrum checked_spectrum(const CoatedSphere& sphere, const HistoryOptions& options) {
-  auto spectrum = detail::common_spectrum(sphere, {.shortest = options.shortest_time, .longest = options.longest_time});
-  if (spectrum.error > options.spectrum_tolerance) {
-    reject("layers[" + std::to_string(sphere.layers.size() - 1) + "].shear_modulus",
-           "one that discrete retardation times with weights >= 0 stand for within spectrum_tolerance = " +
-               text(options.spectrum_tolerance),
-           "one that they miss by " + detail::rounded(spectrum.error));
-  }
-  return spectrum;
-}
-
-/// Largest rho r_o^2 / mu of the layers, where mu is the modulus that yields at once [s^2].
-double inertia_of(const CoatedSphere& sphere, const CoatedSphere& elastic, double instantaneous) {
-  double inertia = 0.0;
-  for (std::size_t l = 0; l < sphere.layers.size(); ++l) {
-    const double relaxed = std::get<Elastic>(elastic.layers[l].shear_modulus).modulus;
-    inertia = std::max(inertia, sphere.layers[l].density * std::pow(outer_radius(sphere), 2) * instantaneous / relaxed);
-  }
-  return inertia;
-}
-
-/// Largest difference of two creep functions.
-double difference(const detail::CreepSpectrum& a, const detail::CreepSpectrum& b) {
-  const auto creep = [](const detail::CreepSpectrum& spectrum, double time) {
-    double yielded = spectrum.instantaneous;
-    for (std::size_t j = 0; j < spectrum.size(); ++j) {
-      yielded -= spectrum.weights[j] * std::expm1(-time / spectrum.retardation_times[j]);
-    }
-    return yielded;
-  };
-  double largest = 0.0;
-  for (const auto* spectrum : {&a, &b}) {
-    for (const double time : spectrum->retardation_times) {
-      largest = std::max(largest, std::abs(creep(a, time) - creep(b, time)));
-    }
-  }
-  return largest;
 }
 
 /// Change per the larger value.
@@ -97,48 +58,41 @@ struct Trial {
 }  // namespace
 
 struct RollingHistory::Impl {
-  CoatedSphere elastic;
-  detail::CreepSpectrum spectrum;
+  detail::RollingPair at_rest;
+  std::vector<detail::BodySpectrum> spectra;
   double inertia = 0.0;  // largest rho r_o^2 per modulus that yields at once [s^2]
   HistoryOptions options;
-  std::shared_ptr<const CreepingCoating> coating;
+  std::shared_ptr<const CreepingPair> pair;
   std::vector<Lattice> lattices;
   Trial trial;
   RollingInstant now;
   double last_step = 0.0;  // [s]
   std::int64_t steps = 0;
 
-  [[nodiscard]] std::shared_ptr<const CreepingCoating> with_width(Index half_nodes, detail::Watch& watch) const {
-    const Mesh& mesh = *options.mesh;
-    const Index most = detail::nodes_to_60_degrees(theta_nodes_per_revolution(mesh)) + 1;
-    if (half_nodes > most) {
-      if (coating && coating->tables.half_nodes() >= most) {
-        reject("load", "small enough for the coating", "one that is in contact over 60 degrees to a side");
-      }
-      half_nodes = most;
-    }
-    const detail::CoatingSum sum(detail::layered_body(elastic, options.curvature), 1.0, mesh, options.threads, watch);
-    const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
-    return std::make_shared<const CreepingCoating>(CreepingCoating{
-        .grid = {.radius = outer_radius(elastic),
-                 .phi_spacing = phi_spacing(mesh),
-                 .theta_spacing = theta_spacing(mesh)},
-        .thickness = coating_thickness(elastic),
-        .compliance = options.compliance,
-        .friction = options.friction,
-        .driving_force = options.driving_force,
-        .mass = options.mass,
-        .spectrum = spectrum,
-        .tables = detail::MirroredTables(sum, along_plane ? 3 : 1, half_nodes, options.threads, watch)});
+  [[nodiscard]] std::shared_ptr<const CreepingPair> with(const detail::TableSize& size, detail::Watch& watch) const {
+    return std::make_shared<const CreepingPair>(detail::creeping_pair(at_rest, spectra, options, size, watch));
+  }
+
+  void enlarge(const detail::TableSize& size, detail::Watch& watch) {
+    pair = with(size, watch);
+    for (Lattice& lattice : lattices) lattice.widen(pair);
   }
 
   void widen(detail::Watch& watch) {
-    const Index half_nodes = coating->tables.half_nodes();
-    coating = with_width(half_nodes + half_nodes / 2 + 1, watch);
-    for (Lattice& lattice : lattices) lattice.widen(coating);
+    const Index half_nodes = pair->half_nodes();
+    if (half_nodes == pair->most_half_nodes()) {
+      reject("load", "small enough for the coating", "one that is in contact over 60 degrees to a side");
+    }
+    enlarge({.half_nodes = half_nodes + half_nodes / 2 + 1, .track_reach = pair->track_reach}, watch);
   }
 
-  /// Run on all lattices; a contact that proves too wide for the tables starts over on wider ones.
+  void lengthen(detail::Watch& watch) {
+    const Index reach = std::min(2 * pair->track_reach, pair->most_track_reach());
+    enlarge({.half_nodes = pair->half_nodes(), .track_reach = reach}, watch);
+  }
+
+  /// Run on all lattices; a contact that proves too wide for the tables, or a track too long, starts over on larger
+  /// ones.
   template <class Body>
   void on_lattices(detail::Watch& watch, const Body& body) {
     for (;;) {
@@ -151,8 +105,17 @@ struct RollingHistory::Impl {
         return;
       } catch (const detail::ContactTooWide&) {
         widen(watch);
+      } catch (const detail::TrackTooLong&) {
+        lengthen(watch);
       }
     }
+  }
+
+  /// Of all bodies: what yields at once, per what yields in the end.
+  [[nodiscard]] double instantaneous() const {
+    double sum = 0.0;
+    for (const detail::BodySpectrum& body : spectra) sum += body.spectrum.instantaneous;
+    return sum;
   }
 
   [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_lattices, double time) const;
@@ -178,6 +141,7 @@ RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lat
   // none: the spread per number of lattices is a bound found by trial.
   mean.error_estimate = of_lattices.size() > 1 ? std::sqrt(variance) / count : std::numeric_limits<double>::quiet_NaN();
   mean.time = time;
+  if (!detail::approach_exists(pair->pair)) mean.penetration = std::numeric_limits<double>::quiet_NaN();
   return mean;
 }
 
@@ -205,16 +169,18 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
 void RollingHistory::Impl::require_step(const StepEnd& to) const {
   detail::require_finite("time", to.time);
   detail::require_finite("angle", to.angle);
+  const double farthest = detail::kMostRows * pair->nodes.grid.phi_spacing;
+  if (std::abs(to.angle) > farthest) reject("angle", "in +-" + detail::rounded(farthest) + " rad", to.angle);
   if (!(to.time >= now.time)) {
     reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
   }
-  detail::require_nonnegative("load", to.load, "N");
+  detail::require_nonnegative("load", to.load, pair->pair.body.form.load_unit);
   require_forces(to);
   const double duration = to.time - now.time;
   if (duration == 0.0) {
     const bool moves =
         to.angle != now.angle || to.load != now.load || to.center_way.value_or(now.center_way) != now.center_way;
-    if (moves && spectrum.instantaneous == 0.0) {
+    if (moves && instantaneous() == 0.0) {
       reject("time",
              "after the instant reached, " + text(now.time) +
                  " s, for a coating that does not yield at once (KelvinVoigt), which cannot jump",
@@ -233,9 +199,11 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
 }
 
 std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) const {
-  const auto& times = spectrum.retardation_times;
-  const double shortest = times.empty() ? std::numeric_limits<double>::infinity() : *std::ranges::min_element(times);
-  const detail::StepChoice choice(coating->grid.phi_spacing, options.steps_per_spacing, shortest);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const detail::BodySpectrum& body : spectra) {
+    for (const double time : body.spectrum.retardation_times) shortest = std::min(shortest, time);
+  }
+  const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
   const double duration = end.time - now.time;
   const auto shares = choice.shares(
       {.duration = duration, .turn = end.angle - now.angle, .relative_load = relative_change(now.load, end.load)},
@@ -256,17 +224,17 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) const {
 std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd> path, detail::Watch& watch) {
   const std::size_t count = lattices.size();
   std::vector<RollingInstant> instants(path.size() * count);
-  std::vector<detail::TimeStep> weights;
+  std::vector<detail::PairStep> steps_ahead;
   double before = now.time;
-  for (const StepEnd& step : path) {
-    weights.emplace_back(spectrum, step.time - before);
-    before = step.time;
+  for (const StepEnd& end : path) {
+    detail::PairStep step{.duration = end.time - before, .parts = {}};
+    for (const detail::BodySpectrum& body : spectra) step.parts.emplace_back(body.spectrum, step.duration);
+    steps_ahead.push_back(std::move(step));
+    before = end.time;
   }
   on_lattices(watch, [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
-    double time = now.time;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      lattice.advance(weights[i], path[i].time - time, path[i]);
-      time = path[i].time;
+      lattice.advance(steps_ahead[i], path[i]);
       instants[i * count + l] = lattice.now();
       worker.checkpoint();
     }
@@ -285,14 +253,13 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
 RollingState RollingHistory::Impl::state() const {
   RollingState state;
   detail::NumberWriter numbers(state.numbers);
-  numbers.put(coating->tables.own_compliance());
-  numbers.put(static_cast<double>(coating->tables.half_nodes()));
+  numbers.put(static_cast<double>(pair->half_nodes()));
+  numbers.put(static_cast<double>(pair->track_reach));
   numbers.put(static_cast<double>(lattices.size()));
-  numbers.put(spectrum.instantaneous);
-  numbers.put(Eigen::Map<const Eigen::VectorXd>(spectrum.weights.data(), static_cast<Index>(spectrum.size())));
-  numbers.put(
-      Eigen::Map<const Eigen::VectorXd>(spectrum.retardation_times.data(), static_cast<Index>(spectrum.size())));
-  numbers.put(spectrum.error);
+  for (const detail::CreepingBody& body : pair->bodies) {
+    numbers.put(body.tables.own_compliance());
+    detail::write(body.spectrum, numbers);
+  }
   for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
   for (const Lattice& lattice : lattices) lattice.write(numbers);
   return state;
@@ -301,36 +268,32 @@ RollingState RollingHistory::Impl::state() const {
 void RollingHistory::Impl::restore(const RollingState& state) {
   constexpr double kSame = 1e-9;
   detail::NumberReader numbers(state.numbers);
-  const double compliance = numbers.get();
-  if (!(std::abs(compliance / coating->tables.own_compliance() - 1.0) < kSame)) {
-    reject("start", "a state of the same ball and mesh", "one of another compliance");
-  }
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
+  const Index track_reach = numbers.count(static_cast<double>(pair->most_track_reach()));
   if (numbers.count(detail::kMostLattices) != static_cast<Index>(lattices.size())) {
     reject("start", "a state of as many lattices (" + std::to_string(lattices.size()) + ")", "one of another number");
   }
   Impl next(*this);
-  next.spectrum.instantaneous = numbers.get();
-  const auto vector = [&] {
-    const Eigen::MatrixXd values = numbers.matrix();
-    return std::vector<double>(values.data(), values.data() + values.size());
-  };
-  next.spectrum.weights = vector();
-  next.spectrum.retardation_times = vector();
-  next.spectrum.error = numbers.get();
-  if (next.spectrum.weights.size() != next.spectrum.retardation_times.size() ||
-      difference(next.spectrum, spectrum) > std::max(kSame, 2.0 * options.spectrum_tolerance)) {
-    reject("start", "a state of the same material", "one that creeps differently");
+  for (std::size_t b = 0; b < spectra.size(); ++b) {
+    const double compliance = numbers.get();
+    if (!(std::abs(compliance / pair->bodies[b].tables.own_compliance() - 1.0) < kSame)) {
+      reject("start", "a state of the same ball and mesh", "one of another compliance");
+    }
+    next.spectra[b].spectrum = detail::read_spectrum(numbers);
+    if (detail::difference(next.spectra[b].spectrum, spectra[b].spectrum) >
+        std::max(kSame, 2.0 * options.spectrum_tolerance)) {
+      reject("start", "a state of the same material", "one that creeps differently");
+    }
   }
   const Observer silent;
   detail::Watch watch(silent);
-  next.coating = next.with_width(half_nodes, watch);
+  next.pair = next.with({.half_nodes = half_nodes, .track_reach = track_reach}, watch);
   next.now.time = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
   std::vector<RollingInstant> instants;
   for (std::size_t l = 0; l < lattices.size(); ++l) {
-    next.lattices[l] = Lattice(next.coating, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
+    next.lattices[l] = Lattice(next.pair, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
     next.lattices[l].read(numbers);
     instants.push_back(next.lattices[l].now());
   }
@@ -339,35 +302,36 @@ void RollingHistory::Impl::restore(const RollingState& state) {
   *this = std::move(next);
 }
 
-RollingHistory::RollingHistory(const CoatedSphere& sphere, double load, Start start, const HistoryOptions& options,
+RollingHistory::RollingHistory(const RollingBody& body, double load, Start start, const HistoryOptions& options,
                                double time, double angle, const Observer& observer)
+    : RollingHistory(body, CoatedPlane{}, load, start, options, time, angle, observer) {}
+
+RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start,
+                               const HistoryOptions& options, double time, double angle, const Observer& observer)
     : impl_(std::make_unique<Impl>()) {
-  viscoroll::validate(sphere);
+  const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
-  detail::require_positive("load", load, "N");
+  detail::require_followed(given, options);
+  detail::require_positive("load", load, given.body.form.load_unit);
   detail::require_finite("time", time);
   detail::require_finite("angle", angle);
   detail::Watch watch(observer);
   Impl& impl = *impl_;
   impl.options = options;
-  impl.elastic = detail::coating_without_time(sphere);
-  impl.spectrum = checked_spectrum(sphere, options);
-  impl.inertia = inertia_of(sphere, impl.elastic, impl.spectrum.instantaneous);
-  if (start == Start::fresh && impl.spectrum.instantaneous == 0.0) {
+  impl.at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
+  const detail::ContactReach contact = detail::estimate_contact(impl.at_rest, 1.0, load);
+  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(given.body.radius, contact.along);
+  impl.spectra = detail::creep_spectra(given, impl.options, watch);
+  impl.inertia = detail::inertia_of(given, impl.spectra);
+  if (start == Start::fresh && impl.instantaneous() == 0.0) {
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
-  const double contact_radius =
-      detail::estimate_contact(detail::rolling_pair(impl.elastic, CoatedPlane{}), 1.0, load).along;
-  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(outer_radius(sphere), contact_radius);
-  const auto half_width = [&](double spacing) {
-    return static_cast<Index>(std::ceil(1.1 * contact_radius / (outer_radius(sphere) * spacing))) + 2;
-  };
-  const Mesh& mesh = *impl.options.mesh;
-  impl.coating = impl.with_width(half_width(theta_spacing(mesh)), watch);
-  const Index half_rows =
-      std::min<Index>(half_width(phi_spacing(mesh)), detail::nodes_to_60_degrees(mesh.nodes_per_revolution));
+  const detail::Nodes nodes = detail::nodes_of(impl.at_rest, *impl.options.mesh);
+  impl.pair = impl.with(detail::first_size(impl.at_rest, *impl.options.mesh, contact), watch);
+  const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;
+  const Index half_rows = std::min(static_cast<Index>(rows), static_cast<Index>(nodes.widest.phi.last));
   for (int l = 0; l < options.lattices; ++l) {
-    impl.lattices.emplace_back(impl.coating, static_cast<double>(l) / options.lattices, half_rows);
+    impl.lattices.emplace_back(impl.pair, static_cast<double>(l) / options.lattices, half_rows);
   }
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
   impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker&) {
@@ -404,7 +368,11 @@ ContactField RollingHistory::contact() const {
 }
 std::int64_t RollingHistory::steps() const { return impl_->steps; }
 const Mesh& RollingHistory::mesh() const { return *impl_->options.mesh; }
-double RollingHistory::spectrum_error() const { return impl_->spectrum.error; }
+double RollingHistory::spectrum_error() const {
+  double largest = 0.0;
+  for (const detail::BodySpectrum& body : impl_->spectra) largest = std::max(largest, body.spectrum.error);
+  return largest;
+}
 
 RollingState RollingHistory::state() const { return impl_->state(); }
 void RollingHistory::restore(const RollingState& state) { impl_->restore(state); }

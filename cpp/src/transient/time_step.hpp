@@ -31,4 +31,10 @@ struct TimeStep {
   std::vector<Term> terms;
 };
 
+/// @brief A step of all bodies.
+struct PairStep {
+  double duration;              ///< [s], 0 for a jump
+  std::vector<TimeStep> parts;  ///< one for each body
+};
+
 }  // namespace viscoroll::detail

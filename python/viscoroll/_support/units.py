@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-__all__ = ["UNITS"]
+__all__ = ["PER_LENGTH", "UNITS"]
+
+#: Units in line contact of what is counted per length there.
+PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 
 #: Units of the parameters that this package names; drives add theirs.
 UNITS = {

@@ -1,6 +1,15 @@
 """What rolls, what it rolls on, how it is meshed and driven; `orders` is how its layers answer."""
 
-from .bodies import CoatedCylinder, CoatedPlane, CoatedSphere, Counterpart, Groove, RollingBody, require_body
+from .bodies import (
+    CoatedCylinder,
+    CoatedPlane,
+    CoatedSphere,
+    Counterpart,
+    Groove,
+    RollingBody,
+    core_counterpart,
+    require_body,
+)
 from .drive import Drive
 from .layers import HalfSpace, Layer
 from .mesh import Mesh
@@ -18,5 +27,6 @@ __all__ = [
     "Layer",
     "Mesh",
     "RollingBody",
+    "core_counterpart",
     "require_body",
 ]

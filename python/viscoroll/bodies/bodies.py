@@ -15,7 +15,16 @@ from .layered import LayeredBody, RoundBody
 from .layers import HalfSpace, Layer
 from .wheel import CoatedWheel
 
-__all__ = ["CoatedCylinder", "CoatedPlane", "CoatedSphere", "Counterpart", "Groove", "RollingBody", "require_body"]
+__all__ = [
+    "CoatedCylinder",
+    "CoatedPlane",
+    "CoatedSphere",
+    "Counterpart",
+    "Groove",
+    "RollingBody",
+    "core_counterpart",
+    "require_body",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -166,6 +175,14 @@ RollingBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedWheel
 
 #: What it rolls on: a plane, a groove, or another body that turns.
 Counterpart: TypeAlias = CoatedPlane | Groove | CoatedSphere | CoatedCylinder | CoatedWheel
+
+
+def core_counterpart(
+    on: Counterpart | None,
+) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder | _core.CoatedWheel:
+    """Return what the core knows it as; without any, the rigid plane."""
+    require_type("on", on, Counterpart, optional=True)
+    return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
 def require_body(name: str, body: object, kind: type[RoundBody] | UnionType, what: str) -> None:

@@ -38,9 +38,9 @@ with extra("cli"):
 __all__ = [
     "BODIES",
     "COUNTERPARTS",
-    "BallTable",
     "Case",
     "MeshTable",
+    "PairTables",
     "Thermal",
     "build_case",
     "example_text",
@@ -133,8 +133,7 @@ _Shift: TypeAlias = Annotated[
 _Layers: TypeAlias = list[Annotated[Layer, Table(shear_modulus=_Modulus)]]
 _Base: TypeAlias = Annotated[HalfSpace, Table(shear_modulus=_Modulus)]
 
-#: The table `ball`.
-BallTable: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
+_Ball: TypeAlias = Annotated[CoatedSphere, Table(layers=_Layers)]
 _Cylinder: TypeAlias = Annotated[CoatedCylinder, Table(layers=_Layers)]
 _Wheel: TypeAlias = Annotated[CoatedWheel, Table(layers=_Layers)]
 
@@ -205,15 +204,34 @@ class Thermal(StrictTable):
         return temperature(result, **cooling, progress=progress)
 
 
-class _File(StrictTable):
-    ball: BallTable | None = None
+class PairTables(StrictTable):
+    """Base of a file: what rolls, one of `BODIES`, and at most one of `COUNTERPARTS`, what it rolls on."""
+
+    ball: _Ball | None = None
     cylinder: _Cylinder | None = None
     wheel: _Wheel | None = None
     plane: Annotated[CoatedPlane, Table(layers=_Layers, base=_Base)] | None = None
     groove: Annotated[Groove, Table(layers=_Layers, base=_Base)] | None = None
-    other_ball: BallTable | None = None
+    other_ball: _Ball | None = None
     other_cylinder: _Cylinder | None = None
     other_wheel: _Wheel | None = None
+
+    def pair(self) -> dict[str, Any]:
+        """Return `ball` and `on`, the arguments of what solves and follows."""
+        bodies, counterparts = (
+            {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+            for names in (BODIES, COUNTERPARTS)
+        )
+        if len(bodies) != 1:
+            raise ValueError(f"one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
+        if len(counterparts) > 1:
+            raise ValueError(
+                f"one of {', '.join(COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}"
+            )
+        return {"ball": next(iter(bodies.values())), "on": next(iter(counterparts.values()), None)}
+
+
+class _File(PairTables):
     rolling: _Rolling
     numerics: _Numerics = _Numerics()
     thermal: Thermal | None = None
@@ -297,21 +315,13 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
         Where the content is not valid.
     """
     file = checked(_File, document, folder)
-    bodies, counterparts = (
-        {name: getattr(file, name) for name in names if getattr(file, name) is not None}
-        for names in (BODIES, COUNTERPARTS)
-    )
-    if len(bodies) != 1:
-        raise ValueError(f"one of {', '.join(BODIES)} must be given, got {' and '.join(bodies) or 'none'}")
-    if len(counterparts) > 1:
-        raise ValueError(f"one of {', '.join(COUNTERPARTS)} must be given at most, got {' and '.join(counterparts)}")
+    pair = file.pair()
     numerics = file.numerics.arguments()
     if numerics["mesh"] is not None and numerics["accuracy"] is not None:
         raise ValueError("numerics.accuracy must be left out where a mesh is given")
     return Case(
-        ball=next(iter(bodies.values())),
-        on=next(iter(counterparts.values()), None),
         thermal=file.thermal,
+        **pair,
         **dict(file.rolling),
         **numerics,
     )

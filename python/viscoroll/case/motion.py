@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
-from ..bodies import CoatedSphere, Drive
+from ..bodies import Counterpart, Drive, RollingBody
 from ..transient.roll import roll
-from .case import BallTable, MeshTable
+from .case import MeshTable, PairTables
 from .tables import ByName, FileName, StrictTable, checked, errors_in, read_columns, read_toml
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ _KNOTS = 160
 class _Motion(StrictTable):
     time: list[float] | None = None
     angle: list[float] | None = None
+    way: list[float] | None = None
     load: float | list[float] | None = None
     file: FileName | None = None
     amplitude: float | None = None
@@ -49,8 +50,7 @@ class _Numerics(MeshTable):
     spectrum_tolerance: float = 0.01
 
 
-class _File(StrictTable):
-    ball: BallTable
+class _File(PairTables):
     motion: _Motion
     numerics: _Numerics = _Numerics()
 
@@ -59,9 +59,11 @@ class _File(StrictTable):
 class MotionCase:
     """A motion, as a file describes it. Parameters as of `viscoroll.roll`."""
 
-    ball: CoatedSphere
+    ball: RollingBody
+    on: Counterpart | None
     time: NDArray[np.float64]
-    angle: NDArray[np.float64]
+    angle: NDArray[np.float64] | None
+    way: NDArray[np.float64] | None
     load: NDArray[np.float64] | float
     center_way: NDArray[np.float64] | None
     start: Start
@@ -91,8 +93,8 @@ def load_motion(path: str | Path) -> MotionCase:
 def _build(file: _File) -> MotionCase:
     motion = file.motion
     return MotionCase(
-        ball=file.ball,
-        **({"center_way": None} | _knots(motion)),
+        **file.pair(),
+        **({"angle": None, "way": None, "center_way": None} | _knots(motion)),
         start=motion.start,
         options={
             "friction": motion.friction,
@@ -111,19 +113,25 @@ def _knots(motion: _Motion) -> dict[str, Any]:
         raise ValueError(f"motion must have one of time, file and amplitude, got {', '.join(given) or 'none'}")
     match given[0]:
         case "file":
-            assert motion.file is not None
-            columns = read_columns("motion", motion.file, ("time", "angle"), ("load", "center_way"))
-            if "load" not in columns and motion.load is None:
-                raise ValueError("motion.load must be given where the file has no column load")
-            for name in ("load", "center_way"):
-                if name in columns and getattr(motion, name) is not None:
-                    raise ValueError(f"motion.{name} must be left out where the file has a column {name}")
-            return {"load": motion.load, "center_way": motion.center_way} | columns
+            return _table(motion)
         case "amplitude":
             return _oscillation(motion)
-    if motion.angle is None or motion.load is None:
-        raise ValueError("motion needs angle and load with time")
-    return {name: getattr(motion, name) for name in ("time", "angle", "load", "center_way")}
+    if (motion.angle is None and motion.way is None) or motion.load is None:
+        raise ValueError("motion needs angle or way, and load, with time")
+    return {name: getattr(motion, name) for name in ("time", "angle", "way", "load", "center_way")}
+
+
+def _table(motion: _Motion) -> dict[str, Any]:
+    assert motion.file is not None
+    columns = read_columns("motion", motion.file, ("time",), ("angle", "way", "load", "center_way"))
+    if ("angle" in columns) == ("way" in columns):
+        raise ValueError(f"motion {motion.file}: needs one of the columns angle and way")
+    if "load" not in columns and motion.load is None:
+        raise ValueError("motion.load must be given where the file has no column load")
+    for name in ("load", "center_way"):
+        if name in columns and getattr(motion, name) is not None:
+            raise ValueError(f"motion.{name} must be left out where the file has a column {name}")
+    return {"load": motion.load, "center_way": motion.center_way} | columns
 
 
 def _oscillation(motion: _Motion) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from .._support.cautions import warn
 from .._support.keywords import explained
 from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
-from ..bodies import CoatedPlane, Counterpart, Drive, Mesh, RollingBody
+from ..bodies import Counterpart, Drive, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints
 from .result import Result
 
@@ -134,7 +134,7 @@ def solve(
     with reporting(progress) as report, si_hints(ball, on, angular_speed=speed):
         solution = _core.solve(
             ball._to_core(),
-            _counterpart(on),
+            core_counterpart(on),
             angular_speed=speed,
             mesh=None if mesh is None else mesh._to_core(),
             curvature=curvature,
@@ -203,7 +203,7 @@ class RollingModel:
         with reporting(progress) as report, si_hints(ball, on, angular_speed=self.angular_speed):
             self._core = _core.RollingModel(
                 ball._to_core(),
-                _counterpart(on),
+                core_counterpart(on),
                 angular_speed=self.angular_speed,
                 mesh=mesh._to_core(),
                 curvature=curvature,
@@ -242,14 +242,6 @@ class RollingModel:
         with reporting(progress) as report, si_hints(self.ball, self.on, angular_speed=self.angular_speed):
             solution = self._core.solve(angular_speed=self.angular_speed, progress=report, **case)
         return _result(solution, self.ball, self.on, self.angular_speed, drive, self.curvature, case)
-
-
-def _counterpart(
-    on: Counterpart | None,
-) -> _core.CoatedPlane | _core.Groove | _core.CoatedSphere | _core.CoatedCylinder | _core.CoatedWheel:
-    """Return what the core knows it as; without any, the rigid plane."""
-    require_type("on", on, Counterpart, optional=True)
-    return CoatedPlane()._to_core() if on is None else on._to_core()
 
 
 def _core_case(

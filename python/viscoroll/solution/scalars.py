@@ -8,14 +8,12 @@ from dataclasses import make_dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from .. import _core
+from .._support.units import PER_LENGTH
 
-__all__ = ["PER_LENGTH", "SCALARS", "ScalarFields", "scalar_units", "with_scalars"]
+__all__ = ["SCALARS", "ScalarFields", "scalar_units", "with_scalars"]
 
 #: Scalar results: name, unit, what it is.
 SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.result_scalars()}
-
-#: Units in line contact of what is counted per length there.
-PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "m^2": "m"}
 
 
 def scalar_units(*, line_contact: bool) -> dict[str, str]:

@@ -10,9 +10,10 @@ import numpy as np
 
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
+from .._support.units import PER_LENGTH
 from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
 from ..bodies.si_hints import si_hint
-from .scalars import PER_LENGTH, SCALARS, ScalarFields, scalar_units, with_scalars
+from .scalars import SCALARS, ScalarFields, scalar_units, with_scalars
 
 if TYPE_CHECKING:
     import xarray

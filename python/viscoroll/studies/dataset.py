@@ -15,10 +15,10 @@ import numpy as np
 
 from .._core import __commit__, __version__
 from .._support.extras import extra
-from .._support.units import UNITS
+from .._support.units import PER_LENGTH, UNITS
 from ..bodies import CoatedSphere, RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
-from ..solution.scalars import PER_LENGTH, SCALARS, scalar_units
+from ..solution.scalars import SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
 from .plan import LoadCase, Plan
 from .run import Outcome

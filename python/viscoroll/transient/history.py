@@ -12,9 +12,9 @@ from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.tables import html_table, number_text, unit_text
-from ..bodies import CoatedSphere, Drive, Mesh
+from ..bodies import Counterpart, Drive, Mesh, RollingBody
 from .rolling_history import RollingState
-from .series import SERIES
+from .series import SERIES, series_units
 
 if TYPE_CHECKING:
     import xarray
@@ -57,8 +57,8 @@ class History:
 
     Attributes
     ----------
-    ball, mesh, compliance, curvature, friction, drive, mass, lattices
-        The input; the mesh as it was used.
+    ball, on, mesh, compliance, curvature, friction, drive, mass, lattices
+        The input; the mesh as it was used. Of a roller forces, torques and energies are per length.
     start : Start or None
         What was before; None for a history that went on from a state.
     spectrum_error : float
@@ -70,27 +70,35 @@ class History:
     load : ndarray
         P [N].
     resisting_torque : ndarray
-        T_r = Σ x p [N m]: negative where it drives.
+        M = Σ x p, T_r of steady results, whoever deforms [N m]: M/R is its force against the way along the track, 1/R
+        the sum of the curvatures along it. Negative where it drives; after a stop it is what keeps the body from
+        rolling back.
     driving_torque : ndarray
-        T, moment of the contact forces about the center, which does the work [N m]; with the radial compliance T_r.
+        T, moment of the contact forces about the center of what rolls [N m]. On a rigid plane it does the work, and is
+        M with the radial compliance; of a rigid body on what deforms it is 0, of two soft ones the share of what rolls.
     penetration : ndarray
-        r_o - H [m].
+        Approach of the two bodies, r_o - H [m]; not a number on a half-plane, on which nothing rests.
     contact_area : ndarray
         [m²].
     semi_axis_x, semi_axis_z : ndarray
-        Semi-axes of the ellipse with the contact's second moments [m].
+        Semi-axes of the ellipse with the contact's second moments [m]; along a line half its width, and not a number.
     max_pressure : ndarray
         [Pa].
     stored_energy : ndarray
-        In the coating [J].
+        In both bodies [J]. On a half-plane, where approach has no datum, energies and work have one of the mesh's.
+    counterpart_stored_energy : ndarray
+        Part of `stored_energy` in what it rolls on [J].
     dissipated_energy : ndarray
-        Lost in the coating and by slip since the start [J], from memory and slip alone: not from the torque.
+        Lost in both bodies and by slip since the start [J], from memory and slip alone: not from the torque.
+    counterpart_dissipated_energy : ndarray
+        Part of `dissipated_energy` lost in what it rolls on [J], with what was still stored where it was forgotten.
     work : ndarray
-        Of torque and load since the start [J], by the trapezoidal rule; a jump takes what it stores.
+        Of rolling and load since the start [J], by the trapezoidal rule; a jump takes what it stores.
     energy_imbalance : ndarray
         Work less what was stored and lost [J].
     driving_force : ndarray
-        Q = -Σ t_x, force on the center [N], less mass × acceleration where it has mass.
+        Q, force on the center, forward [N]. On the rigid plane -Σ t_x, less mass × acceleration where it has mass; on
+        what deforms that of the pressure along the deformed surface: of a rigid body on a plane M/r_o.
     center_way : ndarray
         Way of the center since the start [m]; 0 without friction, where it is undetermined.
     center_speed : ndarray
@@ -100,14 +108,15 @@ class History:
     stick_share : ndarray
         Of the nodes in contact [-].
     error_estimate : ndarray
-        Of the torque, by the spread of the lattices [N m]; not a number with one lattice.
+        Of `resisting_torque`, by the spread of the lattices [N m]; not a number with one lattice.
     contacts : tuple of ContactInstant
         The pressure at the instants asked for.
     state : RollingState
         To go on from the end.
     """
 
-    ball: CoatedSphere
+    ball: RollingBody
+    on: Counterpart | None
     mesh: Mesh
     start: Start | None
     compliance: Compliance
@@ -128,7 +137,9 @@ class History:
     semi_axis_z: NDArray[np.float64]
     max_pressure: NDArray[np.float64]
     stored_energy: NDArray[np.float64]
+    counterpart_stored_energy: NDArray[np.float64]
     dissipated_energy: NDArray[np.float64]
+    counterpart_dissipated_energy: NDArray[np.float64]
     work: NDArray[np.float64]
     energy_imbalance: NDArray[np.float64]
     driving_force: NDArray[np.float64]
@@ -150,6 +161,16 @@ class History:
         return {name: getattr(self, name) for name in ("time", *SERIES)}
 
     @property
+    def way(self) -> NDArray[np.float64]:
+        """Way of the contact along the track, r_o ψ, where nothing slips [m]."""
+        return self.ball.outer_radius * self.angle
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of every time series."""
+        return series_units(line_contact=self.ball.line_contact)
+
+    @property
     def energy_balance_error(self) -> NDArray[np.float64]:
         """How far the energy balance is open, relative to all that the history loses [-]; 0 where it loses nothing."""
         lost = float(self.dissipated_energy[-1] - self.dissipated_energy[0])
@@ -168,16 +189,18 @@ class History:
         """Return a summary of one screen."""
         torque = self.resisting_torque
         highest, lowest = int(np.argmax(torque)), int(np.argmin(torque))
+        unit = self.units
+        lost = self.dissipated_energy[-1] - self.dissipated_energy[0]
         rows = [
             ("time", f"{self.time[0]:g} to {self.time[-1]:g} s in {len(self.time) - 1} steps"),
             ("angle", f"{self.angle.min():.4g} to {self.angle.max():.4g} rad, at the end {self.angle[-1]:.4g}"),
-            ("load", f"{self.load.min():g} to {self.load.max():g} N"),
-            ("largest torque T_r", f"{torque[highest]:.5g} N m at {self.time[highest]:.4g} s"),
-            ("smallest torque T_r", f"{torque[lowest]:.5g} N m at {self.time[lowest]:.4g} s"),
+            ("load", f"{self.load.min():g} to {self.load.max():g} {unit['load']}"),
+            ("largest torque T_r", f"{torque[highest]:.5g} {unit['resisting_torque']} at {self.time[highest]:.4g} s"),
+            ("smallest torque T_r", f"{torque[lowest]:.5g} {unit['resisting_torque']} at {self.time[lowest]:.4g} s"),
             ("penetration", f"{self.penetration.min():.4g} to {self.penetration.max():.4g} m"),
             (
                 "energy lost, of that by slip",
-                f"{self.dissipated_energy[-1] - self.dissipated_energy[0]:.5g} J, {self.slip_energy[-1]:.3g} J",
+                f"{lost:.5g} {unit['work']}, {self.slip_energy[-1]:.3g} {unit['work']}",
             ),
             ("energy balance open by", f"{self.energy_balance_error[-1]:.1e}"),
             ("mesh", f"{self.mesh}, {self.lattices} lattices"),
@@ -190,7 +213,7 @@ class History:
         """Return the range of every time series with units, as a table for notebooks."""
         series = [
             ("time", self.time, "s"),
-            *((text, getattr(self, name), unit) for name, (unit, text) in SERIES.items()),
+            *((text, getattr(self, name), self.units[name]) for name, (_, text) in SERIES.items()),
         ]
         rows = [
             (label, *(number_text(float(value)) for value in (values.min(), values.max(), values[-1])), unit_text(unit))
@@ -235,8 +258,8 @@ class History:
             import xarray
 
         variables = {
-            name: ("time", getattr(self, name), {"units": unit, "long_name": text})
-            for name, (unit, text) in SERIES.items()
+            name: ("time", getattr(self, name), {"units": self.units[name], "long_name": text})
+            for name, (_, text) in SERIES.items()
         }
         return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, attrs=self.scalars())
 
@@ -283,11 +306,11 @@ class History:
         """
         from .picture import plot_history
 
-        return plot_history(self._series(), ax)
+        return plot_history(self._series(), self.units, ax)
 
 
 def _write_table(history: History, path: Path) -> None:
-    units = {"time": "s"} | {name: unit for name, (unit, _) in SERIES.items()}
+    units = {"time": "s"} | history.units
     write_csv({f"{name} [{units[name]}]": values.tolist() for name, values in history._series().items()}, path)
 
 

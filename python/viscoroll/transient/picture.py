@@ -15,19 +15,22 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Series = Mapping[str, NDArray[np.float64]]
+    Units = Mapping[str, str]
 
 __all__ = ["plot_history"]
 
 _MILLI = 1e3
 
 
-def plot_history(series: Series, ax: Axes | None = None) -> Picture | Axes:
+def plot_history(series: Series, units: Units, ax: Axes | None = None) -> Picture | Axes:
     """Draw torque, penetration and energies over time, and the torque over the angle.
 
     Parameters
     ----------
     series : mapping of str to ndarray
         The time and the time series of a history, by name.
+    units : mapping of str to str
+        Their units.
     ax : matplotlib.axes.Axes, optional
         Where to draw the torque over time alone.
 
@@ -39,36 +42,40 @@ def plot_history(series: Series, ax: Axes | None = None) -> Picture | Axes:
 
     def compose(picture: Picture) -> None:
         axes = picture.subplot_mosaic([["torque", "loop"], ["penetration", "loop"], ["energy", "loop"]])
-        _draw_torque(axes["torque"], series)
-        _draw_others(axes, series)
-        _draw_loop(axes["loop"], series)
+        _draw_torque(axes["torque"], series, units)
+        _draw_others(axes, series, units)
+        _draw_loop(axes["loop"], series, units)
 
-    return drawn(lambda axes: _draw_torque(axes, series), ax, figsize=(12.0, 6.4), compose=compose)
+    return drawn(lambda axes: _draw_torque(axes, series, units), ax, figsize=(12.0, 6.4), compose=compose)
 
 
-def _draw_torque(axes: Axes, series: Series) -> None:
+def _draw_torque(axes: Axes, series: Series, units: Units) -> None:
     time, torque, error = (series[name] for name in ("time", "resisting_torque", "error_estimate"))
     axes.plot(time, torque * _MILLI)
     if np.isfinite(error).all():
         axes.fill_between(time, (torque - error) * _MILLI, (torque + error) * _MILLI, alpha=0.3)
-    axes.set(xlabel="time [s]", ylabel="$T_r$ [mN m]")
+    axes.set(xlabel="time [s]", ylabel=f"$T_r$ [m{units['resisting_torque']}]")
 
 
-def _draw_others(axes: dict[str, Axes], series: Series) -> None:
+def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
     time = series["time"]
     axes["penetration"].plot(time, series["penetration"] * _MILLI)
     axes["penetration"].set_ylabel("penetration [mm]")
     for name, label in (("stored_energy", "stored"), ("dissipated_energy", "lost"), ("work", "work")):
         axes["energy"].plot(time, series[name] * _MILLI, label=label)
-    axes["energy"].set(xlabel="time [s]", ylabel="energy [mJ]")
+    axes["energy"].set(xlabel="time [s]", ylabel=f"energy [m{units['work']}]")
     axes["energy"].legend(fontsize="small")
     for name in ("torque", "penetration"):
         axes[name].sharex(axes["energy"])
         axes[name].label_outer()
 
 
-def _draw_loop(axes: Axes, series: Series) -> None:
-    axes.plot(np.degrees(series["angle"]), series["driving_torque"] * _MILLI)
+def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
+    axes.plot(np.degrees(series["angle"]), series["resisting_torque"] * _MILLI)
     axes.axhline(0.0, color="0.5", linewidth=0.8)
-    work = float(np.trapezoid(series["driving_torque"], series["angle"])) * _MILLI
-    axes.set(xlabel="angle turned [°]", ylabel="driving torque $T$ [mN m]", title=f"∫$T$ d$ψ$ = {work:.4g} mJ")
+    work = float(np.trapezoid(series["resisting_torque"], series["angle"])) * _MILLI
+    axes.set(
+        xlabel="angle turned [°]",
+        ylabel=f"resisting torque $T_r$ [m{units['resisting_torque']}]",
+        title=f"∫$T_r$ d$ψ$ = {work:.4g} m{units['work']}",
+    )

@@ -8,13 +8,14 @@ import numpy as np
 
 from .. import _core
 from .._core import Start
-from .._support.arguments import as_float_array, as_member
+from .._support.arguments import as_float_array, as_member, require_type
 from .._support.progress import ProgressLike, Report, reporting
-from ..bodies import CoatedSphere, require_body
+from ..bodies import Counterpart, RollingBody
 from ..bodies.si_hints import si_hints
 from .history import ContactInstant, History
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
+from .way import as_angles
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,10 +27,12 @@ __all__ = ["roll"]
 
 @with_options
 def roll(
-    ball: CoatedSphere,
+    ball: RollingBody,
     *,
+    on: Counterpart | None = None,
     time: ArrayLike,
-    angle: ArrayLike,
+    angle: ArrayLike | None = None,
+    way: ArrayLike | None = None,
     load: ArrayLike,
     center_way: ArrayLike | None = None,
     start: Start | str | RollingState = Start.RELAXED,
@@ -46,18 +49,25 @@ def roll(
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Core and layers. All layers share one relaxation function and have a Poisson's ratio.
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+        What rolls, with layers or rigid; a wheel with endless sides and layers that share one relaxation function and
+        have a Poisson's ratio.
+    on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
+        What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane. A plane and a
+        groove remember where it has been: who comes back finds the track as it was left, but for what has crept back.
     time : array_like
         Knots [s], not decreasing; two at the same time are a jump, which needs a coating that yields at once.
-    angle : array_like
-        ψ, angle turned at the knots [rad]; growing, the ball rolls forward.
+    angle : array_like, optional
+        ψ, angle turned at the knots [rad]; growing, the body rolls forward.
+    way : array_like, optional
+        Way of the contact along the track at the knots [m], in place of the angle: what rolls without slip goes r_o ψ.
     load : array_like or float
-        P at the knots [N], ≥ 0 and at first > 0; a number for all of them. At 0 the ball has lifted off.
+        P at the knots [N], of a roller per length [N/m], ≥ 0 and at first > 0; a number for all of them. At 0 the body
+        has lifted off.
     center_way : array_like, optional
         Way of the center at the knots [m], from 0, with friction; left out, forces move the center.
     start : Start or str or RollingState, default Start.RELAXED
-        What was before the first knot: the ball has borne the load for ever (RELAXED), is pressed on in no time
+        What was before the first knot: the body has borne the load for ever (RELAXED), is pressed on in no time
         (FRESH), or comes from another history, whose time is between the knots: the motion goes on from there.
     **options
         As of `HistoryOptions`.
@@ -94,17 +104,26 @@ def roll(
     >>> h = roll(paper.ball(), time=[0.0, 0.2], angle=[0.0, 0.5], load=100.0, mesh=Mesh(nodes_per_revolution=100))
     >>> f"{h.resisting_torque.max() * 1e3:.0f} mN m to break away"
     '53 mN m to break away'
+
+    A steel ball on a rubber mat:
+
+    >>> from viscoroll import CoatedPlane, CoatedSphere
+    >>> mat, ball = CoatedPlane(layers=paper.ball().layers), CoatedSphere(core_radius=21e-3)
+    >>> h = roll(ball, on=mat, time=[0.0, 0.2], way=[0.0, 0.0105], load=100.0, mesh=Mesh(nodes_per_revolution=100))
+    >>> f"{h.driving_force.max():.1f} N to break away"
+    '2.5 N to break away'
     """
-    require_body("ball", ball, CoatedSphere, "starting and stopping")
+    require_type("ball", ball, RollingBody)
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
-    motion = _motion(time=time, angle=angle, load=load, center_way=center_way)
+    motion = _motion(time=time, angle=as_angles(ball, angle, way), load=load, center_way=center_way)
     knots, angles = motion["time"], motion["angle"]
     spacing = 2.0 * np.pi / (chosen.mesh.nodes_per_revolution if chosen.mesh is not None else 500)
     shortest, longest = _time_range(knots, angles, spacing / (chosen.steps_per_spacing or 1))
     with reporting(progress) as report:
         stepper = RollingHistory(
             ball,
+            on=on,
             load=float(motion["load"][0]),
             start=start,
             shortest_time=shortest if shortest_time is None else shortest_time,
@@ -118,6 +137,7 @@ def roll(
     rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
     return History(
         ball=ball,
+        on=on,
         mesh=stepper.mesh,
         start=start if isinstance(start, Start) else None,
         compliance=chosen.compliance,
@@ -148,7 +168,7 @@ def _follow(
         for stop in _stops(motion["time"], contact_times):
             if stop < core.now()[0, 0]:
                 continue
-            with si_hints(stepper.ball):
+            with si_hints(stepper.ball, stepper.on):
                 piece = core.roll(**_until(stop, motion), progress=report)
             pieces.append(piece if not pieces else piece[:, 1:])
             if stop in np.asarray(contact_times):

@@ -11,11 +11,12 @@ import numpy as np
 
 from .. import _core
 from .._core import Start
-from .._support.arguments import as_float, as_member
+from .._support.arguments import as_float, as_member, require_type
 from .._support.progress import ProgressLike, reporting
-from ..bodies import CoatedSphere, Mesh, require_body
+from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints
 from .options import HistoryKeywords, HistoryOptions, with_options
+from .way import as_angle
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -41,7 +42,9 @@ class Instant:
         [m].
     max_pressure : float
         [Pa].
-    stored_energy, dissipated_energy, work, energy_imbalance : float
+    stored_energy, counterpart_stored_energy, dissipated_energy, counterpart_dissipated_energy : float
+        [J].
+    work, energy_imbalance : float
         [J].
     driving_force : float
         Q [N].
@@ -68,7 +71,9 @@ class Instant:
     semi_axis_z: float
     max_pressure: float
     stored_energy: float
+    counterpart_stored_energy: float
     dissipated_energy: float
+    counterpart_dissipated_energy: float
     work: float
     energy_imbalance: float
     driving_force: float
@@ -134,19 +139,22 @@ def _npy(path: str | Path) -> Path:
 
 @with_options
 class RollingHistory:
-    """A ball on its way, for equations of motion: `advance` takes it from one state to the next.
+    """A body on its way, for equations of motion: `advance` takes it from one state to the next.
 
     ``copy.copy(stepper)`` is another history from here on, at the price of the memory's copy: to try a step and take it
     back.
 
     Parameters
     ----------
-    ball : CoatedSphere
-        Core and layers. All layers share one relaxation function and have a Poisson's ratio.
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
+        What rolls, with layers or rigid; a wheel with endless sides and layers that share one relaxation function and
+        have a Poisson's ratio.
+    on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
+        What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane.
     load : float
-        P at the first instant [N], > 0.
+        P at the first instant [N], of a roller per length [N/m], > 0.
     start : Start or str or RollingState, default Start.RELAXED
-        What was before: the ball has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
+        What was before: the body has borne the load for ever (RELAXED), is pressed on in no time (FRESH), or comes from
         another history.
     **options
         As of `HistoryOptions`.
@@ -154,6 +162,8 @@ class RollingHistory:
         Between which moduli with a continuous spectrum are resolved [s].
     time, angle : float
         Of the first instant [s], [rad]; not with a state.
+    way : float, optional
+        Of the contact along the track at the first instant [m], in place of the angle: r_o times it.
 
     Raises
     ------
@@ -173,25 +183,30 @@ class RollingHistory:
 
     def __init__(
         self,
-        ball: CoatedSphere,
+        ball: RollingBody,
         *,
+        on: Counterpart | None = None,
         load: float,
         start: Start | str | RollingState = Start.RELAXED,
         shortest_time: float = 1e-4,
         longest_time: float = 1e4,
         time: float = 0.0,
-        angle: float = 0.0,
+        angle: float | None = None,
+        way: float | None = None,
         progress: ProgressLike = None,
         **options: Unpack[HistoryKeywords],
     ) -> None:
-        require_body("ball", ball, CoatedSphere, "starting and stopping")
+        require_type("ball", ball, RollingBody)
+        first = 0.0 if angle is None and way is None else as_angle(ball, angle, way)
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
         state = start if isinstance(start, RollingState) else None
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
-        with reporting(progress) as report, si_hints(ball):
+        self.on = on
+        with reporting(progress) as report, si_hints(ball, on):
             self._history = _core.RollingHistory(
                 ball._to_core(),
+                core_counterpart(on),
                 load=as_float("load", load),
                 start=before,
                 options=chosen._to_core(
@@ -199,24 +214,34 @@ class RollingHistory:
                     longest_time=as_float("longest_time", longest_time),
                 ),
                 time=as_float("time", time),
-                angle=as_float("angle", angle),
+                angle=first,
                 progress=report,
             )
         self._lock = threading.Lock()
         if state is not None:
             self._history.restore(state.numbers)
 
-    def advance(self, *, time: float, angle: float, load: float, center_way: float | None = None) -> Instant:
+    def advance(
+        self,
+        *,
+        time: float,
+        angle: float | None = None,
+        way: float | None = None,
+        load: float,
+        center_way: float | None = None,
+    ) -> Instant:
         """Turn and load linearly in time.
 
         Parameters
         ----------
         time : float
             [s], not before now; now for a jump.
-        angle : float
+        angle : float, optional
             ψ [rad].
+        way : float, optional
+            Of the contact along the track [m], in place of the angle: r_o ψ.
         load : float
-            P [N], ≥ 0; at 0 the ball has lifted off.
+            P [N], ≥ 0; at 0 the body has lifted off.
         center_way : float, optional
             Of the center since the first instant [m], with friction; left out, forces move it.
 
@@ -232,10 +257,12 @@ class RollingHistory:
         ConvergenceError
             Where no contact was found; likewise.
         """
-        way = None if center_way is None else as_float("center_way", center_way)
-        motion = {"time": as_float("time", time), "angle": as_float("angle", angle), "load": as_float("load", load)}
-        with self._lock, si_hints(self.ball):
-            self._history.advance(**motion, center_way=way)
+        turned = as_angle(self.ball, angle, way)
+        moved = None if center_way is None else as_float("center_way", center_way)
+        with self._lock, si_hints(self.ball, self.on):
+            self._history.advance(
+                time=as_float("time", time), angle=turned, load=as_float("load", load), center_way=moved
+            )
             return _instant(self._history.now())
 
     @property
@@ -275,7 +302,7 @@ class RollingHistory:
     def __copy__(self) -> RollingHistory:
         """Return a history that goes on from here by itself."""
         twin = object.__new__(type(self))
-        twin.ball = self.ball
+        twin.ball, twin.on = self.ball, self.on
         twin._lock = threading.Lock()
         with self._lock:
             twin._history = self._history.copy()
@@ -288,7 +315,8 @@ class RollingHistory:
     def __repr__(self) -> str:
         """Return where it is."""
         now = self.now
-        return f"RollingHistory({self.ball!r}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
+        pair = f"{self.ball!r}" if self.on is None else f"{self.ball!r}, on={self.on!r}"
+        return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
 
 
 def _instant(numbers: NDArray[np.float64]) -> Instant:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-__all__ = ["SERIES"]
+from .._support.units import PER_LENGTH
+
+__all__ = ["SERIES", "series_units"]
 
 #: Time series: name, unit, what it is.
 SERIES = {
@@ -10,14 +12,16 @@ SERIES = {
     "load": ("N", "load P"),
     "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
     "driving_torque": ("N m", "driving torque T"),
-    "penetration": ("m", "penetration r_o - H"),
+    "penetration": ("m", "approach of the bodies, r_o - H"),
     "contact_area": ("m^2", "contact area"),
     "semi_axis_x": ("m", "contact semi-axis along x"),
     "semi_axis_z": ("m", "contact semi-axis along z"),
     "max_pressure": ("Pa", "largest contact pressure"),
-    "stored_energy": ("J", "energy stored in the coating"),
-    "dissipated_energy": ("J", "energy lost in the coating and by slip since the start"),
-    "work": ("J", "work of torque and load since the start"),
+    "stored_energy": ("J", "energy stored in all"),
+    "counterpart_stored_energy": ("J", "energy stored in what it rolls on"),
+    "dissipated_energy": ("J", "energy lost in all and by slip since the start"),
+    "counterpart_dissipated_energy": ("J", "energy lost in what it rolls on since the start"),
+    "work": ("J", "work of rolling and load since the start"),
     "energy_imbalance": ("J", "work less what was stored and lost"),
     "driving_force": ("N", "driving force Q"),
     "center_way": ("m", "way of the center since the start"),
@@ -26,3 +30,9 @@ SERIES = {
     "stick_share": ("1", "share of the nodes in contact that stick"),
     "error_estimate": ("N m", "error estimate of the torque"),
 }
+
+
+def series_units(*, line_contact: bool) -> dict[str, str]:
+    """Return the unit of every time series: of rollers, forces, torques, areas and energies are per length."""
+    units = {name: unit for name, (unit, _) in SERIES.items()}
+    return {name: PER_LENGTH.get(unit, unit) for name, unit in units.items()} if line_contact else units

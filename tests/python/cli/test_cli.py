@@ -368,11 +368,11 @@ def test_roll_follows_the_example_motion(tmp_path):
     ("lines", "message"),
     [
         ("time = [0.0, 1.0]\nangle = [0.0]\nload = 1.0", "angle must be as long as time (2), got 1"),
-        ("time = [0.0, 1.0]", "motion needs angle and load with time"),
+        ("time = [0.0, 1.0]", "motion needs angle or way, and load, with time"),
         ("load = 1.0", "motion must have one of time, file and amplitude, got none"),
         ("amplitude = 0.1\nfrequency = 0.0\nload = 1.0", "motion.frequency must be > 0 Hz, got 0.0"),
         ("file = 'none.csv'\nload = 1.0", "No such file"),
-        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time, angle and maybe load"),
+        ("file = 'bad.csv'\nload = 1.0", "needs numbers in columns time and maybe angle, way, load"),
         ("time = [0.0, 1.0]\nangle = [0.0, 1.0]\nload = 1.0\nspeed = 1.0", "motion.speed: extra inputs"),
     ],
 )
@@ -398,3 +398,18 @@ def test_roll_reads_motions_from_files_and_oscillations(tmp_path):
     case = load_motion(tmp_path / "b.toml")
     assert case.time[-1] == pytest.approx(1.5)
     assert np.abs(case.angle).max() == pytest.approx(0.1, rel=1e-3)
+    assert case.on is None
+
+
+def test_roll_follows_a_way_along_a_mat(tmp_path):
+    from viscoroll.case.motion import load_motion
+
+    (tmp_path / "way.csv").write_text("time,way,load\n0,0,100\n0.2,0.01,100\n")
+    mat = "{ thickness = 1e-3, poisson_ratio = 0.5, shear_modulus = 3e6 }"
+    text = f"[ball]\ncore_radius = 21e-3\nlayers = []\n[plane]\nlayers = [{mat}]\n[motion]\nfile = 'way.csv'\n"
+    (tmp_path / "motion.toml").write_text(f"{text}[numerics]\nnodes_per_revolution = 100\n", encoding="utf-8")
+    h = load_motion(tmp_path / "motion.toml").roll()
+    assert h.way[-1] == pytest.approx(0.01)
+    assert h.on.layers[0].thickness == 1e-3
+    (tmp_path / "way.csv").write_text("time,way,angle,load\n0,0,0,100\n")
+    assert_refused(command("roll", tmp_path / "motion.toml"), "needs one of the columns angle and way")

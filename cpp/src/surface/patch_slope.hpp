@@ -1,0 +1,18 @@
+/// @file
+/// @brief Slope of a surface along the path, from its values at the nodes.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace viscoroll::detail {
+
+/// @brief Mean slope from row to row over the patches of nodes, which are as long as their distance: of the differences
+/// over two rows and over four what leaves no error of second order, but for the last two rows, where hardly anything
+/// presses. Theory.md section 15.
+/// @param[in] values at the nodes, row by row
+/// @param[in] row nodes in a row
+/// @param[in] distance of rows [m]
+/// @return at every node, 0 in the first and the last row
+[[nodiscard]] Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, double distance);
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,202 @@
+#include "transient/creeping_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "modal/spectrum.hpp"
+#include "rolling/line_surface.hpp"
+#include "rolling/spot_surface.hpp"
+#include "transient/weight_sums.hpp"
+#include "validate.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+
+/// What layers that do not creep alike cannot be.
+void require_layer_spectrum(const Body& body, std::string_view prefix, const Metric& metric) {
+  if (metric.is_wheel()) {
+    reject(std::string(prefix) + body.layers.front().name + ".shear_modulus",
+           "a multiple of that of the outermost layer, with poisson_ratio given, in transient rolling of wheels",
+           "layers that do not creep alike");
+  }
+  for (const auto& [name, layer] : body.layers) {
+    const auto* solid = std::get_if<KelvinVoigt>(&layer.shear_modulus);
+    if (solid == nullptr || solid->viscosity == 0.0) continue;
+    reject(std::string(prefix) + name + ".shear_modulus",
+           "one that yields at once in transient rolling, where layers do not creep alike",
+           "KelvinVoigt, which does not");
+  }
+}
+
+/// Of layers that do not creep alike.
+BodySpectrum layer_spectrum(LayeredBody body, const HistoryOptions& options, const TimeRange& range) {
+  auto layers = std::make_shared<const LayerSpectrum>(std::move(body), range, options.spectrum_tolerance);
+  const auto& times = layers->retardation_times();
+  CreepSpectrum each{.weights = std::vector(times.size(), 1.0), .retardation_times = times};
+  each.error = layers->error(range);
+  return {.spectrum = std::move(each), .layers = std::move(layers)};
+}
+
+BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const Crossing& crossing,
+                              const HistoryOptions& options) {
+  const TimeRange range{.shortest = options.shortest_time, .longest = options.longest_time};
+  BodySpectrum result;
+  if (creep_alike(body.layers, range)) {
+    result.spectrum = creep_spectrum(body.layers.back().layer.shear_modulus, range);
+  } else {
+    LayeredBody layers = body.layered(crossing);
+    require_layer_spectrum(body, prefix, layers.metric);
+    result = layer_spectrum(std::move(layers), options, range);
+  }
+  if (result.spectrum.error > options.spectrum_tolerance) {
+    reject(
+        std::string(prefix) + body.layers.back().name + ".shear_modulus",
+        "one that discrete retardation times stand for within spectrum_tolerance = " + text(options.spectrum_tolerance),
+        "one that they miss by " + rounded(result.spectrum.error));
+  }
+  return result;
+}
+
+/// Tables of elastic layers at rest, or of each of their retardation times.
+CreepingTables tables_of(const BodySpectrum& spectrum, const Body& at_rest, const Crossing& crossing,
+                         const RowShape& shape) {
+  const auto& [threads, watch] = crossing.execution;
+  const bool under_line = crossing.form.is_line();
+  if (!spectrum.layers) {
+    const LayeredBody layers = at_rest.layered(crossing);
+    const auto sum = under_line ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
+    return CreepingTables({MirroredTables(*sum, shape, threads, watch)});
+  }
+  const LayerSpectrum layers = spectrum.layers->with_orders_of(at_rest.layered(crossing).metric.radius);
+  const MeshOnBody mesh = crossing.mesh_at(layers.metric().radius);
+  const auto sums =
+      under_line ? weights_under_line(layers, mesh, threads, watch) : weights_under_spot(layers, mesh, threads, watch);
+  return CreepingTables(MirroredTables::of_all(sums, shape, threads, watch));
+}
+
+/// Elastic layers without inertia have the same tables at any speed.
+Crossing crossing_at_rest(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
+  constexpr double kAnySpeed = 1.0;
+  return crossing_of(pair, kAnySpeed, *options.mesh, options.curvature, {options.threads, watch}, kInertiaTolerance);
+}
+
+/// Rows around the one of two bodies; a body that turns beside another one need not have a whole number of them, and is
+/// taken to be that much larger or smaller.
+std::optional<Index> ring_of(const Body& body, const SurfaceGrid& grid) {
+  if (body.radius == 0.0) return std::nullopt;
+  const double distance = grid.radius * grid.phi_spacing;
+  return std::lround(2.0 * std::numbers::pi * body.radius / distance);
+}
+
+/// On a plane, which has no radius of its own, the mesh may be that of a larger body with the same nodes: sums are good
+/// within a quarter of its revolution (theory.md section 15).
+Crossing on_track(Crossing crossing, Index reach) {
+  const auto nodes = static_cast<Index>(crossing.mesh.nodes_per_revolution);
+  const auto times = static_cast<int>(std::max<Index>(1, (4 * reach + nodes - 1) / nodes));
+  crossing.angular_speed /= times;
+  crossing.radius *= times;
+  crossing.mesh.nodes_per_revolution *= times;
+  if (auto& across = crossing.mesh.theta_nodes_per_revolution) *across *= times;
+  crossing.theta_spacing /= times;
+  crossing.widest /= times;
+  return crossing;
+}
+
+}  // namespace
+
+Index CreepingPair::most_track_reach() const {
+  constexpr Index kMostValues = 1 << 24;  // of a table: 128 MB
+  const Index height = bodies.front().tables.height();
+  return kMostValues / (height * height);
+}
+
+bool CreepingPair::ends_at_sides() const {
+  return half_nodes() == most_half_nodes() && (pair.body.form.is_line() || std::isfinite(width(pair)));
+}
+
+std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
+  const Crossing crossing = crossing_at_rest(pair, options, watch);
+  std::vector<BodySpectrum> spectra;
+  const auto append = [&](const Body& body, bool rolls, std::string_view prefix) {
+    if (body.is_rigid()) return;
+    spectra.push_back(checked_spectrum(body, prefix, crossing, options));
+    spectra.back().rolls = rolls;
+  };
+  append(pair.body, true, "");
+  append(pair.on, false, "on.");
+  return spectra;
+}
+
+double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spectra) {
+  double inertia = 0.0;
+  for (const auto& [rolls, spectrum, layered] : spectra) {
+    const auto& layers = (rolls ? pair.body : pair.on).layers;
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+      const Layer& layer = layers[l].layer;
+      const double at_once =
+          layered ? layered->moduli()[l].instantaneous()
+                  : complex_modulus(layer.shear_modulus, std::array{0.0}).front().real() / spectrum.instantaneous;
+      inertia = std::max(inertia, layer.density * std::pow(pair.body.radius, 2) / at_once);
+    }
+  }
+  return inertia;
+}
+
+void require_followed(const RollingPair& pair, const HistoryOptions& options) {
+  const bool is_on_rigid_plane =
+      pair.body.type == "CoatedSphere" && pair.on.type == "CoatedPlane" && pair.on.is_rigid();
+  if (is_on_rigid_plane) return;
+  if (options.friction > 0.0) {
+    reject("friction", "0 in transient rolling, but for a ball on the rigid plane", options.friction);
+  }
+  if (options.compliance != Compliance::radial) {
+    reject("compliance", "RADIAL in transient rolling, but for a ball on the rigid plane", "VERTICAL");
+  }
+}
+
+TableSize first_size(const RollingPair& at_rest, const Mesh& mesh, const ContactReach& contact) {
+  constexpr double kDiesOut = 24.0;  // thicknesses, where a bonded layer has a billionth left
+  const SurfaceGrid& grid = nodes_of(at_rest, mesh).grid;
+  const double half_nodes = std::ceil(1.1 * contact.across / (grid.radius * grid.theta_spacing)) + 2.0;
+  const double turn = 0.5 * mesh.nodes_per_revolution;  // farther only where it is rolled
+  const double reach = std::min(kDiesOut * thickness(at_rest) / (grid.radius * grid.phi_spacing), turn);
+  return {.half_nodes = static_cast<Index>(half_nodes), .track_reach = static_cast<Index>(std::ceil(reach))};
+}
+
+CreepingPair creeping_pair(const RollingPair& at_rest, const std::vector<BodySpectrum>& spectra,
+                           const HistoryOptions& options, const TableSize& size, Watch& watch) {
+  CreepingPair creeping{.pair = at_rest,
+                        .nodes = nodes_of(at_rest, *options.mesh),
+                        .compliance = options.compliance,
+                        .friction = options.friction,
+                        .driving_force = options.driving_force,
+                        .mass = options.mass,
+                        .track_reach = size.track_reach,
+                        .bodies = {}};
+  const bool along_plane = options.compliance == Compliance::vertical || options.friction > 0.0;
+  RowShape shape{.components = along_plane ? 3 : 1,
+                 .half_nodes = std::min(size.half_nodes, creeping.most_half_nodes()),
+                 .ring = {},
+                 .most = 0};
+  const Crossing crossing = crossing_at_rest(at_rest, options, watch);
+  for (const BodySpectrum& spectrum : spectra) {
+    const Body& body = spectrum.rolls ? at_rest.body : at_rest.on;
+    shape.ring = ring_of(body, creeping.nodes.grid);
+    shape.most = shape.ring ? *shape.ring / 2 : size.track_reach;
+    creeping.bodies.push_back(
+        {.rolls = spectrum.rolls,
+         .spectrum = spectrum.spectrum,
+         .ring = shape.ring,
+         .tables = tables_of(spectrum, body, shape.ring ? crossing : on_track(crossing, shape.most), shape)});
+  }
+  return creeping;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,203 @@
+"""What holds of every pair on any mesh, and that each becomes as steady as the steady solver has it."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import RUBBER, one_layer
+from viscoroll import paper
+
+SOFTER = vr.StandardLinearSolid(instantaneous_modulus=4e6, relaxed_modulus=1e6, relaxation_time=0.02)
+STEEL, BALL = vr.CoatedSphere(core_radius=21e-3), paper.ball(density=0.0)
+MAT, SOFT_MAT = (vr.CoatedPlane(layers=[one_layer(rubber)]) for rubber in (RUBBER, SOFTER))
+ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
+TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": vr.Sides.ENDLESS}
+WHEEL = vr.CoatedWheel(**TYRE, crown_radius=0.1)
+THICK_MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
+UNLIKE = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
+UNLIKE_MAT = vr.CoatedPlane(layers=UNLIKE)
+EARTH = vr.HalfSpace(
+    shear_modulus=vr.StandardLinearSolid(instantaneous_modulus=2e7, relaxed_modulus=1e7, relaxation_time=0.05),
+    poisson_ratio=0.4,
+)
+#: Of a bulk modulus, over an elastic one.
+THICK = [one_layer(vr.Elastic(modulus=3e6), thickness=4e-3), one_layer(thickness=6e-3, bulk_modulus=2e7)]
+
+#: What rolls, on what, under which load [N or N/m], on how many nodes a revolution for a steady state within 0.2 %.
+PAIRS = {
+    "ball on mat": (STEEL, MAT, 100.0, 300),
+    "soft ball on mat": (BALL, SOFT_MAT, 100.0, 300),
+    "soft ball in dish": (BALL, vr.Groove(radius=0.1, path_radius=0.2, layers=SOFT_MAT.layers), 100.0, 300),
+    "soft ball in rigid dish": (BALL, vr.Groove(radius=0.1, path_radius=0.2), 100.0, 400),
+    "ball on ball": (BALL, vr.CoatedSphere(core_radius=39e-3, layers=SOFT_MAT.layers), 100.0, 300),
+    "roller on mat": (vr.CoatedCylinder(core_radius=60e-3), THICK_MAT, 5e3, 800),
+    "soft roller on roller": (
+        ROLLER, vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers), 5e3, 800,
+    ),
+    "soft roller in ring": (ROLLER, vr.Groove(path_radius=0.2, layers=THICK_MAT.layers), 5e3, 800),
+    "ball on unlike layers": (STEEL, UNLIKE_MAT, 100.0, 300),
+    "ball of unlike layers": (vr.CoatedSphere(core_radius=20e-3, layers=UNLIKE), None, 100.0, 400),
+    "ball on layers on a half-space": (STEEL, vr.CoatedPlane(layers=UNLIKE, base=EARTH), 100.0, 300),
+    "roller of unlike layers": (vr.CoatedCylinder(core_radius=50e-3, layers=THICK), UNLIKE_MAT, 5e3, 800),
+    "wheel": (WHEEL, None, 300.0, 300),
+    "wheel on mat": (WHEEL, THICK_MAT, 300.0, 300),
+    "wheel on wheel": (WHEEL, vr.CoatedWheel(**TYRE, crown_radius=0.2), 300.0, 300),
+}  # fmt: skip
+EVERY = pytest.mark.parametrize(("body", "on", "load", "nodes"), PAIRS.values(), ids=PAIRS)
+
+
+def force_balance(h, curvature):
+    """Return ∫(M/R) ds + ∫P dd - ΔE - D per D, from the series alone."""
+    relative = 1.0 / h.ball.outer_radius + curvature
+
+    def integral(force, way):
+        return np.trapezoid(force, way)
+
+    work = integral(relative * h.resisting_torque, h.way) + integral(h.load, h.penetration)
+    lost = np.ptp(h.dissipated_energy)
+    return abs(work - (h.stored_energy[-1] - h.stored_energy[0]) - lost) / lost
+
+
+def curvature_of(on):
+    path = getattr(on, "path_radius", None)
+    return -1.0 / path if path is not None else 1.0 / on.outer_radius if hasattr(on, "outer_radius") else 0.0
+
+
+@EVERY
+def test_ends_as_the_steady_solver_has_it(body, on, load, nodes):
+    """So are what each body loses, from its own memory, and the mean moment, whose work is what is stored and lost."""
+    omega, turn = 2.5, 1.4
+    h = vr.roll(
+        body, on=on, time=[0.0, turn / omega], angle=[0.0, turn], load=load,
+        mesh=vr.Mesh(nodes_per_revolution=nodes),
+    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)  # of strains and sides
+        r = vr.solve(body, on=on, load=load, angular_speed=omega, accuracy=2e-3)
+    last = h.angle > 0.7 * turn
+    gained = h.dissipated_energy + h.stored_energy
+    counterpart = h.counterpart_dissipated_energy + h.counterpart_stored_energy
+    power = np.ptp(gained[last]) / np.ptp(h.time[last])
+    of_counterpart = np.ptp(counterpart[last]) / np.ptp(h.time[last])
+    assert power == pytest.approx(r.bulk_power, rel=2e-3)
+    assert of_counterpart == pytest.approx(r.counterpart_bulk_power, rel=2e-3)
+    assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=4e-3)  # the lattices' noise
+    assert h.penetration[-1] == pytest.approx(r.penetration, rel=3e-3)
+    assert force_balance(h, curvature_of(on)) < 1e-3
+
+
+@pytest.mark.parametrize("pair", sorted(PAIRS.keys() - {"wheel", "wheel on wheel"}))  # "wheel on mat" is enough of them
+def test_mirrored_motion_has_mirrored_torque(pair):
+    body, on, load, _ = PAIRS[pair]
+    time, angle = [0.0, 0.1, 0.2, 0.25], np.array([0.0, 0.2, 0.2, 0.1])
+    a, b = (
+        vr.roll(body, on=on, time=time, angle=s * angle, load=load, mesh=vr.Mesh(nodes_per_revolution=100), lattices=1)
+        for s in (1.0, -1.0)
+    )
+    largest = np.abs(a.resisting_torque).max()
+    np.testing.assert_allclose(a.resisting_torque, -b.resisting_torque, rtol=0, atol=1e-8 * largest)
+    np.testing.assert_allclose(a.driving_force, -b.driving_force, rtol=0, atol=1e-8 * np.abs(a.driving_force).max())
+    np.testing.assert_allclose(a.penetration, b.penetration, rtol=1e-9)
+
+
+@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller on roller"])
+def test_start_elsewhere_changes_nothing(pair):
+    body, on, load, _ = PAIRS[pair]
+    mesh = vr.Mesh(nodes_per_revolution=100)
+    a, b = (
+        vr.roll(body, on=on, time=[0.0, 0.1], angle=[s * mesh.spacing, s * mesh.spacing + 0.2], load=load, mesh=mesh,
+                lattices=1)
+        for s in (0, -1000007)
+    )  # fmt: skip
+    # The place of a node a million spacings away keeps ten digits.
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-8 * a.resisting_torque.max())
+
+
+def test_a_term_split_in_two_is_the_same():
+    one = vr.Prony(instantaneous_modulus=6e6, weights=[0.5], relaxation_times=[0.125])
+    two = vr.Prony(instantaneous_modulus=6e6, weights=[0.2, 0.3], relaxation_times=[0.125, 0.125 * (1 + 1e-9)])
+    knots = np.linspace(0.0, 1.0, 41)  # the library's own steps begin at the shortest time
+    a, b = (
+        vr.roll(STEEL, on=vr.CoatedPlane(layers=[one_layer(rubber)]), time=0.2 * knots, way=10e-3 * knots, load=100.0,
+                mesh=vr.Mesh(nodes_per_revolution=100), lattices=1, steps_per_spacing=None)
+        for rubber in (one, two)
+    )  # fmt: skip
+    np.testing.assert_allclose(a.resisting_torque, b.resisting_torque, rtol=0, atol=1e-9 * a.resisting_torque.max())
+    np.testing.assert_allclose(a.dissipated_energy, b.dissipated_energy, rtol=1e-7, atol=0)
+
+
+def test_standing_follows_lee_and_radok():
+    """Where contact grows, the approach is that of an elastic mat under the load ∫J dP, in units of G₀."""
+    mesh = vr.Mesh(nodes_per_revolution=100)
+    h = vr.roll(STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], load=100.0, start=vr.Start.FRESH, mesh=mesh, lattices=1)
+    stiff = vr.CoatedPlane(layers=[one_layer(vr.Elastic(modulus=6e6))])
+    for i in (0, len(h.time) // 2, -1):
+        load = 100.0 * (2.0 - np.exp(-h.time[i] / 0.25))
+        alone = vr.RollingHistory(STEEL, on=stiff, load=load, mesh=mesh, lattices=1)
+        assert h.penetration[i] == pytest.approx(alone.now.penetration, rel=1e-9)
+    assert np.abs(h.resisting_torque).max() < 1e-10
+
+
+@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat"])
+def test_long_after_a_stop_it_is_as_pressed_for_ever(pair):
+    body, on, load, _ = PAIRS[pair]
+    options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1}
+    way = round(20e-3 / (21e-3 * options["mesh"].spacing)) * 21e-3 * options["mesh"].spacing  # whole nodes
+    h = vr.roll(body, time=[0.0, 0.4, 10.4], way=[0.0, way, way], load=load, **options)
+    still = vr.RollingHistory(body, load=load, way=way, **options)
+    assert h.penetration[-1] == pytest.approx(still.now.penetration, rel=1e-9)  # e^(-40) is left
+    assert abs(h.resisting_torque[-1]) < 1e-9 * h.resisting_torque.max()
+
+
+def test_elastic_moment_has_mean_zero():
+    mat, mesh = vr.CoatedPlane(layers=[one_layer(vr.Elastic(modulus=3e6))]), vr.Mesh(nodes_per_revolution=100)
+    spacing = 21e-3 * mesh.spacing
+    torque = [
+        vr.RollingHistory(STEEL, on=mat, load=100.0, mesh=mesh, lattices=1, way=place * spacing).now.resisting_torque
+        for place in np.arange(32) / 32
+    ]
+    size = np.sqrt(np.mean(np.square(torque)))
+    assert size > 1e-4  # the staircase is there
+    assert abs(np.mean(torque)) < 1e-2 * size  # 32 places alias some of its harmonics
+    h = vr.roll(STEEL, on=mat, time=[0.0, 1.0], way=[0.0, 0.05], load=100.0, mesh=mesh)
+    assert abs(h.dissipated_energy[-1]) < 1e-12
+
+
+def test_steps_follow_a_way_or_an_angle():
+    a, b = (vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=vr.Mesh(nodes_per_revolution=100)) for _ in range(2))
+    assert a.advance(time=0.1, way=5e-3, load=100.0) == b.advance(time=0.1, angle=5e-3 / 21e-3, load=100.0)
+
+
+BAD = [
+    ({}, "one of angle and way must be given, got none"),
+    ({"way": [0.0, 1.0], "angle": [0.0, 1.0]}, "one of angle and way must be given, got both"),
+    ({"way": [0.0, np.nan]}, "way must be finite"),
+    (
+        {"way": [0.0, 0.01], "friction": 0.3},
+        "friction must be 0 in transient rolling, but for a ball on the rigid plane",
+    ),
+    ({"way": [0.0, 0.01], "compliance": "VERTICAL"}, "compliance must be RADIAL in transient rolling, but for a ball"),
+    ({"way": [0.0, 0.01], "on": vr.CoatedPlane()}, "two rigid bodies"),
+    ({"way": [0.0, 0.01], "on": ROLLER}, "on must be a CoatedPlane or a Groove or a CoatedSphere for a CoatedSphere"),
+    ({"way": [0.0, 0.01], "load": 1e6}, "load must be small enough for the coating"),
+    ({"way": [0.0, 1e15]}, "angle must be in"),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD)
+def test_bad_input(change, message):
+    with pytest.raises(ValueError, match=message):
+        vr.roll(STEEL, **{"on": MAT, "time": [0.0, 1.0], "load": 100.0} | change)
+
+
+def test_layers_that_are_not_for_this():
+    motion = {"time": [0.0, 1.0], "angle": [0.0, 0.1], "load": 100.0}
+    unlike = vr.CoatedWheel(**TYRE | {"layers": UNLIKE})  # orders along and across are not of one k
+    with pytest.raises(ValueError, match=r"layers\[0\]\.shear_modulus must be a multiple of that of the outermost"):
+        vr.roll(unlike, **motion)
+    free = vr.CoatedWheel(**TYRE | {"sides": vr.Sides.FREE})
+    with pytest.raises(ValueError, match="sides must be ENDLESS where memory is followed in time"):
+        vr.roll(free, **motion)
