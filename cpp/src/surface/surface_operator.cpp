@@ -6,6 +6,7 @@
 #include "surface/patch_slope.hpp"
 
 namespace viscoroll::detail {
+
 Displacements SurfaceOperator::displacements(const VectorField& force) const {
   return deforming() == Deforming::counterpart ? Displacements{.rolling = {}, .counterpart = displacement(force)}
                                                : Displacements{.rolling = displacement(force), .counterpart = {}};
