@@ -157,6 +157,7 @@ StickSlip Lattice::touch_smooth(const Touch& touch, double load) {
   const Index half_nodes = pair_->half_nodes();
   const ArrayXd weights = half_weights(half_nodes);
   std::vector<StepOperator::Part> parts;
+  parts.reserve(memories_.size());
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     parts.push_back({touch.yielding.of_bodies[b] / touch.yielding.sum, &pair_->bodies[b].tables});
   }
