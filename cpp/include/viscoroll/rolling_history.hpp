@@ -2,8 +2,7 @@
 /// @brief Transient rolling of a body on a counterpart: start, stop, stand, reverse.
 ///
 /// Frame as in result.hpp: an angle that grows rolls forward, and without friction the contact goes r_o times the angle
-/// along the track. The layers of a body share one relaxation function, inertia is left out. In line contact loads,
-/// forces, torques and energies are per length.
+/// along the track. Inertia is left out. In line contact loads, forces, torques and energies are per length.
 #pragma once
 
 #include <cstdint>
@@ -113,7 +112,7 @@ class RollingHistory {
   explicit RollingHistory(const RollingBody& body, double load, Start start = Start::relaxed,
                           const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                           const Observer& observer = {});
-  /// @param[in] body what rolls: layers that share one relaxation function, with constant Poisson's ratios; or rigid
+  /// @param[in] body what rolls, with layers, of a wheel such as share one relaxation function; or rigid
   /// @param[in] on what it rolls on, likewise: one of the two deforms
   /// @param[in] load P at the first instant [N], of a roller per length, > 0
   /// @param[in] start what was before

@@ -49,7 +49,11 @@ std::vector<Eigen::Matrix3cd> line_spectrum(const HarmonicBody& body, int thread
 
 LineSum::LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads,
                  Watch& watch)
-    : bands_(std::move(bands)), spectrum_(line_spectrum(body, threads, watch)), radius_(body.radius()), mesh_(mesh) {}
+    : LineSum(std::move(bands), line_spectrum(body, threads, watch), body.radius(), mesh) {}
+
+LineSum::LineSum(std::vector<OrderBand> bands, std::vector<Eigen::Matrix3cd> spectrum, double radius,
+                 const MeshOnBody& mesh)
+    : bands_(std::move(bands)), spectrum_(std::move(spectrum)), radius_(radius), mesh_(mesh) {}
 
 std::vector<Table> LineSum::tables(const std::vector<TableRequest>& requests, int phi_reach, int /*theta_reach*/,
                                    int threads, Watch& watch) const {

@@ -23,6 +23,11 @@ class LineSum : public TableSum {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   LineSum(std::vector<OrderBand> bands, const HarmonicBody& body, const MeshOnBody& mesh, int threads, Watch& watch);
+  /// @param[in] bands of orders
+  /// @param[in] spectrum compliance of every order of all bands, in the real form of layer_system.hpp [m/Pa]
+  /// @param[in] radius that makes wave numbers orders [m]
+  /// @param[in] mesh spacing
+  LineSum(std::vector<OrderBand> bands, std::vector<Eigen::Matrix3cd> spectrum, double radius, const MeshOnBody& mesh);
 
   [[nodiscard]] std::vector<Table> tables(const std::vector<TableRequest>& requests, int phi_reach, int theta_reach,
                                           int threads, Watch& watch) const override;

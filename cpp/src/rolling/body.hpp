@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "influence/mesh_on_body.hpp"
-#include "influence/table_sum.hpp"
+#include "modal/layered_body.hpp"
 #include "rolling/contact_form.hpp"
 #include "rolling/surface_tables.hpp"
 #include "surface/curvatures.hpp"
@@ -84,8 +84,8 @@ struct Body {
   /// Its tables and what else it does as material crosses the contact. Refuses meshes and curvatures that the body
   /// knows nothing of, and critical speeds.
   std::function<BodySurface(const Crossing&)> surface;
-  /// Sums its influence tables alone, where influence is a function of offsets. Not of a rigid body.
-  std::function<std::unique_ptr<const TableSum>(const Crossing&)> table_sum;
+  /// Its layers as they are in the contact, where influence is a function of offsets alone. Not of a rigid body.
+  std::function<LayeredBody(const Crossing&)> layered;
   std::function<Profile(const SurfaceWindow&)> profile;
   /// Refuses what has no room to roll on it.
   std::function<void(const Body&)> require_room_for = [](const Body&) {};

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -35,23 +34,18 @@ void require_crossing(const Crossing& crossing) {
 }
 
 /// Under a wheel it is a tread without sides.
-LayeredBody layers_under(const ContactForm& form, const CoatedCylinder& cylinder) {
+LayeredBody layers_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
+  require_crossing(crossing);
   LayeredBody layers = layered_body(cylinder);
-  if (!form.is_line()) layers.metric.across = Way::line;
+  if (!crossing.form.is_line()) layers.metric.across = Way::line;
   return layers;
 }
 
 BodySurface surface_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
   require_crossing(crossing);
   if (cylinder.layers.empty()) return {};
-  const LayeredBody layers = layers_under(crossing.form, cylinder);
+  const LayeredBody layers = layers_of(cylinder, crossing);
   return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
-}
-
-std::unique_ptr<const TableSum> sum_of(const CoatedCylinder& cylinder, const Crossing& crossing) {
-  require_crossing(crossing);
-  const LayeredBody layers = layers_under(crossing.form, cylinder);
-  return crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
 }
 
 /// At the same arcs as the nodes of what rolls on it.
@@ -79,7 +73,7 @@ Body make_body(const CoatedCylinder& cylinder) {
           .layers = named(cylinder.layers),
           .curvatures = {.along = 1.0 / radius},
           .surface = [cylinder](const Crossing& crossing) { return surface_of(cylinder, crossing); },
-          .table_sum = [cylinder](const Crossing& crossing) { return sum_of(cylinder, crossing); },
+          .layered = [cylinder](const Crossing& crossing) { return layers_of(cylinder, crossing); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "roller",
           .counterparts = {"CoatedPlane", "CoatedCylinder", "Groove"},

@@ -1,5 +1,4 @@
 // A plane, or a groove whose layers are a plane's, under a spot or a line: theory.md sections 14 and 15.
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -18,11 +17,6 @@ BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
   if (is_rigid(plane)) return {};
   const LayeredBody layers = layered_body(plane, crossing.radius);
   return crossing.form.is_line() ? surface_under_line(layers, crossing) : surface_under_spot(layers, crossing);
-}
-
-std::unique_ptr<const TableSum> sum_of(const CoatedPlane& plane, const Crossing& crossing) {
-  const LayeredBody layers = layered_body(plane, crossing.radius);
-  return crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
 }
 
 /// @param[in] hollow_radius > 0 where the surface is hollow [m]; none: straight
@@ -57,7 +51,7 @@ Body make_body(const CoatedPlane& plane) {
           .layers = std::move(layers),
           .curvatures = {},
           .surface = [plane](const Crossing& crossing) { return surface_of(plane, crossing); },
-          .table_sum = [plane](const Crossing& crossing) { return sum_of(plane, crossing); },
+          .layered = [plane](const Crossing& crossing) { return layered_body(plane, crossing.radius); },
           .profile = circles({})};
 }
 

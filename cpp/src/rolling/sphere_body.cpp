@@ -83,10 +83,7 @@ Body make_body(const CoatedSphere& sphere) {
           .layers = named(sphere.layers),
           .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius},
           .surface = [sphere](const Crossing& crossing) { return surface_of(sphere, crossing); },
-          .table_sum =
-              [sphere](const Crossing& crossing) {
-                return sum_under_spot(layered_body(sphere, crossing.curvature), crossing);
-              },
+          .layered = [sphere](const Crossing& crossing) { return layered_body(sphere, crossing.curvature); },
           .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
           .name = "sphere",
           .counterparts = {"CoatedPlane", "Groove", "CoatedSphere"},

@@ -38,13 +38,13 @@ BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
   return surface;
 }
 
-std::unique_ptr<const TableSum> sum_of(const CoatedWheel& wheel, const Crossing& crossing) {
+LayeredBody layers_of(const CoatedWheel& wheel, const Crossing& crossing) {
   require_curvature_of_wheel(crossing.curvature);
   if (wheel.sides == Sides::free && !wheel.layers.empty()) {
     reject("sides", "ENDLESS where memory is followed in time (influence near free sides is no function of offsets)",
            "FREE");
   }
-  return sum_under_spot(layered_body(wheel), crossing);
+  return layered_body(wheel);
 }
 
 /// At the same arcs as the nodes of what rolls on it.
@@ -142,7 +142,7 @@ Body make_body(const CoatedWheel& wheel) {
           .layers = named(wheel.layers),
           .curvatures = {.along = 1.0 / outer_radius(wheel), .across = 1.0 / wheel.crown_radius},
           .surface = [wheel](const Crossing& crossing) { return surface_of(wheel, crossing); },
-          .table_sum = [wheel](const Crossing& crossing) { return sum_of(wheel, crossing); },
+          .layered = [wheel](const Crossing& crossing) { return layers_of(wheel, crossing); },
           .profile = [wheel](const SurfaceWindow& points) { return profile_of(wheel, points); },
           .width = wheel.width,
           .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },

@@ -8,25 +8,16 @@
 #include <variant>
 #include <vector>
 
-#include "validate.hpp"
+#include "transient/layer_frequencies.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-/// Frequencies at which layers are compared.
-std::vector<double> compared_frequencies(const ShearModulus& modulus, const TimeRange& range) {
-  constexpr int kCount = 25;
-  double low = 1.0 / range.longest;
-  double high = 1.0 / range.shortest;
-  if (const auto* curve = std::get_if<MasterCurve>(&modulus)) {
-    low = std::max(low, *std::ranges::find_if(curve->frequency, [](double w) { return w > 0.0; }));
-    high = std::max(std::min(high, curve->frequency.back()), low);
-  }
-  std::vector<double> frequencies;
-  frequencies.reserve(kCount);
-  for (int i = 0; i < kCount; ++i)
-    frequencies.push_back(std::min(low * std::pow(high / low, i / (kCount - 1.0)), high));
-  return frequencies;
+std::vector<Layer> layers_of(const std::vector<NamedLayer>& named) {
+  std::vector<Layer> layers;
+  layers.reserve(named.size());
+  for (const NamedLayer& one : named) layers.push_back(one.layer);
+  return layers;
 }
 
 double relaxed_modulus(const ShearModulus& modulus) { return complex_modulus(modulus, std::array{0.0}).front().real(); }
@@ -71,26 +62,32 @@ Any rested(Any any) {
 
 }  // namespace
 
-CreepSpectrum common_spectrum(const std::vector<NamedLayer>& layers, std::string_view prefix, const TimeRange& range) {
+bool creep_alike(const std::vector<NamedLayer>& layers, const TimeRange& range) {
   constexpr double kSame = 1e-6;
   const ShearModulus& outermost = layers.back().layer.shear_modulus;
-  CreepSpectrum spectrum = creep_spectrum(outermost, range);
-  for (const auto& [name, layer] : layers) {
-    const std::string place = std::string(prefix) + name + ".";
-    if (layer.bulk_modulus && spectrum.size() > 0) {
-      reject(place + "bulk_modulus",
-             "left out in transient rolling (poisson_ratio given instead): with it, creep depends on the order",
-             text(*layer.bulk_modulus) + " Pa");
-    }
-    const double apart = difference(outermost, layer.shear_modulus, compared_frequencies(outermost, range));
-    if (apart > kSame) {
-      reject(place + "shear_modulus",
-             "a multiple of that of the outermost layer in transient rolling (layers that share no relaxation function "
-             "creep differently at every order)",
-             "a modulus whose share of its value at rest differs by " + rounded(apart));
-    }
+  const std::vector<double> frequencies = compared_frequencies(layers_of(layers), range);
+  return std::ranges::all_of(layers, [&](const NamedLayer& named) {
+    const Layer& layer = named.layer;
+    const bool has_elastic_bulk = layer.bulk_modulus && !std::holds_alternative<Elastic>(layer.shear_modulus);
+    return !has_elastic_bulk && difference(outermost, layer.shear_modulus, frequencies) <= kSame;
+  });
+}
+
+std::vector<double> CreepingBody::parts_at_once() const {
+  std::vector<double> parts(tables.count(), 0.0);
+  parts.front() = spectrum.instantaneous;
+  return parts;
+}
+
+std::vector<double> CreepingBody::parts_at_rest() const { return std::vector(tables.count(), 1.0); }
+
+std::vector<double> CreepingBody::parts_after(const TimeStep& step) const {
+  if (tables.count() == 1) return {step.compliance};
+  std::vector<double> parts = parts_at_once();
+  for (std::size_t j = 0; j < step.terms.size(); ++j) {
+    parts[tables.of_term(j)] = step.terms[j].weight * step.terms[j].on_new;
   }
-  return spectrum;
+  return parts;
 }
 
 RollingBody at_rest(const RollingBody& body) { return rested(body); }

@@ -3,31 +3,34 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "rolling/body.hpp"
 #include "transient/creep_spectrum.hpp"
-#include "transient/mirrored_tables.hpp"
+#include "transient/creeping_tables.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief A body whose layers share one relaxation function, so that its displacements are those of an elastic one
-/// under loads that creep.
+/// @brief A body whose displacements are those of elastic ones under loads that creep: of one, where its layers share a
+/// relaxation function, else of one for each retardation time.
 struct CreepingBody {
   bool rolls;                        ///< it is what rolls, else what that rolls on
-  CreepSpectrum spectrum;            ///< per the compliance at rest
+  CreepSpectrum spectrum;            ///< per what its tables displace; of tables for each time all weights are 1
   std::optional<Eigen::Index> ring;  ///< rows of nodes around it; none of a track
-  MirroredTables tables;             ///< at rest
+  CreepingTables tables;
+
+  /// @return parts of a force that have yielded, for each of the tables: of one that has just come,
+  [[nodiscard]] std::vector<double> parts_at_once() const;
+  /// @return of one that has been there for ever,
+  [[nodiscard]] std::vector<double> parts_at_rest() const;
+  /// @return and of what a force changes by in a step, at its end
+  [[nodiscard]] std::vector<double> parts_after(const TimeStep& step) const;
 };
 
-/// @brief The creep spectrum that all layers of a body share.
+/// @return whether layers creep alike at every order: they share one relaxation function, and no bulk modulus
 /// @param[in] layers at least one
-/// @param[in] prefix what stands before their names in messages
-/// @param[in] range in which continuous spectra are resolved
-/// @throws std::invalid_argument where they do not, or a bulk modulus makes creep depend on the order
-[[nodiscard]] CreepSpectrum common_spectrum(const std::vector<NamedLayer>& layers, std::string_view prefix,
-                                            const TimeRange& range);
+/// @param[in] range of the times at which they are compared
+[[nodiscard]] bool creep_alike(const std::vector<NamedLayer>& layers, const TimeRange& range);
 
 /// @return what rolls, with every modulus as it is at rest, without inertia
 [[nodiscard]] RollingBody at_rest(const RollingBody& body);

@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "modal/spectrum.hpp"
+#include "rolling/line_surface.hpp"
+#include "rolling/spot_surface.hpp"
+#include "transient/weight_sums.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -16,16 +19,72 @@ namespace {
 
 using Eigen::Index;
 
-CreepSpectrum checked_spectrum(const Body& body, std::string_view prefix, const HistoryOptions& options) {
-  CreepSpectrum spectrum =
-      common_spectrum(body.layers, prefix, {.shortest = options.shortest_time, .longest = options.longest_time});
-  if (spectrum.error > options.spectrum_tolerance) {
-    reject(std::string(prefix) + body.layers.back().name + ".shear_modulus",
-           "one that discrete retardation times with weights >= 0 stand for within spectrum_tolerance = " +
-               text(options.spectrum_tolerance),
-           "one that they miss by " + rounded(spectrum.error));
+/// What layers that do not creep alike cannot be.
+void require_layer_spectrum(const Body& body, std::string_view prefix, const Metric& metric) {
+  if (metric.is_wheel()) {
+    reject(std::string(prefix) + body.layers.front().name + ".shear_modulus",
+           "a multiple of that of the outermost layer, with poisson_ratio given, in transient rolling of wheels",
+           "layers that do not creep alike");
   }
-  return spectrum;
+  for (const auto& [name, layer] : body.layers) {
+    const auto* solid = std::get_if<KelvinVoigt>(&layer.shear_modulus);
+    if (solid == nullptr || solid->viscosity == 0.0) continue;
+    reject(std::string(prefix) + name + ".shear_modulus",
+           "one that yields at once in transient rolling, where layers do not creep alike",
+           "KelvinVoigt, which does not");
+  }
+}
+
+/// Of layers that do not creep alike.
+BodySpectrum layer_spectrum(LayeredBody body, const HistoryOptions& options, const TimeRange& range) {
+  auto layers = std::make_shared<const LayerSpectrum>(std::move(body), range, options.spectrum_tolerance);
+  const auto& times = layers->retardation_times();
+  CreepSpectrum each{.weights = std::vector(times.size(), 1.0), .retardation_times = times};
+  each.error = layers->error(range);
+  return {.spectrum = std::move(each), .layers = std::move(layers)};
+}
+
+BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const Crossing& crossing,
+                              const HistoryOptions& options) {
+  const TimeRange range{.shortest = options.shortest_time, .longest = options.longest_time};
+  BodySpectrum result;
+  if (creep_alike(body.layers, range)) {
+    result.spectrum = creep_spectrum(body.layers.back().layer.shear_modulus, range);
+  } else {
+    LayeredBody layers = body.layered(crossing);
+    require_layer_spectrum(body, prefix, layers.metric);
+    result = layer_spectrum(std::move(layers), options, range);
+  }
+  if (result.spectrum.error > options.spectrum_tolerance) {
+    reject(
+        std::string(prefix) + body.layers.back().name + ".shear_modulus",
+        "one that discrete retardation times stand for within spectrum_tolerance = " + text(options.spectrum_tolerance),
+        "one that they miss by " + rounded(result.spectrum.error));
+  }
+  return result;
+}
+
+/// Tables of elastic layers at rest, or of each of their retardation times.
+CreepingTables tables_of(const BodySpectrum& spectrum, const Body& at_rest, const Crossing& crossing,
+                         const RowShape& shape) {
+  const auto& [threads, watch] = crossing.execution;
+  const bool under_line = crossing.form.is_line();
+  if (!spectrum.layers) {
+    const LayeredBody layers = at_rest.layered(crossing);
+    const auto sum = under_line ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
+    return CreepingTables({MirroredTables(*sum, shape, threads, watch)});
+  }
+  const LayerSpectrum layers = spectrum.layers->with_orders_of(at_rest.layered(crossing).metric.radius);
+  const MeshOnBody mesh = crossing.mesh_at(layers.metric().radius);
+  const auto sums =
+      under_line ? weights_under_line(layers, mesh, threads, watch) : weights_under_spot(layers, mesh, threads, watch);
+  return CreepingTables(MirroredTables::of_all(sums, shape, threads, watch));
+}
+
+/// Elastic layers without inertia have the same tables at any speed.
+Crossing crossing_at_rest(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
+  constexpr double kAnySpeed = 1.0;
+  return crossing_of(pair, kAnySpeed, *options.mesh, options.curvature, {options.threads, watch}, kInertiaTolerance);
 }
 
 /// Rows around the one of two bodies; a body that turns beside another one need not have a whole number of them, and is
@@ -67,10 +126,13 @@ bool CreepingPair::ends_at_sides() const {
   return half_nodes() == most_half_nodes() && (pair.body.form.is_line() || std::isfinite(width(pair)));
 }
 
-std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options) {
+std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
+  const Crossing crossing = crossing_at_rest(pair, options, watch);
   std::vector<BodySpectrum> spectra;
   const auto append = [&](const Body& body, bool rolls, std::string_view prefix) {
-    if (!body.is_rigid()) spectra.push_back({.rolls = rolls, .spectrum = checked_spectrum(body, prefix, options)});
+    if (body.is_rigid()) return;
+    spectra.push_back(checked_spectrum(body, prefix, crossing, options));
+    spectra.back().rolls = rolls;
   };
   append(pair.body, true, "");
   append(pair.on, false, "on.");
@@ -79,10 +141,14 @@ std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOp
 
 double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spectra) {
   double inertia = 0.0;
-  for (const auto& [rolls, spectrum] : spectra) {
-    for (const auto& [name, layer] : (rolls ? pair.body : pair.on).layers) {
-      const double relaxed = complex_modulus(layer.shear_modulus, std::array{0.0}).front().real();
-      inertia = std::max(inertia, layer.density * std::pow(pair.body.radius, 2) * spectrum.instantaneous / relaxed);
+  for (const auto& [rolls, spectrum, layered] : spectra) {
+    const auto& layers = (rolls ? pair.body : pair.on).layers;
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+      const Layer& layer = layers[l].layer;
+      const double at_once =
+          layered ? layered->moduli()[l].instantaneous()
+                  : complex_modulus(layer.shear_modulus, std::array{0.0}).front().real() / spectrum.instantaneous;
+      inertia = std::max(inertia, layer.density * std::pow(pair.body.radius, 2) / at_once);
     }
   }
   return inertia;
@@ -124,18 +190,16 @@ CreepingPair creeping_pair(const RollingPair& at_rest, const std::vector<BodySpe
                  .half_nodes = std::min(size.half_nodes, creeping.most_half_nodes()),
                  .ring = {},
                  .most = 0};
-  // Of elastic layers without inertia any speed has the same tables.
-  const Crossing crossing =
-      crossing_of(at_rest, 1.0, *options.mesh, options.curvature, {options.threads, watch}, kInertiaTolerance);
-  for (const auto& [rolls, spectrum] : spectra) {
-    const Body& body = rolls ? at_rest.body : at_rest.on;
+  const Crossing crossing = crossing_at_rest(at_rest, options, watch);
+  for (const BodySpectrum& spectrum : spectra) {
+    const Body& body = spectrum.rolls ? at_rest.body : at_rest.on;
     shape.ring = ring_of(body, creeping.nodes.grid);
     shape.most = shape.ring ? *shape.ring / 2 : size.track_reach;
-    const auto sum = body.table_sum(shape.ring ? crossing : on_track(crossing, shape.most));
-    creeping.bodies.push_back({.rolls = rolls,
-                               .spectrum = spectrum,
-                               .ring = shape.ring,
-                               .tables = MirroredTables(*sum, shape, options.threads, watch)});
+    creeping.bodies.push_back(
+        {.rolls = spectrum.rolls,
+         .spectrum = spectrum.spectrum,
+         .ring = shape.ring,
+         .tables = tables_of(spectrum, body, shape.ring ? crossing : on_track(crossing, shape.most), shape)});
   }
   return creeping;
 }

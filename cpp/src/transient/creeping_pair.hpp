@@ -2,19 +2,22 @@
 /// @brief What the lattices of a history share: two bodies on one mesh, and how each of them creeps.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "parallel.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "transient/creeping_body.hpp"
+#include "transient/layer_spectrum.hpp"
 #include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::detail {
 
 /// @brief How one of two bodies creeps.
 struct BodySpectrum {
-  bool rolls;  ///< it is what rolls, else what that rolls on
-  CreepSpectrum spectrum;
+  bool rolls = false;  ///< it is what rolls, else what that rolls on
+  CreepSpectrum spectrum = {};
+  std::shared_ptr<const LayerSpectrum> layers = nullptr;  ///< where these do not creep alike
 };
 
 /// @brief How far tables go.
@@ -46,9 +49,11 @@ struct CreepingPair {
 
 /// @brief Spectra of what deforms, that which rolls first.
 /// @param[in] pair as given
-/// @param[in] options range and tolerance of discrete spectra
+/// @param[in] options range and tolerance of discrete spectra, with a mesh
+/// @param[in] watch progress and cancellation
 /// @throws std::invalid_argument for layers that this method is not for
-[[nodiscard]] std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options);
+[[nodiscard]] std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options,
+                                                      Watch& watch);
 
 /// @return largest rho r_o^2 per modulus that yields at once, of all layers [s^2]
 /// @param[in] pair as given

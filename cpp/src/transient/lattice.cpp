@@ -23,6 +23,12 @@ constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForwar
 /// Steps in which a load rises on a coating with friction.
 constexpr int kPressingSteps = 8;
 
+/// Parts that have yielded after steps whose durations differ by the round-off of their times.
+bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kRoundOff = 1e-10;
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kRoundOff * std::abs(x); });
+}
+
 double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing; }
 
 }  // namespace
@@ -32,12 +38,21 @@ Lattice::Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Index h
   for (const CreepingBody& body : pair_->bodies) memories_.emplace_back(body);
 }
 
-Lattice::Yielding Lattice::yielding_in(const PairStep& step) const {
+/// Tables that are sums serve on while steps take as long.
+template <class Parts>
+Lattice::Yielding Lattice::yielding(const Parts& parts_in) {
+  last_.resize(pair_->bodies.size());
   Yielding yielding{.of_bodies = {}, .sum = 0.0};
-  for (const TimeStep& part : step.parts) {
-    yielding.of_bodies.push_back(part.compliance);
-    yielding.sum += part.compliance;
+  for (std::size_t b = 0; b < last_.size(); ++b) {
+    const CreepingTables& tables = pair_->bodies[b].tables;
+    std::vector<double> parts = parts_in(b);
+    if (tables.count() == 1 || !are_same(parts, last_[b].parts)) {
+      last_[b] = tables.yielding(std::move(parts));
+      if (tables.count() > 1) stiffness_ = {};
+    }
+    yielding.sum += last_[b].share;
   }
+  yielding.of_bodies = last_;
   return yielding;
 }
 
@@ -72,7 +87,7 @@ Lattice::Touch Lattice::touch(const PairStep* step, const Yielding& yielding, co
 void Lattice::require_reach(const ContactPlace& place) const {
   if (pair_->track_reach >= pair_->most_track_reach()) return;
   for (std::size_t b = 0; b < memories_.size(); ++b) {
-    const MirroredTables& tables = pair_->bodies[b].tables;
+    const CreepingTables& tables = pair_->bodies[b].tables;
     const auto alive = memories_[b].living();
     if (!alive || tables.dies_out()) continue;
     const Index farthest = std::max(place.first + place.count - 1 - alive->first, alive->last - place.first);
@@ -103,17 +118,21 @@ bool Lattice::fits(const Touch& touch, double load) {
 }
 
 void Lattice::find_displacements(Touch& touch) const {
-  if (has_friction() && !touch.contact.nodes.empty()) {
-    touch.moved.push_back(std::move(touch.contact.displacement));
+  if (has_friction() && !touch.contact.nodes.empty() && coating().count() == 1) {
+    touch.moved.push_back({std::move(touch.contact.displacement)});
     return;
   }
   const Index half_nodes = pair_->half_nodes();
   const HalfField pressing = by_components(touch.contact.force, touch.place);
   const auto& nodes = touch.contact.nodes;
   for (const CreepingBody& body : pair_->bodies) {
-    touch.moved.push_back(nodes.empty() ? HalfField::Zero(pressing.rows(), touch.place.count + 2 * body.tables.reach())
-                                        : body.tables.displacement_in_reach(pressing, nodes.front() / half_nodes,
-                                                                            nodes.back() / half_nodes));
+    touch.moved.emplace_back();
+    for (const MirroredTables& tables : body.tables.all()) {
+      touch.moved.back().push_back(
+          nodes.empty()
+              ? HalfField::Zero(pressing.rows(), touch.place.count + 2 * tables.reach())
+              : tables.displacement_in_reach(pressing, nodes.front() / half_nodes, nodes.back() / half_nodes));
+    }
   }
 }
 
@@ -130,7 +149,8 @@ StickSlip Lattice::touch_smooth(const Touch& touch, double load) {
   std::vector<StepOperator::Part> parts;
   parts.reserve(memories_.size());
   for (std::size_t b = 0; b < memories_.size(); ++b) {
-    parts.push_back({touch.yielding.of_bodies[b] / touch.yielding.sum, &pair_->bodies[b].tables});
+    const YieldingTables& body = touch.yielding.of_bodies[b];
+    parts.push_back({body.share / touch.yielding.sum, body.tables.get()});
   }
   const StepOperator surface(std::move(parts));
   ElasticContactProblem problem{.surface = surface,
@@ -175,7 +195,7 @@ StickSlip Lattice::touch_with_friction(const Touch& touch, const StepEnd& end, c
     return along(axes[axis], field).reshaped();
   };
   const StickSlipProblem problem{
-      .tables = coating(),
+      .tables = *touch.yielding.of_bodies.front().tables,
       .axes = place.axes,
       .gap = weights * place.gap + part(place.axes, kDown, known),
       .forward_way = weights * (place.nodes.x() - before.x()) - part(place.axes, kForward, known) +
@@ -201,20 +221,26 @@ void Lattice::forget_contact() {
 
 RowMemory::Load Lattice::load_of(const Touch& touch, std::size_t body) const {
   const ContactPlace& place = touch.place;
-  const MirroredTables& tables = pair_->bodies[body].tables;
+  const CreepingTables& tables = pair_->bodies[body].tables;
   const Index reach = tables.reach();
   RowMemory::Load load{.first = place.first - reach,
                        .force = HalfField::Zero(tables.height(), place.count + 2 * reach),
-                       .displacement = touch.moved[body] / touch.yielding.sum};
+                       .displacements = {}};
+  for (const HalfField& moved : touch.moved[body]) load.displacements.emplace_back(moved / touch.yielding.sum);
   load.force.middleCols(reach, place.count) = by_components(touch.contact.force, place) / touch.yielding.sum;
   return load;
 }
 
 /// All of a body's own displacement in the window.
 HalfField Lattice::deformed(const Touch& touch, std::size_t body) const {
-  const double share = touch.yielding.of_bodies[body] / touch.yielding.sum;
-  return touch.known[body] +
-         share * touch.moved[body].middleCols(pair_->bodies[body].tables.reach(), touch.place.count);
+  HalfField deformed = touch.known[body];
+  const std::vector<double>& parts = touch.yielding.of_bodies[body].parts;
+  const Index reach = pair_->bodies[body].tables.reach();
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    const double share = parts[t] / touch.yielding.sum;
+    deformed += share * touch.moved[body][t].middleCols(reach, touch.place.count);
+  }
+  return deformed;
 }
 
 void Lattice::take(const Touch& touch, const StepEnd& end) {
@@ -305,11 +331,10 @@ double Lattice::slip_work(const Touch& touch) const {
 
 void Lattice::start(Start start, const StepEnd& at, double center_speed) {
   const bool relaxed = start == Start::relaxed;
-  Yielding yielding{.of_bodies = {}, .sum = 0.0};
-  for (const CreepingBody& body : pair_->bodies) {
-    yielding.of_bodies.push_back(relaxed ? 1.0 : body.spectrum.instantaneous);
-    yielding.sum += yielding.of_bodies.back();
-  }
+  const Yielding yielding = this->yielding([&](std::size_t b) {
+    const CreepingBody& body = pair_->bodies[b];
+    return relaxed ? body.parts_at_rest() : body.parts_at_once();
+  });
   now_.angle = at.angle;
   // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
   const int count = has_friction() ? kPressingSteps : 1;
@@ -334,7 +359,8 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed) {
 void Lattice::advance(const PairStep& step, const StepEnd& end) {
   const RollingInstant before = now_;
   const double duration = step.duration;
-  const Touch contact = touch(&step, yielding_in(step), end, center_condition(*pair_, now_, duration, end));
+  const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
+  const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end));
   take(contact, end);
   if (has_friction()) move_center(pair_->mass, duration, contact.contact.way, center_acceleration_, now_);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
@@ -373,6 +399,7 @@ void Lattice::widen(std::shared_ptr<const CreepingPair> pair) {
   const Index before = pair_->half_nodes();
   pair_ = std::move(pair);
   for (std::size_t b = 0; b < memories_.size(); ++b) memories_[b] = memories_[b].widened(pair_->bodies[b].tables);
+  last_.clear();
   forget_contact();
   const Index half_nodes = pair_->half_nodes();
   VectorField wide = VectorField::Zero(half_nodes * count_, 3);
@@ -410,6 +437,7 @@ void Lattice::read(NumberReader& numbers) {
     memories_.emplace_back(body);
     memories_.back().read(numbers, body.tables);
   }
+  last_.clear();
   forget_contact();
 }
 

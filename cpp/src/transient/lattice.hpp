@@ -83,10 +83,10 @@ class Lattice {
   [[nodiscard]] ContactField field() const;
 
  private:
-  /// How much of the new forces has yielded in each body.
+  /// What the new forces displace in each body, once parts of them have yielded.
   struct Yielding {
-    std::vector<double> of_bodies;
-    double sum;
+    std::vector<YieldingTables> of_bodies;
+    double sum;  ///< of the shares of their tables
   };
 
   /// Who touches at an angle, in forces scaled by what has yielded in all bodies.
@@ -95,10 +95,13 @@ class Lattice {
     Yielding yielding;
     std::vector<HalfField> known;  ///< K h of every body
     StickSlip contact;             ///< without friction only with what presses
-    std::vector<HalfField> moved;  ///< K p' of every body, over the reach of its tables
+    /// K p' of every body's every tables, over their reach
+    std::vector<std::vector<HalfField>> moved;
   };
 
-  [[nodiscard]] Yielding yielding_in(const PairStep& step) const;
+  /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
+  template <class Parts>
+  [[nodiscard]] Yielding yielding(const Parts& parts_in);
   /// @param[in] step none for a first contact, on bodies that bear nothing else
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                             const CenterCondition& center);
@@ -124,12 +127,13 @@ class Lattice {
   void forget_contact();
   [[nodiscard]] bool has_friction() const { return pair_->friction > 0.0; }
   /// What presses between, and slides on, a rigid plane.
-  [[nodiscard]] const MirroredTables& coating() const { return pair_->bodies.front().tables; }
+  [[nodiscard]] const CreepingTables& coating() const { return pair_->bodies.front().tables; }
 
   std::shared_ptr<const CreepingPair> pair_;
   double shift_;
   Eigen::Index half_rows_;
   std::vector<RowMemory> memories_;   // of every body
+  std::vector<YieldingTables> last_;  // of every body, in the last step
   ContactInverse inverse_;            // without friction,
   ContactStiffness stiffness_;        // and with it
   VectorField force_;                 // of what is below on the window at the last angle, row by row

@@ -26,16 +26,28 @@ std::vector<TableRequest> requests(Index components) {
   return requests;
 }
 
-/// The offset beyond which no value of a table is above a share of its center.
-Index useful_reach(const Table& table) {
+/// The offset beyond which no value of some tables is above a share of the center of them all.
+Index useful_reach(const std::vector<std::vector<Table>>& tables) {
   constexpr double kNegligible = 1e-10;
-  const double center = std::abs(table(0, 0));
-  for (int j = table.phi_reach(); j > 0; --j) {
-    for (const double value : table.row(j)) {
-      if (std::abs(value) > kNegligible * center) return j;
+  std::vector<double> centers(tables.front().size());
+  for (const auto& of_sum : tables) {
+    for (std::size_t e = 0; e < centers.size(); ++e) centers[e] += of_sum[e](0, 0);
+  }
+  Index reach = 0;
+  for (const auto& of_sum : tables) {
+    for (std::size_t e = 0; e < centers.size(); ++e) {
+      const auto matters = [&](double value) { return std::abs(value) > kNegligible * std::abs(centers[e]); };
+      int j = of_sum[e].phi_reach();
+      while (j > reach && std::ranges::none_of(of_sum[e].row(j), matters)) --j;
+      reach = std::max<Index>(reach, j);
     }
   }
-  return 0;
+  return reach;
+}
+
+std::vector<Table> summed(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) {
+  const auto aside = static_cast<int>(2 * shape.half_nodes - 2);
+  return sum.tables(requests(shape.components), static_cast<int>(shape.most), aside, threads, watch);
 }
 
 }  // namespace
@@ -46,16 +58,45 @@ Eigen::ArrayXd half_weights(Index half_nodes) {
   return weights;
 }
 
-MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) : shape_(shape) {
-  const Index half_nodes = shape.half_nodes;
-  const auto aside = static_cast<int>(2 * half_nodes - 2);
-  const std::vector<Table> tables =
-      sum.tables(requests(shape.components), static_cast<int>(shape.most), aside, threads, watch);
-  for (const Table& table : tables) reach_ = std::max(reach_, useful_reach(table));
-  constexpr double kLeft = 1e-6;  // which moments do not notice
-  const Table& radial = tables.front();
-  dies_out_ = shape.ring || std::abs(radial(radial.phi_reach(), 0)) < kLeft * radial(0, 0);
+MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) {
+  const std::vector<std::vector<Table>> tables{summed(sum, shape, threads, watch)};
+  *this = MirroredTables(tables.front(), shape, extent_of(tables, shape));
+}
 
+std::vector<MirroredTables> MirroredTables::of_all(const std::vector<std::unique_ptr<const TableSum>>& sums,
+                                                   const RowShape& shape, int threads, Watch& watch) {
+  std::vector<std::vector<Table>> tables;
+  tables.reserve(sums.size());
+  for (const auto& sum : sums) tables.push_back(summed(*sum, shape, threads, watch));
+  const Extent extent = extent_of(tables, shape);
+  std::vector<MirroredTables> mirrored;
+  mirrored.reserve(sums.size());
+  for (const auto& of_sum : tables) mirrored.push_back(MirroredTables(of_sum, shape, extent));
+  return mirrored;
+}
+
+MirroredTables MirroredTables::sum_of(std::span<const MirroredTables> tables, std::span<const double> factors) {
+  MirroredTables sum = tables.front();
+  sum.ahead_ *= factors.front();
+  for (std::size_t i = 1; i < tables.size(); ++i) sum.ahead_ += factors[i] * tables[i].ahead_;
+  return sum;
+}
+
+MirroredTables::Extent MirroredTables::extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape) {
+  constexpr double kLeft = 1e-6;  // which moments do not notice
+  double center = 0.0;
+  double end = 0.0;
+  for (const auto& of_sum : tables) {
+    const Table& radial = of_sum.front();
+    center += radial(0, 0);
+    end += radial(radial.phi_reach(), 0);
+  }
+  return {.reach = useful_reach(tables), .dies_out = shape.ring || std::abs(end) < kLeft * center};
+}
+
+MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent)
+    : shape_(shape), extent_(extent) {
+  const Index half_nodes = shape.half_nodes;
   const Eigen::ArrayXd weights = half_weights(half_nodes);
   const auto fill = [&](Index p, Index q, int j, Eigen::Ref<HalfField> block) {
     const SignedEntry source = entry_of(static_cast<std::size_t>(p), static_cast<std::size_t>(q));
@@ -72,8 +113,8 @@ MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int t
       }
     }
   };
-  ahead_.resize((reach_ + 1) * height(), height());
-  for (Index j = 0; j <= reach_; ++j) {
+  ahead_.resize((extent_.reach + 1) * height(), height());
+  for (Index j = 0; j <= extent_.reach; ++j) {
     for (Index p = 0; p < components(); ++p) {
       for (Index q = 0; q < components(); ++q)
         fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
@@ -84,7 +125,7 @@ MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int t
 Eigen::Matrix3d MirroredTables::influence(Index displaced, Index loaded) const {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   const Index offset = displaced / half_nodes() - loaded / half_nodes();
-  if (std::abs(offset) > reach_) return matrix;
+  if (std::abs(offset) > extent_.reach) return matrix;
   const double* const first = &ahead_(std::abs(offset) * height() + displaced % half_nodes(), loaded % half_nodes());
   for (Index q = 0; q < components(); ++q) {
     for (Index p = 0; p < components(); ++p) {
@@ -120,7 +161,7 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
     for (Index j = 0; j < count; ++j) {
       const auto column = ahead_.col(numbers[j] - row[j] * half_nodes());
       for (Index i = j; i < count; ++i)
-        matrix(i, j) = row[i] - row[j] > reach_ ? 0.0 : column[place[i] - row[j] * height()];
+        matrix(i, j) = row[i] - row[j] > extent_.reach ? 0.0 : column[place[i] - row[j] * height()];
     }
     return matrix;
   }
@@ -184,13 +225,13 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
 
 HalfField MirroredTables::displacement(const HalfField& loads, Index first, Index last) const {
   HalfField result = HalfField::Zero(height(), loads.cols());
-  add(loads, first, last, 0, std::min(reach_, std::max(last, loads.cols() - 1 - first)), result);
+  add(loads, first, last, 0, std::min(extent_.reach, std::max(last, loads.cols() - 1 - first)), result);
   return result;
 }
 
 HalfField MirroredTables::displacement_in_reach(const HalfField& loads, Index first, Index last) const {
-  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * reach_);
-  add(loads, first, last, reach_, reach_, result);
+  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * extent_.reach);
+  add(loads, first, last, extent_.reach, extent_.reach, result);
   return result;
 }
 

@@ -8,7 +8,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "influence/table_sum.hpp"
@@ -41,15 +43,23 @@ class MirroredTables {
   /// @param[in] watch progress and cancellation
   MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch);
 
+  /// @brief Those of several sums, which reach equally far: to ten digits of the center of them all.
+  [[nodiscard]] static std::vector<MirroredTables> of_all(const std::vector<std::unique_ptr<const TableSum>>& sums,
+                                                          const RowShape& shape, int threads, Watch& watch);
+  /// @brief The sum of tables of one shape and reach, each times a factor.
+  /// @param[in] tables at least one
+  /// @param[in] factors one for each
+  [[nodiscard]] static MirroredTables sum_of(std::span<const MirroredTables> tables, std::span<const double> factors);
+
   [[nodiscard]] Eigen::Index components() const { return shape_.components; }
   [[nodiscard]] Eigen::Index half_nodes() const { return shape_.half_nodes; }
   /// @return numbers in a column of a field
   [[nodiscard]] Eigen::Index height() const { return components() * half_nodes(); }
   /// @return offset along phi beyond which nothing is displaced, to ten digits of the table's center
-  [[nodiscard]] Eigen::Index reach() const { return reach_; }
+  [[nodiscard]] Eigen::Index reach() const { return extent_.reach; }
 
   /// @return whether what lies beyond is not displaced, rather than out of the tables
-  [[nodiscard]] bool dies_out() const { return dies_out_; }
+  [[nodiscard]] bool dies_out() const { return extent_.dies_out; }
 
   /// @return displacement of a node in the middle by a unit force on it, along r [m/N]
   [[nodiscard]] double own_compliance() const { return ahead_(0, 0); }
@@ -77,14 +87,21 @@ class MirroredTables {
   [[nodiscard]] HalfField displacement_in_reach(const HalfField& loads, Eigen::Index first, Eigen::Index last) const;
 
  private:
+  struct Extent {
+    Eigen::Index reach = 0;
+    bool dies_out = true;
+  };
+  /// @param[in] tables of every sum
+  [[nodiscard]] static Extent extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape);
+  MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent);
+
   /// The influence of one node on another, by components.
   [[nodiscard]] Eigen::Matrix3d influence(Eigen::Index displaced, Eigen::Index loaded) const;
   void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, Eigen::Index shift, Eigen::Index reach,
            HalfField& result) const;
 
   RowShape shape_;
-  Eigen::Index reach_ = 0;
-  bool dies_out_ = true;
+  Extent extent_;
   HalfField ahead_;  // influence of a row on those 0, 1, ... rows ahead, one below the other; behind, phi is reversed
 };
 

@@ -324,13 +324,13 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, d
   Impl& impl = *impl_;
   impl.options = options;
   impl.at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
-  impl.spectra = detail::creep_spectra(given, options);
+  const detail::ContactReach contact = detail::estimate_contact(impl.at_rest, 1.0, load);
+  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(given.body.radius, contact.along, given.body.form.is_line());
+  impl.spectra = detail::creep_spectra(given, impl.options, watch);
   impl.inertia = detail::inertia_of(given, impl.spectra);
   if (start == Start::fresh && impl.instantaneous() == 0.0) {
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
-  const detail::ContactReach contact = detail::estimate_contact(impl.at_rest, 1.0, load);
-  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(given.body.radius, contact.along, given.body.form.is_line());
   const detail::Nodes nodes = detail::nodes_of(impl.at_rest, *impl.options.mesh);
   impl.pair = impl.with(detail::first_size(impl.at_rest, *impl.options.mesh, contact), watch);
   const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;

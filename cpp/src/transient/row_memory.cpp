@@ -15,20 +15,32 @@ constexpr double kNever = std::numeric_limits<double>::max();
 
 double inner(const HalfField& a, const HalfField& b) { return a.cwiseProduct(b).sum(); }
 
+/// What each retardation time of a body displaces in the end, where the force is.
+std::vector<double> sizes_of(const CreepingBody& body) {
+  std::vector<double> sizes;
+  sizes.reserve(body.spectrum.size());
+  for (std::size_t j = 0; j < body.spectrum.size(); ++j) {
+    sizes.push_back(body.spectrum.weights[j] * std::abs(body.tables.all()[body.tables.of_term(j)].own_compliance()));
+  }
+  return sizes;
+}
+
 /// When the share of what is retarded that is left has fallen to a millionth, about what a table's far end is cut at.
-double fading_time(const CreepSpectrum& spectrum) {
+double fading_time(const CreepingBody& body) {
   constexpr double kForgotten = 1e-6;
+  const CreepSpectrum& spectrum = body.spectrum;
   if (spectrum.size() == 0) return 0.0;
+  const std::vector<double> sizes = sizes_of(body);
   double all = 0.0;
   double longest = 0.0;
   for (std::size_t j = 0; j < spectrum.size(); ++j) {
-    all += spectrum.weights[j];
+    all += sizes[j];
     longest = std::max(longest, spectrum.retardation_times[j]);
   }
   const auto left = [&](double time) {
     double sum = 0.0;
     for (std::size_t j = 0; j < spectrum.size(); ++j) {
-      sum += spectrum.weights[j] / all * std::exp(-time / spectrum.retardation_times[j]);
+      sum += sizes[j] / all * std::exp(-time / spectrum.retardation_times[j]);
     }
     return sum;
   };
@@ -47,11 +59,11 @@ RowMemory::RowMemory(const CreepingBody& body)
     : ring_(body.ring),
       instantaneous_(body.spectrum.instantaneous),
       weights_(body.spectrum.weights),
-      fading_(fading_time(body.spectrum)),
+      fading_(fading_time(body)),
       reach_(body.tables.reach()) {
   const HalfField zero = HalfField::Zero(body.tables.height(), ring_.value_or(0));
-  now_ = {zero, zero};
-  retarded_.assign(body.spectrum.size(), now_);
+  now_ = {.force = zero, .displacements = std::vector(body.tables.count(), zero)};
+  retarded_.assign(body.spectrum.size(), {.force = zero, .displacement = zero});
 }
 
 std::optional<Index> RowMemory::column(Index row) const {
@@ -84,7 +96,7 @@ void RowMemory::keep(Index first, Index count) {
     moved(retarded.displacement);
   }
   moved(now_.force);
-  moved(now_.displacement);
+  for (HalfField& displacement : now_.displacements) moved(displacement);
   first_ += first;
 }
 
@@ -121,66 +133,75 @@ double RowMemory::forget(const Load& load) {
 }
 
 double RowMemory::stored_in(Index column) const {
-  double stored = 0.5 * instantaneous_ * now_.force.col(column).dot(now_.displacement.col(column));
+  double stored = 0.5 * instantaneous_ * now_.force.col(column).dot(now_.displacements.front().col(column));
   for (std::size_t j = 0; j < retarded_.size(); ++j) {
     stored += 0.5 * weights_[j] * retarded_[j].force.col(column).dot(retarded_[j].displacement.col(column));
   }
   return stored;
 }
 
-void RowMemory::set(const Load& load, Retarded& field) const {
-  field.force = HalfField::Zero(load.force.rows(), rows());
-  field.displacement = field.force;
+HalfField RowMemory::spread(Index first, const HalfField& field) const {
+  HalfField all = HalfField::Zero(field.rows(), rows());
   // Rows within reach may go around a ring more than once.
-  for (Index i = 0; i < load.force.cols(); ++i) {
-    const auto place = column(load.first + i);
-    if (!place) continue;
-    field.force.col(*place) += load.force.col(i);
-    field.displacement.col(*place) += load.displacement.col(i);
+  for (Index i = 0; i < field.cols(); ++i) {
+    if (const auto place = column(first + i)) all.col(*place) += field.col(i);
   }
+  return all;
+}
+
+RowMemory::Borne RowMemory::spread(const Load& load) const {
+  Borne borne{.force = spread(load.first, load.force), .displacements = {}};
+  for (const HalfField& field : load.displacements) borne.displacements.push_back(spread(load.first, field));
+  return borne;
 }
 
 void RowMemory::relax(const Load& load) {
   cover(load.first, load.force.cols());
   age(0.0, load);
-  set(load, now_);
-  std::ranges::fill(retarded_, now_);
+  now_ = spread(load);
+  for (std::size_t j = 0; j < retarded_.size(); ++j) {
+    retarded_[j] = {.force = now_.force, .displacement = now_.displacements[table_of(j)]};
+  }
   find_stored_energy();
 }
 
 void RowMemory::press(const Load& load) {
   cover(load.first, load.force.cols());
   age(0.0, load);
-  set(load, now_);
+  now_ = spread(load);
   find_stored_energy();
 }
 
 double RowMemory::advance(const TimeStep& step, double duration, const Load& load) {
   cover(load.first, load.force.cols());
-  Retarded next;
-  set(load, next);
+  Borne next = spread(load);
   const HalfField change = next.force - now_.force;
-  const HalfField change_displacement = next.displacement - now_.displacement;
-  const double changed = inner(change, change_displacement);
+  std::vector<double> changed;
+  changed.reserve(next.displacements.size());
+  for (std::size_t t = 0; t < next.displacements.size(); ++t) {
+    changed.push_back(inner(change, next.displacements[t] - now_.displacements[t]));
+  }
   double lost = 0.0;
-  stored_ = 0.5 * instantaneous_ * inner(next.force, next.displacement);
+  stored_ = 0.5 * instantaneous_ * inner(next.force, next.displacements.front());
   for (std::size_t j = 0; j < retarded_.size(); ++j) {
     const TimeStep::Term& term = step.terms[j];
+    const HalfField& old_displacement = now_.displacements[table_of(j)];
+    const HalfField& new_displacement = next.displacements[table_of(j)];
     auto& [force, displacement] = retarded_[j];
     double mixed = 0.0;
     double state = 0.0;
     double stored = 0.0;
     for (Index row = 0; row < rows(); ++row) {
-      const auto behind = (now_.displacement.col(row) - displacement.col(row)).eval();
+      const auto behind = (old_displacement.col(row) - displacement.col(row)).eval();
       mixed += change.col(row).dot(behind);
       state += (now_.force.col(row) - force.col(row)).dot(behind);
       force.col(row) =
           term.decay * force.col(row) + term.on_old * now_.force.col(row) + term.on_new * next.force.col(row);
-      displacement.col(row) = term.decay * displacement.col(row) + term.on_old * now_.displacement.col(row) +
-                              term.on_new * next.displacement.col(row);
+      displacement.col(row) = term.decay * displacement.col(row) + term.on_old * old_displacement.col(row) +
+                              term.on_new * new_displacement.col(row);
       stored += force.col(row).dot(displacement.col(row));
     }
-    lost += term.lost_change * changed + term.lost_mixed * mixed + term.lost_state * state;
+    lost += term.lost_change * changed[table_of(j)] + term.lost_mixed * mixed + term.lost_state * state;
     stored_ += 0.5 * term.weight * stored;
   }
   now_ = std::move(next);
@@ -190,12 +211,16 @@ double RowMemory::advance(const TimeStep& step, double duration, const Load& loa
 
 HalfField RowMemory::known_displacement(const TimeStep& step, Index first, Index count) const {
   HalfField known = HalfField::Zero(now_.force.rows(), count);
-  double on_old = 0.0;
-  for (const TimeStep::Term& term : step.terms) on_old += term.weight * term.on_old;
+  std::vector<double> on_old(now_.displacements.size(), 0.0);
+  for (std::size_t j = 0; j < step.terms.size(); ++j) {
+    on_old[table_of(j)] += step.terms[j].weight * step.terms[j].on_old;
+  }
   for (Index i = 0; i < count; ++i) {
     const auto place = column(first + i);
     if (!place) continue;
-    known.col(i) = on_old * now_.displacement.col(*place);
+    for (std::size_t t = 0; t < on_old.size(); ++t) {
+      if (on_old[t] != 0.0) known.col(i) += on_old[t] * now_.displacements[t].col(*place);
+    }
     for (std::size_t j = 0; j < retarded_.size(); ++j) {
       known.col(i) += step.terms[j].weight * step.terms[j].decay * retarded_[j].displacement.col(*place);
     }
@@ -208,7 +233,7 @@ HalfField RowMemory::displacement(Index first, Index count) const {
   for (Index i = 0; i < count; ++i) {
     const auto place = column(first + i);
     if (!place) continue;
-    field.col(i) = instantaneous_ * now_.displacement.col(*place);
+    field.col(i) = instantaneous_ * now_.displacements.front().col(*place);
     for (std::size_t j = 0; j < retarded_.size(); ++j) {
       field.col(i) += weights_[j] * retarded_[j].displacement.col(*place);
     }
@@ -216,15 +241,16 @@ HalfField RowMemory::displacement(Index first, Index count) const {
   return field;
 }
 
-RowMemory::Retarded RowMemory::displaced(const HalfField& force, const MirroredTables& tables) const {
-  const Index reach = tables.reach();
-  Load load{.first = first_ - reach,
-            .force = HalfField::Zero(tables.height(), rows() + 2 * reach),
-            .displacement = tables.displacement_in_reach(force, 0, rows() - 1)};
-  load.force.middleCols(reach, rows()) = force;
-  Retarded result;
-  set(load, result);
-  return result;
+HalfField RowMemory::displaced(const HalfField& force, const MirroredTables& tables) const {
+  return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1));
+}
+
+void RowMemory::displace(const CreepingTables& tables) {
+  for (std::size_t t = 0; t < tables.count(); ++t) now_.displacements[t] = displaced(now_.force, tables.all()[t]);
+  for (std::size_t j = 0; j < retarded_.size(); ++j) {
+    retarded_[j].displacement = displaced(retarded_[j].force, tables.all()[tables.of_term(j)]);
+  }
+  find_stored_energy();
 }
 
 void RowMemory::write(NumberWriter& numbers) const {
@@ -234,24 +260,23 @@ void RowMemory::write(NumberWriter& numbers) const {
   for (const Retarded& retarded : retarded_) numbers.put(retarded.force);
 }
 
-void RowMemory::read(NumberReader& numbers, const MirroredTables& tables) {
+void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
   first_ = numbers.row();
   idle_ = numbers.matrix().reshaped();
   const Index expected = ring_ ? *ring_ : idle_.size();
-  now_.force = HalfField::Zero(tables.height(), expected);
-  const auto field = [&] {
-    const HalfField force = numbers.matrix();
-    if (force.rows() != tables.height() || force.cols() != expected) {
+  const auto force = [&] {
+    HalfField field = numbers.matrix();
+    if (field.rows() != tables.height() || field.cols() != expected) {
       reject("start", "a state of the same mesh", "one of another mesh");
     }
-    return displaced(force, tables);
+    return field;
   };
-  now_ = field();
-  for (Retarded& retarded : retarded_) retarded = field();
-  find_stored_energy();
+  now_.force = force();
+  for (Retarded& retarded : retarded_) retarded.force = force();
+  displace(tables);
 }
 
-RowMemory RowMemory::widened(const MirroredTables& tables) const {
+RowMemory RowMemory::widened(const CreepingTables& tables) const {
   RowMemory wide(*this);
   wide.reach_ = tables.reach();
   // What is displaced from farther away, now that tables tell, was not kept yet.
@@ -260,21 +285,21 @@ RowMemory RowMemory::widened(const MirroredTables& tables) const {
   }
   const Index components = tables.components();
   const Index before = now_.force.rows() / components;
-  const auto widen = [&](Retarded& field) {
-    HalfField force = HalfField::Zero(tables.height(), wide.rows());
+  const auto widen = [&](HalfField& force) {
+    HalfField more = HalfField::Zero(tables.height(), wide.rows());
     for (Index component = 0; component < components; ++component) {
-      force.middleRows(component * tables.half_nodes(), before) = field.force.middleRows(component * before, before);
+      more.middleRows(component * tables.half_nodes(), before) = force.middleRows(component * before, before);
     }
-    field = wide.displaced(force, tables);
+    force = std::move(more);
   };
-  widen(wide.now_);
-  for (Retarded& retarded : wide.retarded_) widen(retarded);
-  wide.find_stored_energy();
+  widen(wide.now_.force);
+  for (Retarded& retarded : wide.retarded_) widen(retarded.force);
+  wide.displace(tables);
   return wide;
 }
 
 void RowMemory::find_stored_energy() {
-  stored_ = 0.5 * instantaneous_ * inner(now_.force, now_.displacement);
+  stored_ = 0.5 * instantaneous_ * inner(now_.force, now_.displacements.front());
   for (std::size_t j = 0; j < retarded_.size(); ++j) {
     stored_ += 0.5 * weights_[j] * inner(retarded_[j].force, retarded_[j].displacement);
   }

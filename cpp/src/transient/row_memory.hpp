@@ -13,7 +13,8 @@
 namespace viscoroll::detail {
 
 /// @brief Memory of a body's nodes, which never move through the rows. With each retarded force a_j its displacement
-/// K a_j is kept, which follows the same equation: a step needs one product, K F, and energies are sums.
+/// K_j a_j is kept, which follows the same equation: a step needs one product for each of the body's tables, K_j F, and
+/// energies are sums.
 ///
 /// Rows have numbers of either sign. Around a ring those that lie whole turns apart are one row. Along a track a row
 /// lives until all but a millionth of what is retarded has crept back there; what is out of the reach of living rows is
@@ -23,11 +24,11 @@ class RowMemory {
   /// @param[in] body whose tables, spectrum and ring it has
   explicit RowMemory(const CreepingBody& body);
 
-  /// @brief Forces and their displacements, on consecutive rows.
+  /// @brief Forces and their displacements by each of the body's tables, on consecutive rows.
   struct Load {
     Eigen::Index first;
     HalfField force;
-    HalfField displacement;
+    std::vector<HalfField> displacements;
   };
 
   /// @brief The body has borne a load for ever.
@@ -41,13 +42,13 @@ class RowMemory {
   /// @return energy that the body lost in it, what was forgotten among it [J]
   double advance(const TimeStep& step, double duration, const Load& load);
 
-  /// @return K h on some rows: the displacement at the end of a step that does not come from its new forces
+  /// @return sum J_j K_j h_j on some rows: the displacement at the end of a step that does not come from its new forces
   [[nodiscard]] HalfField known_displacement(const TimeStep& step, Eigen::Index first, Eigen::Index count) const;
 
-  /// @return K v on some rows: all of the displacement of now
+  /// @return K_0 F + sum J_j K_j a_j on some rows: all of the displacement of now
   [[nodiscard]] HalfField displacement(Eigen::Index first, Eigen::Index count) const;
 
-  /// @return F.K F J_0 / 2 + sum J_j a_j.K a_j / 2 [J]
+  /// @return J_0 F.K_0 F / 2 + sum J_j a_j.K_j a_j / 2 [J]
   [[nodiscard]] double stored_energy() const { return stored_; }
   /// @return rows that are kept
   [[nodiscard]] Eigen::Index rows() const { return now_.force.cols(); }
@@ -62,16 +63,23 @@ class RowMemory {
 
   void write(NumberWriter& numbers) const;
   /// @brief Take over what another memory of the same shape has written.
-  void read(NumberReader& numbers, const MirroredTables& tables);
+  void read(NumberReader& numbers, const CreepingTables& tables);
 
   /// @return the same memory on tables with more nodes aside
-  [[nodiscard]] RowMemory widened(const MirroredTables& tables) const;
+  [[nodiscard]] RowMemory widened(const CreepingTables& tables) const;
 
  private:
+  struct Borne {
+    HalfField force;
+    std::vector<HalfField> displacements;  // by each of the tables
+  };
   struct Retarded {
     HalfField force;
     HalfField displacement;
   };
+
+  /// @return number of the tables of a retardation time
+  [[nodiscard]] std::size_t table_of(std::size_t term) const { return now_.displacements.size() == 1 ? 0 : term + 1; }
 
   /// @return the column of a row; none where nothing is kept of it
   [[nodiscard]] std::optional<Eigen::Index> column(Eigen::Index row) const;
@@ -85,9 +93,13 @@ class RowMemory {
   /// @return energy that they had stored [J]
   double forget(const Load& load);
   [[nodiscard]] double stored_in(Eigen::Index column) const;
-  void set(const Load& load, Retarded& field) const;
-  /// @return forces on all rows with their displacements
-  [[nodiscard]] Retarded displaced(const HalfField& force, const MirroredTables& tables) const;
+  /// @return a field of a load's rows on all rows
+  [[nodiscard]] HalfField spread(Eigen::Index first, const HalfField& field) const;
+  [[nodiscard]] Borne spread(const Load& load) const;
+  /// @return displacement of all rows by forces on all rows
+  [[nodiscard]] HalfField displaced(const HalfField& force, const MirroredTables& tables) const;
+  /// Find all displacements from the forces.
+  void displace(const CreepingTables& tables);
   void find_stored_energy();
 
   std::optional<Eigen::Index> ring_;
@@ -96,7 +108,7 @@ class RowMemory {
   double fading_;                   // time in which all but a millionth of what is retarded has crept back [s]
   Eigen::Index reach_;              // of the tables [rows]
   Eigen::Index first_ = 0;          // row of the first column
-  Retarded now_;                    // F and K F
+  Borne now_;                       // F and K_j F
   std::vector<Retarded> retarded_;  // of every retardation time
   Eigen::ArrayXd idle_;             // time since each row of a track bore a load [s]
   double stored_ = 0.0;

@@ -67,7 +67,8 @@ class HistoryOptions:
         Steps of time while the body turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: one
         step to each knot, and to the end of each `advance`.
     spectrum_tolerance : float, default 0.01
-        Largest relative error with which discrete retardation times may stand for the compliance [-].
+        Largest relative error with which discrete retardation times may stand for the compliance [-]. Of layers that
+        share no relaxation function, it decides how many times are followed, and so what a step costs.
     threads : int, default 0
         Number of threads; 0 for all cores.
     """

@@ -17,6 +17,14 @@ ROLLER = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)
 TYRE = {"core_radius": 50e-3, "layers": ROLLER.layers, "width": 30e-3, "sides": vr.Sides.ENDLESS}
 WHEEL = vr.CoatedWheel(**TYRE, crown_radius=0.1)
 THICK_MAT = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=5e-3)])
+UNLIKE = [one_layer(SOFTER, thickness=0.5e-3), one_layer(thickness=0.5e-3)]
+UNLIKE_MAT = vr.CoatedPlane(layers=UNLIKE)
+EARTH = vr.HalfSpace(
+    shear_modulus=vr.StandardLinearSolid(instantaneous_modulus=2e7, relaxed_modulus=1e7, relaxation_time=0.05),
+    poisson_ratio=0.4,
+)
+#: Of a bulk modulus, over an elastic one.
+THICK = [one_layer(vr.Elastic(modulus=3e6), thickness=4e-3), one_layer(thickness=6e-3, bulk_modulus=2e7)]
 
 #: What rolls, on what, under which load [N or N/m], on how many nodes a revolution for a steady state within 0.2 %.
 PAIRS = {
@@ -30,6 +38,10 @@ PAIRS = {
         ROLLER, vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers), 5e3, 800,
     ),
     "soft roller in ring": (ROLLER, vr.Groove(path_radius=0.2, layers=THICK_MAT.layers), 5e3, 800),
+    "ball on unlike layers": (STEEL, UNLIKE_MAT, 100.0, 300),
+    "ball of unlike layers": (vr.CoatedSphere(core_radius=20e-3, layers=UNLIKE), None, 100.0, 400),
+    "ball on layers on a half-space": (STEEL, vr.CoatedPlane(layers=UNLIKE, base=EARTH), 100.0, 300),
+    "roller of unlike layers": (vr.CoatedCylinder(core_radius=50e-3, layers=THICK), UNLIKE_MAT, 5e3, 800),
     "wheel": (WHEEL, None, 300.0, 300),
     "wheel on mat": (WHEEL, THICK_MAT, 300.0, 300),
     "wheel on wheel": (WHEEL, vr.CoatedWheel(**TYRE, crown_radius=0.2), 300.0, 300),
@@ -183,12 +195,9 @@ def test_bad_input(change, message):
 
 def test_layers_that_are_not_for_this():
     motion = {"time": [0.0, 1.0], "angle": [0.0, 0.1], "load": 100.0}
-    unlike = vr.CoatedPlane(layers=[one_layer(SOFTER), one_layer()])
-    with pytest.raises(ValueError, match=r"on\.layers\[0\]\.shear_modulus must be a multiple of that of the outermost"):
-        vr.roll(STEEL, on=unlike, **motion)
-    base = vr.HalfSpace(shear_modulus=SOFTER, poisson_ratio=0.5)
-    with pytest.raises(ValueError, match=r"on\.base\.shear_modulus must be a multiple"):
-        vr.roll(STEEL, on=vr.CoatedPlane(layers=MAT.layers, base=base), **motion)
+    unlike = vr.CoatedWheel(**TYRE | {"layers": UNLIKE})  # orders along and across are not of one k
+    with pytest.raises(ValueError, match=r"layers\[0\]\.shear_modulus must be a multiple of that of the outermost"):
+        vr.roll(unlike, **motion)
     free = vr.CoatedWheel(**TYRE | {"sides": vr.Sides.FREE})
     with pytest.raises(ValueError, match="sides must be ENDLESS where memory is followed in time"):
         vr.roll(free, **motion)

@@ -1,0 +1,112 @@
+#include "transient/common_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using std::numbers::pi;
+
+/// Times of the intervals at which errors are looked at, closest at the intervals' ends, as extrema of such products.
+Eigen::ArrayXd sampled(std::span<const TimeRange> intervals) {
+  constexpr double kFewest = 64.0;  // per interval
+  constexpr double kPerEFold = 64.0;
+  std::vector<double> times;
+  for (const auto& [shortest, longest] : intervals) {
+    const double width = std::log(longest / shortest);
+    const int count = width > 0.0 ? static_cast<int>(std::max(kFewest, kPerEFold * width)) : 0;
+    for (int i = 0; i <= count; ++i) {
+      const double share = count > 0 ? 0.5 - 0.5 * std::cos(pi * i / count) : 0.0;
+      times.push_back(i == count ? longest : shortest * std::exp(share * width));
+    }
+  }
+  return Eigen::Map<const Eigen::ArrayXd>(times.data(), static_cast<Eigen::Index>(times.size()));
+}
+
+/// How well a list of times stands for others: 0 at its own.
+class Misfit {
+ public:
+  Misfit(Eigen::ArrayXd times, double longest) : times_(std::move(times)), values_(1.0 - times_ / longest) {}
+
+  void add(double time) { values_ *= ((times_ - time) / (times_ + time)).abs(); }
+
+  struct Largest {
+    double time;
+    double value;
+  };
+  [[nodiscard]] Largest largest() const {
+    Eigen::Index at = 0;
+    const double value = times_.size() > 0 ? values_.maxCoeff(&at) : 0.0;
+    return {.time = times_.size() > 0 ? times_[at] : 0.0, .value = value};
+  }
+
+ private:
+  Eigen::ArrayXd times_;
+  Eigen::ArrayXd values_;
+};
+
+}  // namespace
+
+std::vector<double> common_times(std::span<const TimeRange> intervals, std::span<const double> exact,
+                                 double tolerance) {
+  constexpr double kAsGoodAsExact = 1e-6;  // nearer ones would weigh against each other
+  std::vector<double> times{intervals.back().longest};
+  Misfit anywhere(sampled(intervals), times.front());
+  Misfit of_exact(Eigen::Map<const Eigen::ArrayXd>(exact.data(), static_cast<Eigen::Index>(exact.size())),
+                  times.front());
+  const auto add_until = [&](const Misfit& misfit, double limit) {
+    for (auto worst = misfit.largest(); worst.value > limit; worst = misfit.largest()) {
+      times.push_back(worst.time);
+      anywhere.add(worst.time);
+      of_exact.add(worst.time);
+    }
+  };
+  add_until(of_exact, kAsGoodAsExact);
+  // Of terms that lag by less than a quarter of a turn, as all these do, the sum is at least 1/sqrt(2) of the sum of
+  // their moduli.
+  add_until(anywhere, tolerance / std::numbers::sqrt2);
+  std::ranges::sort(times);
+  return times;
+}
+
+Eigen::VectorXcd shares(std::span<const double> times, const cplx& lambda) {
+  const double longest = times.back();
+  Eigen::VectorXcd shares(static_cast<Eigen::Index>(times.size()));
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    const double own = times[j];
+    cplx share = own == longest ? 1.0 : (longest - lambda) / (longest - own) * (2.0 * own) / (lambda + own);
+    for (const double other : times.first(times.size() - 1)) {
+      if (other != own) share *= (lambda - other) / (lambda + other) * ((own + other) / (own - other));
+    }
+    shares[static_cast<Eigen::Index>(j)] = share;
+  }
+  return shares;
+}
+
+Contour contour_around(std::span<const TimeRange> intervals) {
+  // The shares grow with the angle of lambda up to a quarter of a turn, and have their poles at half of one; a third
+  // of that takes few points, and costs few digits.
+  constexpr double kHeight = pi / 3.0;
+  constexpr double kDigits = 40.0;  // -ln of what the rule leaves
+  const double half_width = 0.5 * std::log(intervals.back().longest / intervals.front().shortest);
+  const cplx center = 0.5 * std::log(intervals.back().longest * intervals.front().shortest);
+  const double half_length = std::hypot(half_width, kHeight);
+  const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : kDigits;
+  constexpr double kFewest = 16.0;  // for the poles outside, three times as far from a single time as the contour is
+  const int count = static_cast<int>(std::ceil(std::max(0.5 * kDigits / decay, kFewest)));
+  Contour contour;
+  for (int q = 0; q < count; ++q) {
+    const double angle = pi * (q + 0.5) / count;  // the lower half is the conjugate of the upper one
+    const cplx place(half_length * std::cos(angle), kHeight * std::sin(angle));
+    const cplx step(-half_length * std::sin(angle), kHeight * std::cos(angle));
+    contour.times.push_back(std::exp(center + place));
+    contour.weights.push_back(step / cplx(0.0, count));
+  }
+  return contour;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,61 @@
+#include "transient/creeping_modulus.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace viscoroll::detail {
+namespace {
+
+/// A fit whose shortest time, far below all that is asked for, stands for what yields at once.
+CreepSpectrum yielding_at_once(CreepSpectrum creep) {
+  if (creep.instantaneous > 0.0) return creep;
+  creep.instantaneous = creep.weights.front();
+  creep.weights.erase(creep.weights.begin());
+  creep.retardation_times.erase(creep.retardation_times.begin());
+  return creep;
+}
+
+}  // namespace
+
+std::complex<double> CreepingModulus::at_frequency(double omega) const {
+  std::complex<double> yielded = creep.instantaneous;
+  for (std::size_t j = 0; j < creep.size(); ++j) {
+    yielded += creep.weights[j] / std::complex<double>(1.0, omega * creep.retardation_times[j]);
+  }
+  return relaxed / yielded;
+}
+
+std::vector<CreepingModulus> creeping_moduli(const std::vector<Layer>& layers, const TimeRange& range) {
+  std::vector<CreepingModulus> moduli;
+  moduli.reserve(layers.size());
+  for (const Layer& layer : layers) {
+    const ShearModulus& modulus = layer.shear_modulus;
+    moduli.push_back({.relaxed = complex_modulus(modulus, std::array{0.0}).front().real(),
+                      .creep = yielding_at_once(creep_spectrum(modulus, range))});
+  }
+  return moduli;
+}
+
+std::vector<double> relaxation_times(const CreepSpectrum& creep) {
+  // Between its poles the compliance falls from infinity above one retardation time to minus infinity below the next.
+  const CreepingModulus modulus{.relaxed = 1.0, .creep = creep};
+  std::vector<double> times;
+  times.reserve(creep.size());
+  for (std::size_t j = 0; j < creep.size(); ++j) {
+    const double retardation = creep.retardation_times[j];
+    // Below the shortest time the compliance is positive where time / (retardation - time) < J_0.
+    double below =
+        j > 0 ? creep.retardation_times[j - 1] : retardation * creep.instantaneous / (1.0 + creep.instantaneous);
+    double above = retardation;
+    for (;;) {
+      const double middle = std::sqrt(below * above);
+      if (middle <= below || middle >= above) break;
+      (modulus.at(middle) > 0.0 ? below : above) = middle;
+    }
+    times.push_back(above);
+  }
+  return times;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,20 @@
+#include "transient/creeping_tables.hpp"
+
+namespace viscoroll::detail {
+
+double CreepingTables::own_compliance() const {
+  double sum = 0.0;
+  for (const MirroredTables& tables : *tables_) sum += tables.own_compliance();
+  return sum;
+}
+
+YieldingTables CreepingTables::yielding(std::vector<double> parts) const {
+  if (count() == 1) {
+    const double share = parts.front();
+    return {.parts = std::move(parts), .share = share, .tables = {tables_, &tables_->front()}};
+  }
+  auto tables = std::make_shared<const MirroredTables>(MirroredTables::sum_of(*tables_, parts));
+  return {.parts = std::move(parts), .share = 1.0, .tables = std::move(tables)};
+}
+
+}  // namespace viscoroll::detail
