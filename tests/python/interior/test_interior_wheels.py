@@ -23,7 +23,7 @@ UNLIKE = replace(
     FLAT, layers=[one_layer(thickness=6e-3), one_layer(SOFT, thickness=4e-3, poisson_ratio=0.45)], width=50e-3
 )
 RADII = [HUB, 43e-3, 46e-3, 48e-3, 50e-3]  # both ends and the middle of each of two layers
-MESH = vr.Mesh(nodes_per_revolution=300)
+MESH = vr.Mesh(nodes_per_revolution=200)
 
 pytestmark = pytest.mark.filterwarnings("ignore:the pressure of a flat tread:viscoroll.ResultWarning")
 
@@ -39,7 +39,7 @@ def largest_error(found, expected):
     return worst
 
 
-@pytest.mark.parametrize(("m", "n"), [(0, 1), (0, 40), (1, 1), (2, 3), (13, 40), (60, 7)])
+@pytest.mark.parametrize(("m", "n"), [(0, 1), (0, 15), (1, 1), (2, 3), (13, 20), (60, 7)])
 def test_orders_are_bessels(m, n):
     positions, numbers = vr._core.places_at(UNLIKE._to_core(), np.array(RADII))
     places = list(zip(positions.tolist(), numbers.tolist(), strict=True))
@@ -110,10 +110,10 @@ def test_every_order_loses_what_is_put_in(density):
         np.testing.assert_allclose(lost, -wheel.outer_radius * (displacement @ load.conj()).imag, rtol=1e-8)
 
 
-@pytest.fixture(scope="module", params=[0.0, 0.3], ids=["frictionless", "friction"])
-def flat(request):
+@pytest.fixture(scope="module")
+def flat():
     """Return a flat wheel with endless sides, rolled: the compliance of its contact is that of the orders inside."""
-    return vr.solve(FLAT, load=300.0, angular_speed=SPEED, friction=request.param, mesh=MESH)
+    return vr.solve(FLAT, load=300.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
 
 
 def test_the_loss_is_what_the_surface_puts_in(flat):
@@ -133,11 +133,12 @@ def test_displacement_at_the_surface_is_that_of_the_solver(flat):
     np.testing.assert_allclose(radial, -flat.displacement, atol=1e-9 * np.abs(flat.displacement).max())
 
 
-@pytest.mark.parametrize("wheel", [FLAT, CROWNED, replace(CROWNED, width=40e-3, sides="free")])
-@pytest.mark.parametrize("friction", [0.0, 0.3])
+@pytest.mark.parametrize(
+    ("wheel", "friction"), [(FLAT, 0.0), (CROWNED, 0.3), (replace(CROWNED, width=40e-3, sides="free"), 0.3)]
+)
 def test_at_the_surface_the_tractions_come_back(wheel, friction):
     """By the sum over all orders, at the centers of patches that are not those of the mesh."""
-    r = vr.solve(wheel, load=100.0, angular_speed=SPEED, friction=friction, mesh=vr.Mesh(nodes_per_revolution=200))
+    r = vr.solve(wheel, load=100.0, angular_speed=SPEED, friction=friction, mesh=MESH)
     with pytest.warns(vr.ResultWarning):
         surface = r.interior(depth=[0.0]).isel(depth=0)
     along, across = r.shear_traction
@@ -174,24 +175,23 @@ def test_the_middle_of_a_wide_wheel_is_a_roller():
 @pytest.mark.parametrize(
     "on",
     [
-        vr.CoatedPlane(layers=[one_layer(SOFT, thickness=6e-3, poisson_ratio=0.45)]),
         vr.CoatedPlane(layers=[], base=vr.HalfSpace(shear_modulus=SOFT, poisson_ratio=0.45)),
         vr.Groove(radius=-0.3, layers=[one_layer(SOFT, thickness=6e-3, poisson_ratio=0.45)]),
         vr.CoatedCylinder(core_radius=25e-3, layers=[one_layer(SOFT, thickness=5e-3, poisson_ratio=0.45)]),
         replace(CROWNED, core_radius=25e-3, width=40e-3),
     ],
-    ids=["layer", "half-space", "rail", "roller", "wheel"],
+    ids=["half-space", "rail", "roller", "wheel"],
 )
 def test_what_is_under_a_wheel(on):
     """Each of the two loses its own power; under a flat wheel there is no crown in the orders of the solve."""
     r = vr.solve(FLAT, on=on, load=100.0, angular_speed=SPEED, friction=0.3, mesh=MESH)
     for of, power in (("ball", r.rolling_bulk_power), ("counterpart", r.counterpart_bulk_power)):
-        loss = r.loss(of=of, depth=[1e-3])
+        loss = r.loss(of=of, depth=[])
         assert loss.attrs["power"] == pytest.approx(loss.attrs["surface_power"], rel=1e-7)
         crowned = of == "counterpart" and isinstance(on, vr.CoatedWheel)
         assert loss.attrs["power"] == pytest.approx(power, rel=5e-2 if crowned else 5e-3)
-    # What one presses, the other bears, in the middle.
-    inside = [r.interior(depth=[1e-3], theta=[0.5 * np.pi], of=of) for of in ("ball", "counterpart")]
+    # What one presses, the other bears, in the middle, a third of a spacing below either surface.
+    inside = [r.interior(depth=[0.5e-3], theta=[0.5 * np.pi], of=of) for of in ("ball", "counterpart")]
     pressed = [float(side.stress.sel(component="rr").min()) for side in inside]
     assert pressed == pytest.approx([-r.pressure[:, r.pressure.shape[1] // 2].max()] * 2, rel=0.1)
 
@@ -210,14 +210,14 @@ def test_free_sides_are_told_where_they_are_near():
     near = vr.solve(free, load=100.0, angular_speed=SPEED, mesh=MESH)
     assert near.face_distance < 10e-3
     with pytest.warns(vr.ResultWarning, match="stresses near the faces are not those of free sides") as told:
-        near.interior(depth=[2e-3])
+        near.interior(depth=[2e-3], theta=[0.5 * np.pi])
     assert len(told) == 1
     with pytest.warns(vr.ResultWarning, match="stresses near the faces") as told:
-        near.loss(depth=[2e-3])
+        near.loss(depth=[])
     assert len(told) == 1
     far = vr.solve(replace(free, width=50e-3), load=20.0, angular_speed=SPEED, mesh=MESH)
     assert far.face_distance > 10e-3
-    far.interior(depth=[2e-3])  # errors are what warnings are here
+    far.interior(depth=[2e-3], theta=[0.5 * np.pi])  # errors are what warnings are here
     # There the tread does not know that it ends, but its crown changes what it loses.
     assert far.loss(depth=[]).attrs["power"] == pytest.approx(far.bulk_power, rel=0.02)
 
@@ -232,7 +232,7 @@ def test_tables_of_measurements_know_what_is_outside():
 
 def test_files_and_pictures(flat, tmp_path):
     meshio = pytest.importorskip("meshio")
-    inside = flat.interior(depth=[3e-3, 5e-3, 8e-3])
+    inside = flat.interior(depth=[3e-3, 5e-3, 8e-3], phi=0.5 * np.pi + np.linspace(-0.2, 0.2, 9))
     save_interior(inside, tmp_path / "inside.nc")
     save_interior(inside, tmp_path / "inside.vtu")
     volume = meshio.read(tmp_path / "inside.vtu")
