@@ -13,6 +13,7 @@
 #include "influence/line_sum.hpp"
 #include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
+#include "modal/spectrum.hpp"
 #include "rolling/mesh_model.hpp"
 #include "rolling/rigid_slip.hpp"
 #include "rolling/solve_load_case.hpp"
@@ -115,6 +116,23 @@ TEST(WheelOrders, ATightCrownCountsInProportion) {
   };
   EXPECT_LT(std::abs(2.0 * change(0.02) - change(0.01)), 1e-9 * std::abs(change(0.01)));
   EXPECT_LT(std::abs(change(0.2) - 0.1 * change(0.02)), 1e-9 * std::abs(change(0.2)));  // 20 thicknesses
+}
+
+/// The proportion multiplies it, and no panel however narrow would resolve it.
+TEST(WheelOrders, RoundOffOfATightCrownIsNotTakenForAFunction) {
+  std::vector<double> orders;
+  for (int i = 0; i < 60; ++i) orders.push_back(2.0 * std::pow(8.0, i / 59.0));  // as close as are solved together
+  const auto panels = [&](double crown_radius) {
+    CoatedWheel wheel = crowned(crown_radius, 0.01);
+    wheel.hub = Hub::crowned;
+    const Observer silent;
+    Watch watch(silent);
+    const auto spectrum = make_spectrum(HarmonicBody(layered_body(wheel), 1.0, orders), 1e4, 1, watch);
+    OrderSeries series;
+    spectrum->series(orders.size() / 2, series);
+    return series.size();
+  };
+  EXPECT_LE(panels(0.005), 2 * panels(0.3));
 }
 
 TEST(WheelOrders, WavesAreHeardAtTheSpeedOfARollersAtTheLatest) {

@@ -1,20 +1,10 @@
 #include "modal/crown.hpp"
 
-#include <algorithm>
 #include <map>
 #include <vector>
 
 namespace viscoroll::detail {
 namespace {
-
-/// Thicknesses of the crown's radius up to which the difference is linear enough in the curvature; closer ones, down to
-/// those whose cylinder would have no core, are taken at kLinearRadius in proportion.
-constexpr double kLeastRadius = 3.0;
-constexpr double kLinearRadius = 20.0;
-
-/// That in crown radii at the most, where this is less: the proportion multiplies round-off, which else no series
-/// resolves. The waves of a contact that is small beside such a crown do not reach the hub.
-constexpr double kMostProportion = 30.0;
 
 /// The layers without inertia, in another metric.
 /// @param[in] surface place of the surface there
@@ -62,27 +52,22 @@ class MovedOrders {
 }  // namespace
 
 template <class Scalar>
-void add_crown(std::span<const OrderInLayers<Scalar>> orders, double crown_radius,
+void add_crown(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
                std::span<Matrix3<Scalar>> compliances) {
   if (orders.empty()) return;
   const LayerStack<Scalar>& layers = orders.front().layers;
-  const double thickness = layers.media.back().outer - layers.media.front().inner;
-  const bool is_close = crown_radius <= kLeastRadius * thickness;
-  const double radius =
-      is_close ? std::clamp(kMostProportion * crown_radius, kLeastRadius * thickness, kLinearRadius * thickness)
-               : crown_radius;
-  const auto crowned = MovedOrders<Scalar>(orders, {.radius = radius, .across = Way::line}).compliances();
+  const auto crowned = MovedOrders<Scalar>(orders, {.radius = crown.radius, .across = Way::line}).compliances();
   const auto plane =
       MovedOrders<Scalar>(orders, {.radius = layers.metric.radius, .along = Way::line, .across = Way::line})
           .compliances();
   const Eigen::PermutationMatrix<3> turned(Eigen::Vector3i(0, 2, 1));
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    compliances[i] += radius / crown_radius * (turned * crowned[i] * turned - plane[i]);
+    compliances[i] += crown.proportion * (turned * crowned[i] * turned - plane[i]);
   }
 }
 
-template void add_crown(std::span<const OrderInLayers<double>>, double, std::span<Matrix3<double>>);
-template void add_crown(std::span<const OrderInLayers<std::complex<double>>>, double,
+template void add_crown(std::span<const OrderInLayers<double>>, const Crown&, std::span<Matrix3<double>>);
+template void add_crown(std::span<const OrderInLayers<std::complex<double>>>, const Crown&,
                         std::span<Matrix3<std::complex<double>>>);
 
 }  // namespace viscoroll::detail

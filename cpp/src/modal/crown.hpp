@@ -10,20 +10,21 @@
 #include <span>
 
 #include "modal/compliance_recursion.hpp"
+#include "modal/layered_body.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief Add C_cylinder - C_plane, at the same wave numbers and moduli, the cylinder curved across and of the crown's
-/// radius. Without inertia, which would change this difference in the second order.
+/// @brief Add C_cylinder - C_plane, at the same wave numbers and moduli, the cylinder curved across, as often as the
+/// crown says. Without inertia, which would change this difference in the second order.
 /// @param[in] orders (m, n) in the layers of a wheel
-/// @param[in] crown_radius R_c, finite [m]
+/// @param[in] crown of the wheel, not flat
 /// @param[in,out] compliances of these orders [m/Pa]
 template <class Scalar>
-void add_crown(std::span<const OrderInLayers<Scalar>> orders, double crown_radius,
+void add_crown(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown,
                std::span<Matrix3<Scalar>> compliances);
 
-extern template void add_crown(std::span<const OrderInLayers<double>>, double, std::span<Matrix3<double>>);
-extern template void add_crown(std::span<const OrderInLayers<std::complex<double>>>, double,
+extern template void add_crown(std::span<const OrderInLayers<double>>, const Crown&, std::span<Matrix3<double>>);
+extern template void add_crown(std::span<const OrderInLayers<std::complex<double>>>, const Crown&,
                                std::span<Matrix3<std::complex<double>>>);
 
 }  // namespace viscoroll::detail

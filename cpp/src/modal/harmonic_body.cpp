@@ -59,9 +59,9 @@ namespace {
 
 /// Of orders in layers, and the crown that these may follow.
 template <class Scalar>
-void solve(std::span<const OrderInLayers<Scalar>> orders, double crown_radius, std::span<Matrix3<Scalar>> compliances) {
+void solve(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown, std::span<Matrix3<Scalar>> compliances) {
   surface_compliances<Scalar>(orders, compliances);
-  if (std::isfinite(crown_radius)) add_crown<Scalar>(orders, crown_radius, compliances);
+  if (!crown.is_flat()) add_crown<Scalar>(orders, crown, compliances);
 }
 
 /// Of a wheel without inertia whose layers share one relaxation function: a real problem for all orders.
@@ -72,7 +72,7 @@ void solve_real(const HarmonicBody& body, const LayerStack<double>& layers, std:
   in_layers.reserve(orders.size());
   for (const auto& [i, n] : orders) in_layers.push_back({.layers = layers, .m = body.orders()[i], .n = n});
   std::vector<Eigen::Matrix3d> solved(orders.size());
-  solve<double>(in_layers, body.body().crown_radius, solved);
+  solve<double>(in_layers, body.body().crown, solved);
   for (std::size_t j = 0; j < orders.size(); ++j) {
     compliances[j] = solved[j].cast<cplx>() / body.modulus(0, orders[j].i);
   }
@@ -92,7 +92,7 @@ void HarmonicBody::compliances(std::span<const OrderAt> orders, std::span<Eigen:
     if (stack == stacks.end()) stack = stacks.emplace(i, layers_at(i)).first;
     in_layers.push_back({.layers = stack->second, .m = orders_[i], .n = n});
   }
-  solve<cplx>(in_layers, body_.crown_radius, compliances);
+  solve<cplx>(in_layers, body_.crown, compliances);
 }
 
 Eigen::Matrix3cd HarmonicBody::compliance(const OrderAt& order) const {

@@ -1,5 +1,7 @@
 #include "modal/layered_body.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,6 +15,22 @@ std::vector<double> radii(double inner, const std::vector<Layer>& layers) {
   std::vector<double> boundaries{inner};
   for (const Layer& layer : layers) boundaries.push_back(boundaries.back() + layer.thickness);
   return boundaries;
+}
+
+/// Thicknesses in the radius of the crown from which on it is the cylinder of its radius; rounder ones may have no hub.
+constexpr double kLeastRadius = 3.0;
+
+/// Those in the radius of the cylinder that stands for rounder ones, in proportion to the curvature.
+constexpr double kLinearRadius = 20.0;
+
+Crown crown_of(const CoatedWheel& wheel) {
+  const double thickness = coating_thickness(wheel);
+  const auto told_from = [&](double radius) {
+    return Crown{.radius = radius, .proportion = radius / wheel.crown_radius};
+  };
+  if (std::isinf(wheel.crown_radius)) return {};
+  if (wheel.sides == Sides::free) return {};
+  return told_from(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
 }
 
 /// Where layers lie below a plane.
@@ -53,11 +71,10 @@ LayeredBody layered_body(const CoatedCylinder& cylinder) {
 
 LayeredBody layered_body(const CoatedWheel& wheel) {
   validate(wheel);
-  LayeredBody body{.metric = {.radius = outer_radius(wheel), .across = Way::line},
-                   .layers = wheel.layers,
-                   .boundaries = radii(wheel.core_radius, wheel.layers)};
-  if (wheel.sides == Sides::endless) body.crown_radius = wheel.crown_radius;
-  return body;
+  return {.metric = {.radius = outer_radius(wheel), .across = Way::line},
+          .layers = wheel.layers,
+          .boundaries = radii(wheel.core_radius, wheel.layers),
+          .crown = crown_of(wheel)};
 }
 
 LayeredBody layered_body(const CoatedPlane& plane, double radius) {

@@ -2,6 +2,7 @@
 /// @brief The one description of whatever has layers: sphere, cylinder, wheel, plane and half-space.
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <limits>
@@ -15,6 +16,15 @@
 
 namespace viscoroll::detail {
 
+/// @brief The crown that the layers of a wheel follow across, as what a cylinder of some radius changes and how many
+/// times that, see crown.hpp: a rounder crown than can be told from its cylinder is told from a flatter one.
+struct Crown {
+  double radius = std::numeric_limits<double>::infinity();  ///< [m]; infinite: straight across
+  double proportion = 1.0;                                  ///< of the crown's curvature and that of this radius
+
+  [[nodiscard]] bool is_flat() const { return std::isinf(radius); }
+};
+
 /// @brief Layers bonded to one another, the surface that they end at, and what they lie on. What a body is not said to
 /// be here nobody after this asks for.
 struct LayeredBody {
@@ -23,8 +33,7 @@ struct LayeredBody {
   InnerBoundary within = InnerBoundary::rigid;  ///< the innermost layer
   /// Where each layer begins and the outermost ends, outwards: places along the normal, see `Metric` [m].
   std::vector<double> boundaries;
-  /// Radius of the crown that the layers of a wheel follow across, see crown.hpp [m]; infinite: straight across.
-  double crown_radius = std::numeric_limits<double>::infinity();
+  Crown crown;  ///< of a wheel
 
   /// @brief The layers at one frequency.
   /// @param[in] moduli complex or real shear moduli of the layers [Pa]
@@ -56,8 +65,8 @@ struct LayeredBody {
 /// @return those of a cylinder, likewise
 [[nodiscard]] LayeredBody layered_body(const CoatedCylinder& cylinder);
 
-/// @return those of a wheel, likewise, as of a tread without sides. The profile of a tread with free sides, crown and
-/// hub, is the business of its section.
+/// @return those of a wheel, likewise, as of a tread without sides, as thick everywhere. What sides and hub make of it
+/// is the business of its section.
 [[nodiscard]] LayeredBody layered_body(const CoatedWheel& wheel);
 
 /// @return those of a plane, likewise, its base among them

@@ -10,13 +10,13 @@ namespace {
 using cplx = std::complex<double>;
 
 /// Whether the last two terms of each entry are negligible.
-bool is_resolved(const Panel<cplx>& panel, double m) {
+bool is_resolved(const Panel<cplx>& panel, double m, double tolerance) {
   const auto largest = [&](Entry entry) { return panel.series.row(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
   const double highest_n = std::sqrt(panel.high - m * m);
   const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n);
   for (int entry = 0; entry < kEntries; ++entry) {
     const double last = panel.series.row(entry).tail<2>().cwiseAbs().maxCoeff();
-    if (last > kSeriesTolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+    if (last > tolerance * sizes[static_cast<std::size_t>(entry)]) return false;
   }
   return true;
 }
@@ -50,8 +50,11 @@ void OrderByOrderSpectrum::series(std::size_t i, OrderSeries& series) const {
     append_constants(lowest, entries, series);
   }
   const double highest = order * order + highest_n_ * highest_n_;
+  const double tolerance = series_tolerance(*body_);
   const auto append = [&](double low, double high) {
-    append_panels(low, high, sample, [order](const Panel<cplx>& panel) { return is_resolved(panel, order); }, series);
+    append_panels(
+        low, high, sample,
+        [order, tolerance](const Panel<cplx>& panel) { return is_resolved(panel, order, tolerance); }, series);
   };
   if (lowest < kLowOrders && kLowOrders < highest) {
     append(lowest, kLowOrders);

@@ -111,9 +111,10 @@ class CellSamples {
   [[nodiscard]] bool is_resolved(const SeriesOf& series_of, const LastTerms& last_terms) const {
     const auto largest = [&](Entry entry) { return series_of(static_cast<int>(entry)).cwiseAbs().maxCoeff(); };
     const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, highest_n_ratio_);
+    const double tolerance = series_tolerance(body_);
     for (int entry = 0; entry < kEntries; ++entry) {
       const double last = last_terms(series_of(entry)).cwiseAbs().maxCoeff();
-      if (last > kSeriesTolerance * sizes[static_cast<std::size_t>(entry)]) return false;
+      if (last > tolerance * sizes[static_cast<std::size_t>(entry)]) return false;
     }
     return true;
   }

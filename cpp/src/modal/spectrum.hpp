@@ -54,6 +54,11 @@ struct SignedEntry {
 /// recursion.
 constexpr double kSeriesTolerance = 1e-13;
 
+/// @return the same for series of a body's compliances: a crown multiplies the noise
+[[nodiscard]] inline double series_tolerance(const HarmonicBody& body) {
+  return kSeriesTolerance * body.body().crown.proportion;
+}
+
 /// @brief Below this k^2 lies order (0, 0) alone. It has a panel of its own, for a small core makes it a spike: the
 /// coating then turns about the core almost freely.
 constexpr double kZeroOrder = 0.5;
