@@ -23,13 +23,16 @@ constexpr double kLeastRadius = 3.0;
 /// Those in the radius of the cylinder that stands for rounder ones, in proportion to the curvature.
 constexpr double kLinearRadius = 20.0;
 
+/// Where the section has the crown as it is: so flat that the difference is linear, as that which is taken off there.
+constexpr double kLinearRadiusOfSection = 100.0;
+
 Crown crown_of(const CoatedWheel& wheel) {
   const double thickness = coating_thickness(wheel);
   const auto told_from = [&](double radius) {
     return Crown{.radius = radius, .proportion = radius / wheel.crown_radius};
   };
   if (std::isinf(wheel.crown_radius)) return {};
-  if (wheel.sides == Sides::free) return {};
+  if (wheel.sides == Sides::free) return told_from(std::max(wheel.crown_radius, kLinearRadiusOfSection * thickness));
   return told_from(wheel.crown_radius > kLeastRadius * thickness ? wheel.crown_radius : kLinearRadius * thickness);
 }
 

@@ -81,8 +81,7 @@ SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const Section
   }
   const Eigen::ArrayXd straight = with_middles(radii);
   r_ = straight.replicate(1, z_.size());
-  slope_ = Eigen::ArrayXd::Zero(z_.size());
-  if (end == SectionEnd::endless) return;
+  slope_.resize(z_.size());
   const double outermost = wheel.layers.back().thickness;
   const Eigen::ArrayXd falls = wheel.hub == Hub::crowned
                                    ? Eigen::ArrayXd::Ones(straight.size())

@@ -14,8 +14,8 @@ namespace viscoroll::detail {
 
 /// @brief What becomes of a tread at half its width.
 enum class SectionEnd {
-  face,     ///< it ends, and its profile is that of the wheel
-  endless,  ///< it goes on, straight, as thick as in the middle, until nothing of its end is felt
+  face,     ///< it ends
+  endless,  ///< it goes on, crowned as it is within the width, until nothing of its end is felt
 };
 
 /// @brief How finely a section is cut, relative to the thickness of the tread or, if that is less, its width.

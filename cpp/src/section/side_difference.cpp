@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "modal/medium.hpp"
@@ -26,6 +27,31 @@ constexpr double kLargestRatio = 1.3;
 /// Width in thicknesses from which on the middle of a flat tread does not feel its faces: what they change falls like
 /// e^(-2.2 e/h) with the distance e, to 2e-8 here.
 constexpr double kWide = 16.0;
+
+/// Lengths of a straight section in the radius of the crown that shows what is linear in the curvature: slopes stay
+/// below this one's inverse.
+constexpr double kLinearRadius = 20.0;
+
+/// Thicknesses in the radius of a section that goes straight on along the path: what curves there is felt in its
+/// inverse.
+constexpr double kStraightRadius = 1e4;
+
+constexpr double kFlat = std::numeric_limits<double>::infinity();
+
+CoatedWheel straight_across(CoatedWheel wheel) {
+  wheel.crown_radius = kFlat;
+  return wheel;
+}
+
+/// All layers follow a crown.
+CoatedWheel straight_along(CoatedWheel wheel, double crown_radius) {
+  wheel.core_radius = kStraightRadius * coating_thickness(wheel);
+  wheel.crown_radius = crown_radius;
+  wheel.hub = Hub::crowned;
+  return wheel;
+}
+
+double length(const SectionMesh& mesh) { return mesh.z()[mesh.z().size() - 1]; }
 
 /// A flat tread of no more of the width than its faces change.
 CoatedWheel felt_part(CoatedWheel wheel) {
@@ -79,11 +105,32 @@ std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::si
   return layers;
 }
 
+SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
+    : straight_(SectionMesh(straight_along(wheel, kFlat), SectionEnd::endless, fineness), tangential),
+      crown_radius_(std::max(wheel.crown_radius, kLinearRadius * length(straight_.mesh()))),
+      crowned_(SectionMesh(straight_along(wheel, crown_radius_), SectionEnd::endless, fineness), tangential),
+      proportion_(crown_radius_ / wheel.crown_radius),
+      lengthening_(outer_radius(straight_along(wheel, kFlat)) / outer_radius(wheel)) {}
+
+template <class Scalar>
+std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(
+    double m, const std::vector<SectionMedium<Scalar>>& layers) const {
+  auto change = crowned_.at(lengthening_ * m, layers);
+  const auto straight = straight_.at(lengthening_ * m, layers);
+  // Loads per radian are spread over as much longer ones.
+  for (std::size_t part = 0; part < 2; ++part) {
+    change[part] = proportion_ * lengthening_ * (change[part] - straight[part]);
+  }
+  return change;
+}
+
 SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
     : left_out_(0.5 * (wheel.width - felt_part(wheel).width)),
       face_(SectionMesh(felt_part(wheel), SectionEnd::face, fineness), tangential),
-      endless_(SectionMesh(felt_part(wheel), SectionEnd::endless, fineness), tangential),
-      tangential_(tangential) {}
+      endless_(SectionMesh(straight_across(felt_part(wheel)), SectionEnd::endless, fineness), tangential),
+      tangential_(tangential) {
+  if (std::isfinite(wheel.crown_radius)) crown_.emplace(wheel, tangential, fineness);
+}
 
 SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads, Watch& watch) const {
   const auto lines = static_cast<Index>(face_.mesh().loaded_lines());
@@ -99,7 +146,11 @@ SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads,
     const auto store = [&](const auto& layers) {
       const auto face = face_.at(orders[order], layers);
       worker.checkpoint();
-      const auto endless = endless_.at(orders[order], layers);
+      auto endless = endless_.at(orders[order], layers);
+      if (crown_) {
+        const auto crown = crown_->at(orders[order], layers);
+        for (std::size_t part = 0; part < 2; ++part) endless[part] += crown[part];
+      }
       for (std::size_t part = 0; part < 2; ++part) {
         result.parts[part].row(row) = physical(face[part], endless[part], lines).reshaped().transpose();
       }

@@ -1,11 +1,12 @@
 /// @file
-/// @brief By how much a tread that ends at its faces yields more than one that goes on, order by order. Theory.md, free
-/// sides.
+/// @brief By how much a tread that ends at its faces yields more than one that goes on, crowned to the first order,
+/// order by order. Theory.md, free sides.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "modal/harmonic_body.hpp"
@@ -34,8 +35,32 @@ struct SampledDifference {
 [[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
                                                                              std::size_t order);
 
+/// @brief What finite elements make of a crown, to the first order in its curvature, on a tread that goes on straight
+/// along the path: what modal/crown.hpp says of all waves, of those that the elements carry.
+class SectionCrown {
+ public:
+  /// @param[in] wheel at least one layer, crowned
+  /// @param[in] tangential whether loads along phi and z occur, or those along r alone
+  /// @param[in] fineness of the elements
+  SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness);
+
+  /// @param[in] m order of the wheel
+  /// @param[in] layers what they are made of, from the hub outwards
+  /// @return as `SectionCompliance::at`
+  template <class Scalar>
+  [[nodiscard]] std::array<SectionCompliance::Matrix<Scalar>, 2> at(
+      double m, const std::vector<SectionMedium<Scalar>>& layers) const;
+
+ private:
+  SectionCompliance straight_;
+  double crown_radius_;  // so flat that what it changes is linear in the curvature [m]
+  SectionCompliance crowned_;
+  double proportion_;   // of the curvature of the wheel's crown
+  double lengthening_;  // of a radian, beside the wheel's
+};
+
 /// @brief Sections of a wheel's tread with faces and of one without, cut alike, so that what elements make of waves
-/// that are too short for them drops out.
+/// that are too short for them drops out: of the flat tread, and in the first order what the crown adds to it.
 class SideDifference {
  public:
   /// @param[in] wheel at least one layer
@@ -52,6 +77,7 @@ class SideDifference {
   double left_out_;  // of half the width, in the middle [m]
   SectionCompliance face_;
   SectionCompliance endless_;
+  std::optional<SectionCrown> crown_;
   bool tangential_;
 };
 
