@@ -237,11 +237,12 @@ struct SolvedExample {
 
 /// Fields at ten depths, 0.1 h to h, on all nodes of the window; the error is that of the largest pressure on the core
 /// or the base, by an independent computation.
-/// @param[in] surface,thickness where the layer begins, and how far down it goes [m]
+/// @param[in] surface,bottom where the layer begins and ends [m]
 void fields_at_depths(benchmark::State& state, const LayeredShape& shape, const Tractions& tractions, double surface,
-                      double thickness, double angular_speed, double pressure_below) {
+                      double bottom, double angular_speed, double pressure_below) {
   std::vector<double> positions;
-  for (int i = 1; i <= 10; ++i) positions.push_back(surface - 0.1 * thickness * i);
+  for (int i = 1; i < 10; ++i) positions.push_back(surface + 0.1 * (bottom - surface) * i);
+  positions.push_back(bottom);
   const auto places = places_at(shape, positions);
   const auto angles_of = [&](int count) {
     std::vector<double> angles;
@@ -263,7 +264,7 @@ void fields_at_depths(benchmark::State& state, const LayeredShape& shape, const 
 /// Of the example, -7.41 MPa on the core (three digits).
 void fields_inside(benchmark::State& state) {
   const SolvedExample example;
-  fields_at_depths(state, example.sphere, example.tractions, 21e-3, 1e-3, 2.5, -7.41e6);
+  fields_at_depths(state, example.sphere, example.tractions, 21e-3, example.sphere.core_radius, 2.5, -7.41e6);
 }
 
 /// Of a mat of the example's layer under a rigid ball as large, -7.40 MPa on the base (three digits).
@@ -274,7 +275,7 @@ void fields_inside_mat(benchmark::State& state) {
   const Result result = solve(ball, mat, cases::kRolling, options);
   Tractions tractions = tractions_of(ball, result, cases::kRolling, options);
   tractions.counterpart = true;
-  fields_at_depths(state, mat, tractions, 0.0, 1e-3, 2.5, -7.40e6);
+  fields_at_depths(state, mat, tractions, 0.0, -1e-3, 2.5, -7.40e6);
 }
 
 /// Of a roller of 50 + 10 mm of that material, -0.38140 MPa on the core (five digits).
@@ -283,7 +284,7 @@ void fields_inside_roller(benchmark::State& state) {
   const LoadCase rolling{.load = 5e3, .angular_speed = 1.0};
   const Options options{.mesh = Mesh{.nodes_per_revolution = 24000}};
   const Result result = solve(roller, rolling, options);
-  fields_at_depths(state, roller, tractions_of(roller, result, rolling, options), 60e-3, 10e-3, 1.0, -0.38140e6);
+  fields_at_depths(state, roller, tractions_of(roller, result, rolling, options), 60e-3, 50e-3, 1.0, -0.38140e6);
 }
 
 /// Loss density of all orders that matter; the error is what its volume integral differs from the power put in.
