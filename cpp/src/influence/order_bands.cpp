@@ -100,21 +100,31 @@ double highest_order(int nodes_per_revolution, double finest_order) {
   return kLastOctave * std::max(static_cast<double>(nodes_per_revolution), finest_order);
 }
 
-/// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
-OrderBand low_orders(const Step& step, double refinement, int nodes_per_revolution, double widest) {
-  // With x the largest angle of a table, the rule leaves exp(-(2 pi / h - middle x)^2 / (4 sharpness^2)): 1e-10 where
-  // x is 120 degrees, as in tables that reach 60 degrees to both sides.
+/// Per middle of the first step: what is left out below is a uniform displacement.
+constexpr double kLowestOfTables = 1e-9;
+
+/// With x the largest angle of a table, a stride h of the logarithms leaves exp(-(2 pi / h - middle x)^2 /
+/// (4 sharpness^2)): 1e-10 where x is 120 degrees, as in tables that reach 60 degrees to both sides.
+double stride_of_tables(double refinement, double widest) {
   constexpr double kLogarithmicStride = 0.07;
-  constexpr double kLowest = 1e-9;      // per middle: what is left out below is a uniform displacement
   constexpr double kUsualWidest = 2.1;  // these 120 degrees
-  const double stride = kLogarithmicStride / (refinement * std::max(1.0, widest / kUsualWidest));
-  const auto count = static_cast<Eigen::Index>(std::log(step.end() / (kLowest * step.middle)) / stride);
+  return kLogarithmicStride / (refinement * std::max(1.0, widest / kUsualWidest));
+}
+
+/// The same for the angles of a window alone, in whose fields 1e-6 may be left.
+double stride_of_fields(const Step& step, double refinement, double widest) {
+  constexpr double kRootOfDigits = 3.72;  // its square is ln(1e6)
+  return 2.0 * std::numbers::pi / (step.middle * widest + 2.0 * kRootOfDigits * step.sharpness) / refinement;
+}
+
+/// All orders below a step, at equal ratios: their functions are as smooth in the logarithm.
+/// @param[in] stride of the logarithms
+/// @param[in] lowest order, per middle of the step
+OrderBand low_orders(const Step& step, double stride, double lowest, int reach) {
+  const auto count = static_cast<Eigen::Index>(std::log(step.end() / (lowest * step.middle)) / stride);
   const Eigen::ArrayXd orders =
       step.end() * (stride * Eigen::ArrayXd::LinSpaced(count, 1.0 - static_cast<double>(count), 0.0)).exp();
-  const auto farthest = static_cast<int>(std::ceil(widest / spacing_of(nodes_per_revolution)));
-  return {.orders = orders,
-          .weights = 2.0 * stride * orders * orders.unaryExpr(step),
-          .reach = std::max(nodes_per_revolution / 2, farthest)};
+  return {.orders = orders, .weights = 2.0 * stride * orders * orders.unaryExpr(step), .reach = reach};
 }
 
 }  // namespace
@@ -127,9 +137,11 @@ void count_longest(OrderBand& lowest) {
 std::vector<OrderBand> unbounded_octaves(int nodes_per_revolution, double finest_order, double refinement,
                                          double widest) {
   const Step first{.middle = kFirstUnboundedOctave};
-  std::vector<OrderBand> bands{low_orders(first, refinement, nodes_per_revolution, widest)};
+  const double spacing = spacing_of(nodes_per_revolution);
+  const int reach = std::max(nodes_per_revolution / 2, static_cast<int>(std::ceil(widest / spacing)));
+  std::vector<OrderBand> bands{low_orders(first, stride_of_tables(refinement, widest), kLowestOfTables, reach)};
   append_octaves(
-      first, highest_order(nodes_per_revolution, finest_order), spacing_of(nodes_per_revolution),
+      first, highest_order(nodes_per_revolution, finest_order), spacing,
       [refinement](double confined) { return std::numbers::pi / confined / refinement; }, bands);
   return bands;
 }
@@ -148,12 +160,16 @@ std::vector<OrderBand> octaves_within(double spacing, double top, double largest
                [&](double confined) { return std::max(1.0, 2.0 * pi / (largest_offset + confined)); });
 }
 
-std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset, double refinement) {
+std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset,
+                                                const LowestOrder& lowest, double refinement) {
   using std::numbers::pi;
   const double highest = std::min(top, kLastOctave * 2.0 * pi / spacing);
   const Step first{.middle = std::min(kFirstUnboundedOctave, highest)};
-  const int nodes = static_cast<int>(std::lround(2.0 * pi / spacing));
-  std::vector<OrderBand> bands{low_orders(first, refinement, nodes, largest_offset)};
+  // Those that begin where orders of tables do lie as close as these.
+  const double stride = lowest.share > kLowestOfTables ? stride_of_fields(first, refinement, largest_offset)
+                                                       : stride_of_tables(refinement, largest_offset);
+  std::vector<OrderBand> bands{low_orders(first, stride, lowest.share, static_cast<int>(std::lround(pi / spacing)))};
+  if (lowest.stands_for_longer) count_longest(bands.front());
   append_octaves(
       first, highest, spacing, [&](double confined) { return 2.0 * pi / (largest_offset + confined) / refinement; },
       bands);

@@ -51,11 +51,17 @@ struct OrderBand {
 [[nodiscard]] std::vector<OrderBand> octaves_within(double spacing, double top, double largest_offset,
                                                     double rough_orders);
 
+/// @brief Where the orders of a window begin that have no period.
+struct LowestOrder {
+  double share = 1e-9;             ///< per middle of the first octave
+  bool stands_for_longer = false;  ///< whether the lowest stands for all below it, see `count_longest`
+};
+
 /// @brief The same on an unbounded plane.
 /// @param[in] largest_offset [rad], of any size
 /// @param[in] refinement as of `unbounded_octaves`
 [[nodiscard]] std::vector<OrderBand> unbounded_octaves_within(double spacing, double top, double largest_offset,
-                                                              double refinement = 1.0);
+                                                              const LowestOrder& lowest, double refinement = 1.0);
 
 /// @brief On a hub the lowest order of an unbounded plane stands for all below it, whose weights fall in its ratio to
 /// the next one: by loads on all of a wide wheel they displace nodes as others do.

@@ -132,7 +132,7 @@ class WindowSum {
         along_(phi_),
         across_(theta_),
         m_(phi_bands(inside, tractions)),
-        n_(theta_bands(inside.body.metric, tractions)),
+        n_(theta_bands(inside.body, tractions)),
         body_(inside.body, inside.angular_speed, {m_.orders.begin(), m_.orders.end()},
               measured_order(tractions.mesh) * inside.body.metric.radius / tractions.radius),
         loads_(tractions, inside.body.metric, m_.orders, n_.orders) {}
@@ -173,20 +173,29 @@ class WindowSum {
     const double spacing = grid_of(tractions, inside.body.metric.radius).phi_spacing;
     const double largest = largest_offset(phi_, tractions.phi_nodes, spacing, inside.body.metric.along);
     if (!inside.body.metric.is_curved()) {
-      return unbounded_octaves_within(spacing, highest_order(), largest, refinement_of(inside.body.layers));
+      // Summed across, too, what lies below an order holds its share of the sum: 1e-6 of an octave, of a hundred.
+      const LowestOrder lowest = inside.body.metric.across == Way::nothing
+                                     ? LowestOrder{}
+                                     : LowestOrder{.share = 1e-6, .stands_for_longer = true};
+      return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
     }
     return bands(spacing, largest, material_rough_orders(inside.body, inside.angular_speed, tractions.mesh),
                  tractions.mesh);
   }
 
-  [[nodiscard]] std::vector<OrderBand> theta_bands(const Metric& metric, const Tractions& tractions) const {
+  [[nodiscard]] std::vector<OrderBand> theta_bands(const LayeredBody& body, const Tractions& tractions) const {
+    const Metric& metric = body.metric;
     const double spacing = grid_of(tractions, metric.radius).theta_spacing;
     if (metric.across == Way::nothing) return whole_orders(0, 1);
     const double largest = largest_offset(theta_, tractions.theta_nodes, spacing, metric.across);
     if (metric.across == Way::line) {
-      auto octaves = unbounded_octaves_within(spacing, highest_order(), largest);
-      if (metric.is_wheel()) count_longest(octaves.front());
-      return octaves;
+      // Nothing remembers along this way: on what is rigid the lowest order is as those below, to its square.
+      const bool is_held = std::isfinite(body.boundaries.front());
+      const LowestOrder lowest{.share = body.metric.is_wheel() ? 1e-9
+                                        : is_held              ? 1e-4
+                                                               : 1e-6,
+                               .stands_for_longer = true};
+      return unbounded_octaves_within(spacing, highest_order(), largest, lowest);
     }
     return bands(spacing, largest, 0.0, tractions.mesh);
   }

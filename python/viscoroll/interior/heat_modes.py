@@ -193,7 +193,12 @@ def film_across(
 def _coefficients(
     convection: Callable[[NDArray[np.float64]], NDArray[np.float64]], theta: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    coefficient = np.broadcast_to(np.asarray(convection(theta), dtype=float), theta.shape)
+    given = np.asarray(convection(theta), dtype=float)
+    if given.shape not in ((), theta.shape):
+        raise ValueError(
+            f"convection must be a function of angles: a number, or one for each of the angles, got shape {given.shape}"
+        )
+    coefficient = np.broadcast_to(given, theta.shape)
     if not (np.isfinite(coefficient).all() and coefficient.min() >= 0.0):
         raise ValueError("convection must be a function that returns finite coefficients >= 0 W/(m^2 K)")
     return coefficient

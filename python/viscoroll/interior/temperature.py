@@ -204,6 +204,9 @@ def temperature(
 
     require_type("result", result, Result)
     capacity = positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+    require_type("start", start, Temperature, optional=True)
+    if start is not None and time is None:
+        raise ValueError("start must be left out without time: the steady state does not know it")
     given = Surroundings(
         convection=convection,
         ambient=as_kelvin("ambient", ambient),
@@ -274,7 +277,6 @@ def _history(
         raise ValueError(f"time must be >= 0 s, got {times.min():g} s")
     before = np.zeros_like(steady)
     if start is not None:
-        require_type("start", start, Temperature)
         field = start.rise if start.history is None else start.history.rise[-1]
         expected = (steady.shape[1], places.size)
         if field.shape != expected:

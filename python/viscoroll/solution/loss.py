@@ -95,7 +95,7 @@ def loss(
     The model's volume is r² dr dθ dφ, without sin θ, of a wheel r r_o dr dθ dφ. Across its path a plane or a wheel is
     taken to bear tracks side by side, a circumference of what rolls apart, under wide wheels several. That of a wheel
     with free sides is the loss of a tread that goes on, under the same tractions: `power` is not all of `bulk_power`
-    where the contact comes near the faces, nor is it with a crown, to the order of h/R_c.
+    where the contact comes near the faces, nor is it with a crown, of which some 0.1 h/R_c is missing.
 
     Examples
     --------

@@ -224,6 +224,8 @@ def test_from_a_steady_state_nothing_changes(turning):
     """The field at its places between the faces is all that the waves across are known by."""
     cooling = AIR | {"width": 50e-3, "side_convection": 15.0}
     t = vr.temperature(turning, **cooling)
+    with pytest.raises(ValueError, match="start must be left out without time"):
+        vr.temperature(turning, start=t, **cooling)
     still = vr.temperature(turning, time=[0.0, 1.0, 100.0], start=t, **cooling).history
     np.testing.assert_allclose(still.maximum, t.maximum, rtol=1e-8)
 
