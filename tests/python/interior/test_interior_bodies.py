@@ -160,6 +160,44 @@ def test_a_half_plane_under_a_roller_is_mcewens(poisson_ratio, von_mises, where)
     np.testing.assert_allclose(stress[3], -p / a * n * (m**2 - y**2) / (m**2 + n**2), atol=1e-3 * p)
 
 
+@pytest.mark.parametrize(
+    ("poisson_ratio", "width", "von_mises", "shear"),
+    [
+        (0.5, 0.35, 0.600, 0.161),
+        (0.5, 1.0, 0.500, 0.289),
+        (0.5, 2.0, 0.505, 0.291),
+        (0.45, 0.35, 0.611, 0.145),
+        (0.45, 1.0, 0.542, 0.259),
+        (0.45, 2.0, 0.454, 0.258),
+        (0.3, 0.35, 0.663, 0.108),
+        (0.3, 1.0, 0.688, 0.187),
+        (0.3, 2.0, 0.634, 0.174),
+    ],
+)
+def test_where_a_bonded_layer_is_strained_most(poisson_ratio, width, von_mises, shear):
+    """Largest von Mises stress and shear at the bond per largest pressure, by an independent program to 0.002."""
+    thickness, radius = 1e-3, 0.4
+    layer = vr.Layer(thickness=thickness, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=poisson_ratio)
+    mesh = vr.Mesh(nodes_per_revolution=int(2.0 * math.pi * radius / (width * thickness / 100.0)))
+    load = 3e6 * (width * thickness) ** 2 / radius
+    for _ in range(12):
+        r = vr.solve(
+            vr.CoatedCylinder(core_radius=radius),
+            on=vr.CoatedPlane(layers=[layer]),
+            load=load,
+            angular_speed=1.0,
+            mesh=mesh,
+        )
+        ratio = width * thickness / r.semi_axis_x
+        if abs(ratio - 1.0) < 0.005:
+            break
+        load *= ratio**2.5  # its power lies between 2, of half-planes, and 5, of thin films
+    assert abs(ratio - 1.0) < 0.02
+    inside = r.interior(depth=np.linspace(0.05, 1.0, 20) * thickness)
+    assert inside.von_mises.max().item() / r.max_pressure == pytest.approx(von_mises, abs=0.004)
+    assert r.bonds().shear_traction.max().item() / r.max_pressure == pytest.approx(shear, abs=0.003)
+
+
 def test_thin_films_lose_by_shear_alone():
     """By lubrication w = 3 w_mean (d/h)^2, where the contact is fifty times as wide as the film is thick."""
     film = roller(thickness=0.1e-3, core_radius=1.0)

@@ -97,3 +97,32 @@ def test_shear_by_itself_is_cerrutis(poisson_ratio, across):
         for component, values in expected.items():
             got = found.stress.sel(component=component).isel(depth=level)
             np.testing.assert_allclose(got, values, atol=5e-3 * size, err_msg=f"{component} at {depth / contact:.1f} a")
+
+
+@pytest.mark.parametrize("poisson_ratio", [0.3, 0.5])
+def test_shear_under_a_roller_is_that_of_its_pressure(poisson_ratio):
+    """For tractions q of Hertz's shape σ_zz is q τ_xz/p and τ_xz is q σ_xx/p of his pressure (Johnson, section 7.1)."""
+    radius, load = 79.5e-3, 500.0
+    base = vr.HalfSpace(shear_modulus=vr.Elastic(modulus=MODULUS), poisson_ratio=poisson_ratio)
+    r = vr.solve(
+        vr.CoatedCylinder(core_radius=radius),
+        on=vr.CoatedPlane(base=base),
+        load=load,
+        angular_speed=1.0,
+        friction=0.3,
+        mesh=vr.Mesh(nodes_per_revolution=20000),
+    )
+    a = r.semi_axis_x
+    shape = np.sqrt(np.clip(1.0 - (r.x / a) ** 2, 0.0, None))
+    nothing = np.zeros_like(shape)
+    r = replace(r, pressure=nothing, shear_traction=np.array([1e5 * shape, nothing]))
+    y, x = np.array([0.2, 0.5, 1.0, 2.0])[:, None] * a, np.array([0.0, 0.4, -0.9]) * a
+    inside = r.interior(depth=y[:, 0], phi=0.5 * math.pi - x / radius, of="counterpart").isel(theta=0)
+    difference = a**2 - x**2 + y**2
+    root = np.sqrt(difference**2 + 4.0 * x**2 * y**2)
+    m, n = np.sqrt(0.5 * (root + difference)), np.sign(x) * np.sqrt(0.5 * (root - difference))
+    along = -(m * (1.0 + (y**2 + n**2) / (m**2 + n**2)) - 2.0 * y) / a
+    shear = -n * (m**2 - y**2) / (m**2 + n**2) / a
+    # The plane bears what is opposite to the roller's.
+    np.testing.assert_allclose(inside.stress.sel(component="rr"), -1e5 * shear, atol=2e2)
+    np.testing.assert_allclose(inside.stress.sel(component="rphi"), -1e5 * along, atol=2e2)

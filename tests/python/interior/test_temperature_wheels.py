@@ -312,6 +312,7 @@ def test_what_is_under_a_wheel():
         ({"hub_conductance": -1.0}, "hub_conductance must be finite and >= 0 W/K"),
         ({"convection": 0.0}, r"convection must be > 0 W/\(m\^2 K\) where the core takes no heat"),
         ({"convection": lambda theta: -1.0}, "convection must be a function that returns finite coefficients"),
+        ({"convection": lambda theta: [1.0, 2.0]}, r"or one for each of the angles, got shape \(2,\)"),
         (
             {"convection": lambda theta: 0.0 * theta},
             r"convection must be > 0 W/\(m\^2 K\) where the core takes no heat",
