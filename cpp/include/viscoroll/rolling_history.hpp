@@ -25,7 +25,7 @@ enum class Start {
 
 /// @brief How a history is computed.
 struct HistoryOptions {
-  std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest
+  std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest, of a roller 48
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
   double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], in [0, 4]

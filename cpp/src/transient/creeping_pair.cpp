@@ -88,9 +88,14 @@ std::optional<Index> ring_of(const Body& body, const SurfaceGrid& grid) {
   return std::lround(2.0 * std::numbers::pi * body.radius / distance);
 }
 
+/// Rows that tables may reach: the waves of some 500 low orders take 256 MB of them while they are summed.
+constexpr Index kLongestTrack = 32768;
+
 /// On a plane, which has no radius of its own, the mesh may be that of a larger body with the same nodes: sums are good
-/// within a quarter of its revolution (theory.md section 15).
+/// within a quarter of its revolution (theory.md section 15). The datum of a half-plane depends on it: along a line it
+/// is the same for all reaches, so that tables can be made longer.
 Crossing on_track(Crossing crossing, Index reach) {
+  if (crossing.form.is_line()) reach = kLongestTrack;
   const auto nodes = static_cast<Index>(crossing.mesh.nodes_per_revolution);
   const auto times = static_cast<int>(std::max<Index>(1, (4 * reach + nodes - 1) / nodes));
   crossing.angular_speed /= times;
@@ -105,9 +110,9 @@ Crossing on_track(Crossing crossing, Index reach) {
 }  // namespace
 
 Index CreepingPair::most_track_reach() const {
-  constexpr Index kMostValues = 1 << 24;  // of a table: 128 MB
+  constexpr Index kMostValues = 16777216;  // of a table: 128 MB
   const Index height = bodies.front().tables.height();
-  return kMostValues / (height * height);
+  return std::min(kMostValues / (height * height), kLongestTrack);
 }
 
 bool CreepingPair::ends_at_sides() const {

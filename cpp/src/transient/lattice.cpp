@@ -17,9 +17,6 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-/// Part of a window that a first guess of the contact takes.
-constexpr double kContactShare = 0.8;
-
 /// Forces as saved states have them: pressing, forward, sideways.
 constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForward, 1.0}, {kSideways, 1.0}}};
 
@@ -39,32 +36,6 @@ double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * g
 Lattice::Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Index half_rows)
     : pair_(std::move(pair)), shift_(shift), half_rows_(half_rows) {
   for (const CreepingBody& body : pair_->bodies) memories_.emplace_back(body);
-}
-
-/// Without mass the center goes where forces balance. With it, by the method of J. Chung and G. M. Hulbert, J. Appl.
-/// Mech. 60 (1993) 371-375, at spectral radius 0: exact where the force is constant, and what swings faster than the
-/// steps is gone after two of them. The trapezoidal rule would ring.
-CenterCondition Lattice::center_condition(double duration, const StepEnd& end) const {
-  if (end.center_way) return {.force = 0.0, .way = 1.0, .value = *end.center_way - now_.center_way};
-  const double mass = pair_->mass;
-  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -pair_->driving_force};
-  if (duration == 0.0) return {.force = 0.0, .way = 1.0, .value = 0.0};
-  return {.force = 1.0,
-          .way = -2.0 * mass / (duration * duration),
-          .value = -pair_->driving_force - 2.0 * mass * now_.center_speed / duration};
-}
-
-void Lattice::move_center(double duration, double way) {
-  now_.center_way += way;
-  if (duration == 0.0) return;
-  const double mean_speed = way / duration;
-  const double before = center_acceleration_;
-  if (pair_->mass == 0.0) {
-    now_.center_speed = mean_speed;
-    return;
-  }
-  center_acceleration_ = (mean_speed - now_.center_speed) / duration + 0.5 * before;
-  now_.center_speed += duration * (1.5 * center_acceleration_ - 0.5 * before);
 }
 
 /// Tables that are sums serve on while steps take as long.
@@ -176,6 +147,7 @@ StickSlip Lattice::touch_smooth(const Touch& touch, double load) {
   const Index half_nodes = pair_->half_nodes();
   const ArrayXd weights = half_weights(half_nodes);
   std::vector<StepOperator::Part> parts;
+  parts.reserve(memories_.size());
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     const YieldingTables& body = touch.yielding.of_bodies[b];
     parts.push_back({body.share / touch.yielding.sum, body.tables.get()});
@@ -187,7 +159,8 @@ StickSlip Lattice::touch_smooth(const Touch& touch, double load) {
                                 .weights = weights.matrix().replicate(1, touch.place.count),
                                 .load = load};
   problem.gap += known_gap(touch);
-  PressedNodes contact = solve_elastic_contact(problem, -guess(touch.place, load).col(kDown), inverse_);
+  PressedNodes contact =
+      solve_elastic_contact(problem, -carried_forces(*pair_, touch.place, last_forces(), load).col(kDown), inverse_);
   StickSlip result;
   result.force = VectorField::Zero(contact.pressing.size(), 3);
   result.force.col(kDown) = -contact.pressing;
@@ -233,35 +206,7 @@ StickSlip Lattice::touch_with_friction(const Touch& touch, const StepEnd& end, c
       .load = compliance * end.load,
       .friction = pair_->friction,
       .center = {.force = center.force, .way = compliance * center.way, .value = compliance * center.value}};
-  return solve_stick_slip(problem, guess(place, problem.load), stiffness_);
-}
-
-/// Forces of the last window, where they have been carried to: they stay below while nodes pass.
-VectorField Lattice::carried_forces(const ContactPlace& place) const {
-  const Index half_nodes = pair_->half_nodes();
-  VectorField force = VectorField::Zero(half_nodes * place.count, 3);
-  const double lowest = place.nodes.shift() - lowest_ + 0.5 * static_cast<double>(count_ - place.count);
-  const auto whole = static_cast<Index>(std::floor(lowest));
-  const double ahead = lowest - static_cast<double>(whole);
-  const auto add = [&](Index row, Index last, double share) {
-    if (last < 0 || last >= count_) return;
-    force.middleRows(half_nodes * row, half_nodes) += share * force_.middleRows(half_nodes * last, half_nodes);
-  };
-  for (Index row = 0; row < place.count; ++row) {
-    add(row, row + whole, 1.0 - ahead);
-    add(row, row + whole + 1, ahead);
-  }
-  return force;
-}
-
-/// The last forces for a new load, or those of a first contact, which the window was made a little wider than.
-VectorField Lattice::guess(const ContactPlace& place, double load) const {
-  VectorField guess = carried_forces(place);
-  if (!(guess.col(kDown) < 0.0).any()) {
-    guess.col(kDown) = -(kContactShare * kContactShare * place.gap[0] - place.gap).max(0.0);
-  }
-  const ArrayXd weights = half_weights(pair_->half_nodes()).replicate(place.count, 1);
-  return load / -(weights * guess.col(kDown)).sum() * guess;
+  return solve_stick_slip(problem, carried_forces(*pair_, place, last_forces(), problem.load), stiffness_);
 }
 
 /// What is below does to the nodes.
@@ -415,9 +360,9 @@ void Lattice::advance(const PairStep& step, const StepEnd& end) {
   const RollingInstant before = now_;
   const double duration = step.duration;
   const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
-  const Touch contact = touch(&step, yielding, end, center_condition(duration, end));
+  const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end));
   take(contact, end);
-  if (has_friction()) move_center(duration, contact.contact.way);
+  if (has_friction()) move_center(pair_->mass, duration, contact.contact.way, center_acceleration_, now_);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     const double lost = memories_[b].advance(step.parts[b], duration, load_of(contact, b));
     now_.dissipated_energy += lost;

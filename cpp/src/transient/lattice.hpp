@@ -5,15 +5,17 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "transient/carried_forces.hpp"
+#include "transient/center_motion.hpp"
 #include "transient/contact_place.hpp"
 #include "transient/contact_stiffness.hpp"
 #include "transient/creeping_pair.hpp"
 #include "transient/elastic_contact.hpp"
 #include "transient/row_memory.hpp"
+#include "transient/step_end.hpp"
 #include "transient/stick_slip_step.hpp"
 #include "viscoroll/rolling_history.hpp"
 
@@ -52,14 +54,6 @@ inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
                                             &RollingInstant::center_speed,
                                             &RollingInstant::slip_energy,
                                             &RollingInstant::stick_share};
-
-/// @brief Where a step ends, in which angle, load and a given way of the center change linearly.
-struct StepEnd {
-  double time;                       ///< [s]
-  double angle;                      ///< [rad]
-  double load;                       ///< [N]
-  std::optional<double> center_way;  ///< since the first instant [m]; none: forces decide
-};
 
 /// @brief Nodes at angles (I + shift) spacing + angle turned, what they bear, and what each body remembers of it.
 class Lattice {
@@ -118,10 +112,7 @@ class Lattice {
   [[nodiscard]] HalfField known_gap(const Touch& touch) const;
   void require_reach(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const Touch& touch, double load);
-  [[nodiscard]] CenterCondition center_condition(double duration, const StepEnd& end) const;
-  void move_center(double duration, double way);
-  [[nodiscard]] VectorField carried_forces(const ContactPlace& place) const;
-  [[nodiscard]] VectorField guess(const ContactPlace& place, double load) const;
+  [[nodiscard]] LastForces last_forces() const { return {.force = force_, .count = count_, .lowest = lowest_}; }
   [[nodiscard]] HalfField by_components(const VectorField& force, const ContactPlace& place) const;
   [[nodiscard]] HalfField deformed(const Touch& touch, std::size_t body) const;
   [[nodiscard]] RowMemory::Load load_of(const Touch& touch, std::size_t body) const;

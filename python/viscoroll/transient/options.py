@@ -45,14 +45,14 @@ class HistoryOptions:
     Parameters
     ----------
     mesh : Mesh, optional
-        Surface mesh; by default 16 nodes across the contact at rest.
+        Surface mesh; by default 16 nodes across the contact at rest, of a roller 48.
     compliance : Compliance or str, default Compliance.RADIAL
-        As of `viscoroll.solve`.
+        As of `viscoroll.solve`; RADIAL but for a ball on the rigid plane.
     curvature : Curvature or str, default Curvature.SPHERE
-        SPHERE or PAPER.
+        SPHERE or PAPER, of balls.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With it a step takes three to eight times as
-        long.
+        Coulomb's coefficient μ between coating and plane [-], in [0, 4], of a ball on the rigid plane: elsewhere
+        friction over time is not there yet. With it a step takes three to eight times as long.
     drive : Drive, default Drive(force=0.0)
         Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
     mass : float, default 0
@@ -64,7 +64,7 @@ class HistoryOptions:
         Lattices of nodes, each shifted by a share of the spacing, that are averaged, in [1, 16]. One is four times as
         fast, and its torque carries the staircase of the nodes.
     steps_per_spacing : int or None, default 4
-        Steps of time while the ball turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: one
+        Steps of time while the body turns by a spacing, in [1, 64]; at standstill steps grow by a tenth. None: one
         step to each knot, and to the end of each `advance`.
     spectrum_tolerance : float, default 0.01
         Largest relative error with which discrete retardation times may stand for the compliance [-]. Of layers that

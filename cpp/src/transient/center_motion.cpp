@@ -1,0 +1,29 @@
+#include "transient/center_motion.hpp"
+
+namespace viscoroll::detail {
+
+CenterCondition center_condition(const CreepingPair& pair, const RollingInstant& now, double duration,
+                                 const StepEnd& end) {
+  if (end.center_way) return {.force = 0.0, .way = 1.0, .value = *end.center_way - now.center_way};
+  const double mass = pair.mass;
+  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -pair.driving_force};
+  if (duration == 0.0) return {.force = 0.0, .way = 1.0, .value = 0.0};
+  return {.force = 1.0,
+          .way = -2.0 * mass / (duration * duration),
+          .value = -pair.driving_force - 2.0 * mass * now.center_speed / duration};
+}
+
+void move_center(double mass, double duration, double way, double& acceleration, RollingInstant& now) {
+  now.center_way += way;
+  if (duration == 0.0) return;
+  const double mean_speed = way / duration;
+  const double before = acceleration;
+  if (mass == 0.0) {
+    now.center_speed = mean_speed;
+    return;
+  }
+  acceleration = (mean_speed - now.center_speed) / duration + 0.5 * before;
+  now.center_speed += duration * (1.5 * acceleration - 0.5 * before);
+}
+
+}  // namespace viscoroll::detail
