@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "transient/layer_spectrum.hpp"
 #include "transient/retardation_intervals.hpp"
 #include "transient/weight_sums.hpp"
+#include "transient/wheel_weights.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -351,8 +353,16 @@ TEST(LayerSpectrum, OfLayersAtRandomLosesEnergyAtEveryOrderAndFrequency) {
 constexpr std::array kAllEntries{Entry::rr,     Entry::rphi,     Entry::rtheta,
                                  Entry::phiphi, Entry::phitheta, Entry::thetatheta};
 
+/// Row and column of an entry in the compliance.
+std::pair<Eigen::Index, Eigen::Index> place_of(Entry entry) {
+  constexpr std::array<std::pair<Eigen::Index, Eigen::Index>, kEntries> kPlaces{
+      {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+  return kPlaces[static_cast<std::size_t>(entry)];
+}
+
 std::vector<TableRequest> all_entries() {
   std::vector<TableRequest> requests;
+  requests.reserve(kAllEntries.size());
   for (const Entry entry : kAllEntries) requests.push_back({.entry = entry});
   return requests;
 }
@@ -409,6 +419,37 @@ TEST(Weights, TablesAreThoseOfElasticLayersAtOnceAndAtRest) {
     for (std::size_t e = 0; e < rest.size(); ++e) {
       EXPECT_LT(largest_difference(sums[e], rest[e], kPhiReach, kThetaReach), 1e-12 * center) << e;
       EXPECT_LT(largest_difference(tables[0][e], once[e], kPhiReach, kThetaReach), 1e-12 * center) << e;
+    }
+  }
+}
+
+TEST(Weights, OfAWheelAreThoseOfItsOrders) {
+  constexpr double kHighest = 300.0;
+  const CoatedWheel wheel{.core_radius = 0.02, .layers = mat(two_solids()).layers, .width = 0.01, .crown_radius = 0.1};
+  const LayerSpectrum spectrum(layered_body(wheel), kRange, 1e-2);
+  const Observer silent;
+  Watch watch(silent);
+  const WheelWeights weights(spectrum, kHighest, kHighest, 1, watch);
+  const Eigen::ArrayXd n{{0.0, 0.3, 3.0, 40.0, 290.0}};
+  for (const double m : {0.0, 1.0, 2.7, 17.0, 150.0, 299.0}) {
+    for (std::size_t w = 0; w < spectrum.weights(); ++w) {
+      OrderSeries series;
+      weights.series(w, m, kHighest, series);
+      const OrderValues values(m, n, series);
+      for (const Entry entry : kAllEntries) {
+        Eigen::ArrayXcd found;
+        values.evaluate(entry, found);
+        for (Eigen::Index i = 0; i < n.size(); ++i) {
+          const SurfaceOrder order{.m = m, .n = n[i]};
+          const auto exact = spectrum.weights_of(std::span(&order, 1)).front();
+          const Eigen::Matrix3d at_rest = std::accumulate(exact.begin(), exact.end(), Eigen::Matrix3d::Zero().eval());
+          const Eigen::Matrix3cd physical = to_physical<double>(exact[w]);
+          const auto [row, column] = place_of(entry);
+          const double size = std::sqrt(at_rest(row, row) * at_rest(column, column));
+          EXPECT_LE(std::abs(found[i] - physical(row, column)), 1e-9 * size)
+              << m << ' ' << n[i] << ' ' << w << ' ' << static_cast<int>(entry);
+        }
+      }
     }
   }
 }

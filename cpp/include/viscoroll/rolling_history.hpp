@@ -112,7 +112,7 @@ class RollingHistory {
   explicit RollingHistory(const RollingBody& body, double load, Start start = Start::relaxed,
                           const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                           const Observer& observer = {});
-  /// @param[in] body what rolls, with layers, of a wheel such as share one relaxation function; or rigid
+  /// @param[in] body what rolls, with layers or rigid
   /// @param[in] on what it rolls on, likewise: one of the two deforms
   /// @param[in] load P at the first instant [N], of a roller per length, > 0
   /// @param[in] start what was before

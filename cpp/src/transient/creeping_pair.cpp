@@ -19,13 +19,7 @@ namespace {
 
 using Eigen::Index;
 
-/// What layers that do not creep alike cannot be.
-void require_layer_spectrum(const Body& body, std::string_view prefix, const Metric& metric) {
-  if (metric.is_wheel()) {
-    reject(std::string(prefix) + body.layers.front().name + ".shear_modulus",
-           "a multiple of that of the outermost layer, with poisson_ratio given, in transient rolling of wheels",
-           "layers that do not creep alike");
-  }
+void require_yielding_at_once(const Body& body, std::string_view prefix) {
   for (const auto& [name, layer] : body.layers) {
     const auto* solid = std::get_if<KelvinVoigt>(&layer.shear_modulus);
     if (solid == nullptr || solid->viscosity == 0.0) continue;
@@ -51,9 +45,8 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
   if (creep_alike(body.layers, range)) {
     result.spectrum = creep_spectrum(body.layers.back().layer.shear_modulus, range);
   } else {
-    LayeredBody layers = body.layered(crossing);
-    require_layer_spectrum(body, prefix, layers.metric);
-    result = layer_spectrum(std::move(layers), options, range);
+    require_yielding_at_once(body, prefix);
+    result = layer_spectrum(body.layered(crossing), options, range);
   }
   if (result.spectrum.error > options.spectrum_tolerance) {
     reject(

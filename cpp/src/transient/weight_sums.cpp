@@ -6,12 +6,22 @@
 #include "influence/line_sum.hpp"
 #include "influence/synthesis.hpp"
 #include "transient/weight_panels.hpp"
+#include "transient/wheel_weights.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
 /// Without inertia it enters nothing but the frequencies of moduli, which are those at rest.
 constexpr double kAnySpeed = 1.0;
+
+std::shared_ptr<const OrderWeights> weights_of(const LayerSpectrum& layers, const std::vector<double>& m,
+                                               double highest_n, int threads, Watch& watch) {
+  const auto [lowest_m, highest_m] = std::ranges::minmax(m);
+  if (layers.metric().is_wheel()) {
+    return std::make_shared<const WheelWeights>(layers, highest_m, highest_n, threads, watch);
+  }
+  return std::make_shared<const WeightPanels>(layers, lowest_m, highest_m, highest_n, threads, watch);
+}
 
 }  // namespace
 
@@ -22,13 +32,12 @@ std::vector<std::unique_ptr<const TableSum>> weights_under_spot(const LayerSpect
   const std::vector<OrderBand> across = theta_bands(body, kAnySpeed, mesh.rounded(), 0.0, mesh.widest());
   const std::vector<double> m = all_orders(along);
   const double highest_n = std::ranges::max(all_orders(across));
-  const auto panels =
-      std::make_shared<const WeightPanels>(layers, std::ranges::min(m), std::ranges::max(m), highest_n, threads, watch);
+  const std::shared_ptr<const OrderWeights> weights = weights_of(layers, m, highest_n, threads, watch);
   std::vector<std::unique_ptr<const TableSum>> sums;
   sums.reserve(layers.weights());
   for (std::size_t w = 0; w < layers.weights(); ++w) {
     sums.push_back(std::make_unique<const OrderSum>(mesh, layers.metric().radius, along, across,
-                                                    std::make_unique<WeightSpectrum>(panels, w, m, highest_n)));
+                                                    std::make_unique<WeightSpectrum>(weights, w, m, highest_n)));
   }
   return sums;
 }

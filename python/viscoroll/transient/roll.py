@@ -50,8 +50,7 @@ def roll(
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid; a wheel with endless sides and layers that share one relaxation function and
-        have a Poisson's ratio.
+        What rolls, with layers or rigid; a wheel with endless sides.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane. A plane and a
         groove remember where it has been: who comes back finds the track as it was left, but for what has crept back.

@@ -147,8 +147,7 @@ class RollingHistory:
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid; a wheel with endless sides and layers that share one relaxation function and
-        have a Poisson's ratio.
+        What rolls, with layers or rigid; a wheel with endless sides.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane.
     load : float

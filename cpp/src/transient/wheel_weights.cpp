@@ -1,0 +1,184 @@
+#include "transient/wheel_weights.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+using cplx = std::complex<double>;
+
+/// Rows of a weight: entries of each term in m^2 / k^2.
+constexpr Index kPerWeight = Index{kEntries} * kPanelNodes;
+
+/// Rows of the weights of one order, entry by entry.
+Index rows_of(const LayerSpectrum& layers) { return kEntries * static_cast<Index>(layers.weights()); }
+
+/// The weights of one order, entries that are odd in n per n, those that are odd in m per m.
+Eigen::VectorXd entries_of(const std::vector<Eigen::Matrix3d>& weights, double m, double n) {
+  Eigen::VectorXd entries(kEntries * static_cast<Index>(weights.size()));
+  for (std::size_t w = 0; w < weights.size(); ++w) {
+    const Eigen::Matrix3d& y = weights[w];
+    entries.segment<kEntries>(kEntries * static_cast<Index>(w)) << y(0, 0), y(0, 1) / m, y(0, 2) / n, y(1, 1),
+        y(1, 2) / (m * n), y(2, 2);
+  }
+  return entries;
+}
+
+/// Whether the last terms are negligible beside the compliance at rest.
+/// @param[in] panel rows (weight, any, entry), the first of which are as large as any
+/// @param[in] per_weight rows of each
+/// @param[in] m_divisor what entries that are odd in m are divided by
+bool is_resolved(const Panel<double>& panel, Index per_weight, double m_divisor) {
+  constexpr double kTolerance = 1e-11;  // sums around the contour keep twelve digits of the whole
+  const auto size = [&](Entry entry) {
+    Eigen::RowVectorXd at_rest = Eigen::RowVectorXd::Zero(kPanelNodes);
+    for (auto row = static_cast<Index>(entry); row < panel.series.rows(); row += per_weight) {
+      at_rest += panel.series.row(row);
+    }
+    return at_rest.cwiseAbs().maxCoeff();
+  };
+  const auto sizes = entry_sizes(size(Entry::rr), size(Entry::phiphi), m_divisor, std::sqrt(panel.high));
+  for (Index row = 0; row < panel.series.rows(); ++row) {
+    const double last = panel.series.row(row).tail<2>().cwiseAbs().maxCoeff();
+    if (last > kTolerance * sizes[static_cast<std::size_t>(row % kEntries)]) return false;
+  }
+  return true;
+}
+
+/// Of m = 0, where entries that are odd in m vanish.
+std::vector<Panel<double>> panels_of_zero(const LayerSpectrum& layers, double highest_n) {
+  constexpr double kAnything = 1.0;
+  const auto sample = [&](const std::array<double, kPanelNodes>& k2) {
+    std::vector<SurfaceOrder> orders;
+    orders.reserve(k2.size());
+    for (const double square : k2) orders.push_back({.m = 0.0, .n = std::sqrt(square)});
+    const auto weights = layers.weights_of(orders);
+    Eigen::MatrixXd values(rows_of(layers), kPanelNodes);
+    for (std::size_t j = 0; j < k2.size(); ++j) {
+      values.col(static_cast<Index>(j)) = entries_of(weights[j], kAnything, orders[j].n);
+    }
+    return values;
+  };
+  const SurfaceOrder uniform{.m = 0.0, .n = 0.0};
+  const double lowest = end_of_zero_order(layers.metric());
+  std::vector<Panel<double>> panels;
+  append_constants(lowest, entries_of(layers.weights_of(std::span(&uniform, 1)).front(), kAnything, kAnything), panels);
+  append_panels(
+      lowest, highest_n * highest_n, sample,
+      [&](const Panel<double>& panel) { return is_resolved(panel, kEntries, kAnything); }, panels);
+  return panels;
+}
+
+/// m^2 / k^2 at Chebyshev nodes between 0 and 1.
+double direction(int node) { return 0.5 + 0.5 * std::cos(std::numbers::pi * (node + 0.5) / kPanelNodes); }
+
+/// At nodes in k^2, as series in m^2 / k^2.
+Eigen::MatrixXd directions_at(const LayerSpectrum& layers, const std::array<double, kPanelNodes>& k2) {
+  static const Eigen::MatrixXd transform = chebyshev_transform(kPanelNodes);
+  Eigen::MatrixXd values(kPanelNodes * rows_of(layers), kPanelNodes);
+  for (std::size_t j = 0; j < k2.size(); ++j) {
+    std::vector<SurfaceOrder> orders;
+    orders.reserve(kPanelNodes);
+    for (int i = 0; i < kPanelNodes; ++i) {
+      orders.push_back({.m = std::sqrt(direction(i) * k2[j]), .n = std::sqrt((1.0 - direction(i)) * k2[j])});
+    }
+    const auto weights = layers.weights_of(orders);
+    Eigen::MatrixXd around(rows_of(layers), kPanelNodes);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      around.col(static_cast<Index>(i)) = entries_of(weights[i], orders[i].m, orders[i].n);
+    }
+    for (std::size_t w = 0; w < layers.weights(); ++w) {
+      const auto number = static_cast<Index>(w);
+      values.col(static_cast<Index>(j)).segment<kPerWeight>(kPerWeight * number) =
+          (around.middleRows<kEntries>(kEntries * number) * transform).reshaped();
+    }
+  }
+  return values;
+}
+
+/// T_0, T_1, ... at x.
+Eigen::Vector<double, kPanelNodes> chebyshev_polynomials(double x) {
+  Eigen::Vector<double, kPanelNodes> values;
+  values[0] = 1.0;
+  values[1] = x;
+  for (Index i = 2; i < values.size(); ++i) values[i] = 2.0 * x * values[i - 1] - values[i - 2];
+  return values;
+}
+
+double coordinate(const Panel<double>& panel, double k2) {
+  return 2.0 * std::log(k2 / panel.low) / std::log(panel.high / panel.low) - 1.0;
+}
+
+/// One weight of an order m at k^2.
+Eigen::Vector<double, kEntries> value_at(const Panel<double>& panel, std::size_t weight, double m2, double k2) {
+  const auto rows = panel.series.middleRows<kPerWeight>(kPerWeight * static_cast<Index>(weight));
+  const Eigen::Vector<double, kPerWeight> at_k2 = rows * chebyshev_polynomials(coordinate(panel, k2));
+  return at_k2.reshaped(kEntries, kPanelNodes) * chebyshev_polynomials(2.0 * m2 / k2 - 1.0);
+}
+
+void append(const Panel<double>& panel, OrderSeries& series) {
+  series.push_back({.low = panel.low, .high = panel.high, .series = panel.series.cast<cplx>()});
+}
+
+}  // namespace
+
+WheelWeights::WheelWeights(const LayerSpectrum& layers, double highest_m, double highest_n, int threads, Watch& watch) {
+  constexpr double kPart = 16.0;  // of k^2, that one thread resolves
+  const double most = highest_m * highest_m + highest_n * highest_n;
+  std::vector<double> bounds{1.0};
+  while (bounds.back() < most) bounds.push_back(std::min(kPart * bounds.back(), most));
+  std::vector<std::vector<Panel<double>>> parts(bounds.size());
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
+    if (p + 1 == parts.size()) {
+      zero_ = panels_of_zero(layers, highest_n);
+      return;
+    }
+    append_panels(
+        bounds[p], bounds[p + 1],
+        [&](const auto& k2) {
+          worker.checkpoint();
+          return directions_at(layers, k2);
+        },
+        [&](const Panel<double>& panel) { return is_resolved(panel, kPerWeight, std::sqrt(panel.high)); }, parts[p]);
+  });
+  for (auto& part : parts) std::ranges::move(part, std::back_inserter(panels_));
+}
+
+void WheelWeights::series(std::size_t weight, double m, double highest_n, OrderSeries& series) const {
+  // As powers of m^2 / k^2 the directions change over a panel; over this ratio of k^2 sixteen terms hold them.
+  constexpr double kRatio = 3.0;
+  series.clear();
+  const double highest = m * m + highest_n * highest_n;
+  if (m == 0.0) {
+    for (const Panel<double>& panel : zero_) {
+      if (panel.low > highest) break;
+      append({panel.low, panel.high, panel.series.middleRows<kEntries>(kEntries * static_cast<Index>(weight))}, series);
+      series.back().series.row(static_cast<int>(Entry::rphi)).setZero();
+      series.back().series.row(static_cast<int>(Entry::phitheta)).setZero();
+    }
+    return;
+  }
+  for (const Panel<double>& panel : panels_) {
+    if (panel.high <= m * m || panel.low > highest) continue;
+    const double start = std::max(panel.low, m * m);
+    const int count = std::max(1, static_cast<int>(std::ceil(std::log(panel.high / start) / std::log(kRatio))));
+    for (int part = 0; part < count; ++part) {
+      const double low = start * std::pow(panel.high / start, static_cast<double>(part) / count);
+      const double high = start * std::pow(panel.high / start, (part + 1.0) / count);
+      const auto k2 = panel_nodes(low, high);
+      Eigen::Matrix<double, Eigen::Dynamic, kPanelNodes> values(kEntries, kPanelNodes);
+      for (std::size_t j = 0; j < k2.size(); ++j) {
+        values.col(static_cast<Index>(j)) = value_at(panel, weight, m * m, k2[j]);
+      }
+      for (const Entry odd : {Entry::rphi, Entry::phitheta}) values.row(static_cast<int>(odd)) *= m;
+      append({low, high, to_series(values)}, series);
+    }
+  }
+}
+
+}  // namespace viscoroll::detail
