@@ -25,7 +25,8 @@ enum class Status {
 enum class WarningKind {
   max_iterations,        ///< the active set still changed when the iterations ran out
   accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
-  coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh, or a large error estimate there
+  coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh
+  power_balance,         ///< open by more than a twentieth on a given mesh that is not coarse
   large_strain,          ///< beyond what linear theory is good for
   contact_at_side,       ///< of a crowned wheel; with endless sides also where it ends nearer to them than the tread is
                          ///< thick

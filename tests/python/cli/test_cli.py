@@ -288,7 +288,7 @@ def test_coarse_meshes_are_a_warning(case_file):
     estimate = case.solve().error_estimate
     assert command("solve", path).stderr == (
         "warning: the mesh is too coarse: 1 nodes across the contact (good from 10), "
-        f"error estimate {estimate:.3g} (good up to 0.1); refine it, or leave it out\n"
+        f"error estimate {estimate:.3g} (good up to 0.05); refine it, or leave it out\n"
     )
 
 
