@@ -1,5 +1,6 @@
 #include "viscoroll/plane.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "validate.hpp"
@@ -31,8 +32,9 @@ bool is_rigid(const Groove& groove) { return is_rigid(groove.surface); }
 void validate(const Groove& groove) {
   const auto require_curved = [](const char* name, const std::optional<double>& radius) {
     if (!radius) return;
-    detail::require_finite(name, *radius);
-    if (*radius == 0.0) detail::reject(name, "other than 0 m, or left out where it is straight", *radius);
+    if (*radius != 0.0 && std::isfinite(*radius)) return;
+    detail::reject(name, "other than 0 m and finite, or left out where it is straight (both ways: a CoatedPlane)",
+                   *radius);
   };
   require_curved("groove.radius", groove.radius);
   require_curved("groove.path_radius", groove.path_radius);

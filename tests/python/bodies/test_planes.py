@@ -334,8 +334,11 @@ def test_refusals(arguments, message):
 def test_bad_planes_are_named():
     with pytest.raises(ValueError, match=r"base\.poisson_ratio"):
         HalfSpace(shear_modulus=Elastic(modulus=1e7), poisson_ratio=0.7)
-    with pytest.raises(ValueError, match=r"groove\.radius"):
+    straight = r"groove\.{} must be other than 0 m and finite, or left out where it is straight .*CoatedPlane\), got {}"
+    with pytest.raises(ValueError, match=straight.format("radius", "0")):
         Groove(radius=0.0)
+    with pytest.raises(ValueError, match=straight.format("path_radius", "inf")):
+        Groove(radius=0.1, path_radius=math.inf)
     with pytest.raises(ValueError, match=r"groove\.radius or groove\.path_radius must be given"):
         Groove()
     with pytest.raises(TypeError, match="on must be a viscoroll"):
