@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 import viscoroll as vr
 
-from .materials import draw_modulus, scaled_modulus
+from .materials import draw_modulus, modulus_at, scaled_modulus
+from .pairs import on_a_ball
 
 __all__ = ["Case", "draw", "source"]
 
@@ -35,6 +36,16 @@ class Case:
     ball: vr.CoatedSphere | vr.CoatedWheel
     arguments: dict[str, Any] = field(default_factory=dict)
     absurd: str = ""
+
+    @property
+    def on(self) -> vr.CoatedSphere | None:
+        """The other ball, where it rolls on one."""
+        return self.arguments.get("on")
+
+    @property
+    def layers(self) -> list[vr.Layer]:
+        """Return the layers of both bodies."""
+        return [*self.ball.layers, *(self.on.layers if self.on else ())]
 
     @property
     def has_friction(self) -> bool:
@@ -101,8 +112,14 @@ def draw(seed: int, number: int) -> Case:
     apart = np.random.default_rng([seed, number, 2])  # as above
     if apart.random() < _WHEELS and geometry.inner_boundary is vr.InnerBoundary.RIGID:
         return Case(name=f"{seed}:{number}", absurd=absurd, **_on_a_wheel(apart, ball, contact_radius, arguments))
+    apart = np.random.default_rng([seed, number, 3])
+    if apart.random() < _PAIRS:
+        return Case(name=f"{seed}:{number}", absurd=absurd, **on_a_ball(apart, ball, time, arguments))
     return Case(name=f"{seed}:{number}", ball=ball, arguments=arguments, absurd=absurd)
 
+
+#: Share of the balls that roll on another one.
+_PAIRS = 0.25
 
 #: Share of the cases on a rigid core in which its layers are the tread of a wheel.
 _WHEELS = 0.2
@@ -206,18 +223,12 @@ def _volume(rng: np.random.Generator, modulus: float) -> dict[str, float]:
 def _load(ball: vr.CoatedSphere, geometry: _Geometry, depth: float, frequency: float) -> float:
     """Return a load [N] that should press the ball about so deep: that of the softest layer alone."""
     radius, thickness = geometry.radius, geometry.thickness
-    softest = min(abs(_modulus_at(layer.shear_modulus, frequency)) for layer in ball.layers)
+    softest = min(abs(modulus_at(layer.shear_modulus, frequency)) for layer in ball.layers)
     hertz = 8.0 / 3.0 * softest * math.sqrt(radius * depth**3)
     bonded = math.pi * softest * radius * depth**2 / thickness  # incompressible thin layers bear more
     if geometry.inner_boundary is vr.InnerBoundary.HOLLOW:
         return min(hertz, 4.0 * softest * thickness**2 * depth / radius)  # a shell bends
     return hertz if geometry.inner_boundary is vr.InnerBoundary.SOLID else hertz + bonded
-
-
-def _modulus_at(modulus: Any, frequency: float) -> complex:
-    omega = np.array([frequency])
-    values = modulus.complex_modulus(omega) if isinstance(modulus, vr.ShearModulus) else modulus(omega)
-    return complex(values[0])
 
 
 def _friction(rng: np.random.Generator) -> float:

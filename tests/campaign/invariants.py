@@ -21,7 +21,7 @@ def violations(case: Case, result: vr.Result) -> dict[str, float]:
     """Return the conditions that a solution violates, each with its error relative to what is allowed."""
     if not _is_finite(result):
         return {"not finite": math.inf}
-    checks = (_contact, _status, _powers, _symmetry, *((_friction, _drive) if case.has_friction else ()))
+    checks = (_contact, _status, _powers, _pair, _symmetry, *((_friction, _drive) if case.has_friction else ()))
     errors = {name: error / TOLERANCE for check in checks for name, error in check(case, result)}
     return {name: error for name, error in errors.items() if not error <= 1.0}
 
@@ -39,6 +39,9 @@ def _areas(result: vr.Result) -> NDArray[np.float64]:
     if isinstance(result.ball, vr.CoatedWheel):  # whose columns are so wide that they end at its faces
         return np.full(result.z.shape, radius * result.mesh.spacing * abs(result.z[0, 1] - result.z[0, 0]))
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
+    on = result.on
+    if isinstance(on, vr.CoatedSphere) and on.layers:  # whose nodes lie between both, on a paraboloid
+        return np.full(result.z.shape, flat)
     if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
         return np.full(result.z.shape, flat)
     return flat * np.sqrt(1.0 - (result.z / radius) ** 2)
@@ -54,7 +57,8 @@ def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     yield "pressure out of contact", float(result.pressure[outside].max(initial=0.0)) / peak
     yield "load balance", abs(float((result.pressure * _areas(result)).sum()) / result.load - 1.0)
     yield "penetration <= 0", 0.0 if depth > 0.0 else 1.0
-    yield "penetration >= thickness", 0.0 if result.penetration < result.ball.thickness else 1.0
+    thickness = sum(layer.thickness for layer in case.layers)
+    yield "penetration >= thickness", 0.0 if result.penetration < thickness else 1.0
 
 
 def _status(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
@@ -103,7 +107,8 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     area = _areas(result)
     force = -float((result.shear_traction[0] * area).sum())
     bound = min(result.friction, 1.0) * result.load
-    yield "driving force", abs(force - result.driving_force) / bound
+    if case.on is None:  # which leans on the pressure, else
+        yield "driving force", abs(force - result.driving_force) / bound
     if drive.force is not None:
         yield "force balance", abs(result.driving_force - drive.force) / bound
     if drive.torque is not None:
@@ -117,8 +122,30 @@ def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     rolling = result.load * _arm(result) * result.angular_speed
     yield "power gained in the coating", -result.bulk_power / rolling
     yield "power gained by slip", -result.slip_power / rolling
-    if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.ball.layers):
+    if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.layers):
         yield "power lost in an elastic coating", abs(result.bulk_power) / rolling
+
+
+def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
+    """Two balls pay for what both lose, and without friction each of them for itself.
+
+    The pressure's moment is known to a spacing's lever, and a loss to the share of a node in the contact's half length.
+    """
+    if case.on is None:
+        return
+    spacing = result.mesh.spacing * result.ball.outer_radius
+    unknown = result.load * spacing * result.angular_speed
+    unknown += result.dissipated_power * min(spacing / _arm(result), 1.0)
+    rolling = result.angular_speed * result.ball.outer_radius
+    speed = rolling if result.linear_speed is None else result.linear_speed
+    distance = result.center_height + case.on.outer_radius
+    own = result.driving_torque * result.angular_speed
+    others = (result.driving_torque + result.driving_force * distance) * speed / case.on.outer_radius
+    guided = result.lateral_force * result.drive.lateral_creepage * rolling
+    yield "power of a pair", TOLERANCE * abs(own + others - guided - result.dissipated_power) / unknown
+    if not case.has_friction:
+        yield "power of the first of a pair", TOLERANCE * abs(own - result.rolling_bulk_power) / unknown
+        yield "power of the other of a pair", TOLERANCE * abs(others - result.counterpart_bulk_power) / unknown
 
 
 def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:

@@ -10,7 +10,7 @@ import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
 
-__all__ = ["Scaled", "Springpot", "draw_modulus", "scaled_modulus"]
+__all__ = ["Scaled", "Springpot", "draw_modulus", "modulus_at", "scaled_modulus"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,6 +96,13 @@ class Scaled:
         """Return the complex modulus [Pa] at angular frequencies [rad/s]."""
         values: NDArray[np.complex128] = self.stress * self.function(self.time * omega)
         return values
+
+
+def modulus_at(modulus: Any, frequency: float) -> complex:
+    """Return the complex modulus [Pa] at an angular frequency [rad/s]."""
+    omega = np.array([frequency])
+    values = modulus.complex_modulus(omega) if isinstance(modulus, vr.ShearModulus) else modulus(omega)
+    return complex(values[0])
 
 
 def scaled_modulus(modulus: Any, *, stress: float, time: float) -> Any:

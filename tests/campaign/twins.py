@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .cases import Case
 from .materials import scaled_modulus
+from .pairs import on_its_mirror, swapped
 
 __all__ = ["Twin", "twins"]
 
@@ -23,6 +24,9 @@ LENGTH, STRESS, TIME = 2.0**-9, 2.0**13, 2.0**7
 #: the solver ends at residuals of 1e-8 and less.
 SCALING_TOLERANCE = 1e-8
 TOLERANCE = 1e-6
+
+#: Of one pair told from either ball: their orders are split in octaves of their own, and one is the other's elsewhere.
+PAIR_TOLERANCE = 1e-5
 
 #: Of layers cut in two, in a tread with faces: elements of its section end where layers do, and are right to some 1e-4.
 ELEMENT_TOLERANCE = 1e-3
@@ -66,6 +70,11 @@ def twins(case: Case) -> Iterator[Twin]:
     if not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # its crown cuts one layer
         allowed = ELEMENT_TOLERANCE if wheel and wheel.sides is vr.Sides.FREE else TOLERANCE
         yield Twin(kind="split layer", case=_split(case), differences=partial(_differences, allowed=allowed))
+    if case.on is not None and _tells_both_alike(case):
+        yield Twin(kind="swap", case=_swapped(case), differences=_swap_differences)
+        if case.on == case.ball:
+            mirror = replace(case, arguments=on_its_mirror(case.arguments))
+            yield Twin(kind="mirror plane", case=mirror, differences=_mirror_differences)
     drive = case.arguments["drive"]
     if drive.lateral_creepage:
         mirrored = replace(drive, lateral_creepage=-drive.lateral_creepage)
@@ -76,19 +85,41 @@ def twins(case: Case) -> Iterator[Twin]:
         )
 
 
+def _tells_both_alike(case: Case) -> bool:
+    """Whether the other ball may roll in place of the first one, at the same nodes and speeds."""
+    if not (case.ball.layers and case.on.layers):  # nodes lie on a paraboloid where what is rolled on deforms
+        return False
+    return not case.has_friction and case.arguments["drive"].creepage is None and "mesh" in case.arguments
+
+
+def _swapped(case: Case) -> Case:
+    ball, arguments = swapped(case.ball, case.arguments)
+    return replace(case, ball=ball, arguments=arguments)
+
+
+def _swap_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
+    """Return what differs of what has no side, and of what each body loses."""
+    pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("penetration", "resisting_torque")}
+    pairs["bulk_power"] = one.rolling_bulk_power, other.counterpart_bulk_power
+    return _pair_differences(one, pairs)
+
+
+def _mirror_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
+    """Return what differs from one of two equal balls on the plane between them: it is pressed in by half."""
+    pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("resisting_torque", "contact_area")}
+    pairs["penetration"] = one.penetration, 2.0 * other.penetration
+    pairs["bulk_power"] = one.rolling_bulk_power, other.rolling_bulk_power
+    return _pair_differences(one, pairs)
+
+
+def _pair_differences(one: vr.Result, pairs: dict[str, tuple[float, float]]) -> dict[str, float]:
+    scales = _scales(one)
+    found = {name: abs(a - b) / (PAIR_TOLERANCE * scales[name]) for name, (a, b) in pairs.items()}
+    return {name: value for name, value in found.items() if not value <= 1.0}
+
+
 def _scaled(case: Case) -> Case:
-    layers = [
-        replace(
-            layer,
-            thickness=LENGTH * layer.thickness,
-            shear_modulus=scaled_modulus(layer.shear_modulus, stress=STRESS, time=TIME),
-            bulk_modulus=None if layer.bulk_modulus is None else STRESS * layer.bulk_modulus,
-            density=STRESS * TIME**2 / LENGTH**2 * layer.density,
-        )
-        for layer in case.ball.layers
-    ]
-    lengths = [name for name in ("core_radius", "width", "crown_radius") if hasattr(case.ball, name)]
-    ball = replace(case.ball, layers=layers, **{name: LENGTH * getattr(case.ball, name) for name in lengths})
+    on = {} if case.on is None else {"on": _scaled_body(case.on)}
     given = case.arguments
     drive = given["drive"]
     if drive.force is not None:
@@ -100,16 +131,35 @@ def _scaled(case: Case) -> Case:
         "angular_speed": given["angular_speed"] / TIME,
         "drive": drive,
     }
-    return replace(case, ball=ball, arguments=given | changed)
+    return replace(case, ball=_scaled_body(case.ball), arguments=given | changed | on)
+
+
+def _scaled_body(body: Any) -> Any:
+    layers = [
+        replace(
+            layer,
+            thickness=LENGTH * layer.thickness,
+            shear_modulus=scaled_modulus(layer.shear_modulus, stress=STRESS, time=TIME),
+            bulk_modulus=None if layer.bulk_modulus is None else STRESS * layer.bulk_modulus,
+            density=STRESS * TIME**2 / LENGTH**2 * layer.density,
+        )
+        for layer in body.layers
+    ]
+    lengths = [name for name in ("core_radius", "width", "crown_radius") if hasattr(body, name)]
+    return replace(body, layers=layers, **{name: LENGTH * getattr(body, name) for name in lengths})
 
 
 def _split(case: Case) -> Case:
-    """Cut the thickest layer in two."""
-    layers = list(case.ball.layers)
+    """Cut the thickest layer in two, of what rolls unless that is rigid."""
+    body = case.ball if case.ball.layers else case.on
+    layers = list(body.layers)
     thickest = max(range(len(layers)), key=lambda j: layers[j].thickness)
     half = replace(layers[thickest], thickness=0.5 * layers[thickest].thickness)
     layers[thickest : thickest + 1] = [half, half]
-    return replace(case, ball=replace(case.ball, layers=layers))
+    split = replace(body, layers=layers)
+    if not case.ball.layers:
+        return replace(case, arguments=case.arguments | {"on": split})
+    return replace(case, ball=split)
 
 
 def _scaling_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:

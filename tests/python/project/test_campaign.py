@@ -13,6 +13,7 @@ from campaign.cases import Case, draw
 from campaign.invariants import violations
 from campaign.runner import Outcome, run, run_case
 from campaign.summary import summary
+from campaign.twins import twins
 
 SEED = 1
 
@@ -61,7 +62,7 @@ def elastic_case(**changes) -> Case:
         "mesh": vr.Mesh(nodes_per_revolution=250),
         "threads": 1,
     }
-    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    ball = changes.pop("ball", vr.CoatedSphere(core_radius=20e-3, layers=[layer]))
     return Case(name="0:0", ball=ball, arguments=arguments | changes)
 
 
@@ -103,6 +104,35 @@ def sound() -> vr.Result:
 def test_doctored_solutions_are_seen(sound, name):
     assert violations(elastic_case(), sound) == {}
     assert name in violations(elastic_case(), replace(sound, **DOCTORED[name](sound)))
+
+
+def pair_case() -> Case:
+    """Return two balls alike, without friction."""
+    modulus = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=0.1)
+    layer = vr.Layer(thickness=5e-3, shear_modulus=modulus, poisson_ratio=0.4)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    return elastic_case(on=ball, friction=0.0, drive=vr.Drive(force=0.0), load=5.0, ball=ball)
+
+
+def test_a_sound_pair_has_no_violation():
+    case = pair_case()
+    assert [twin.kind for twin in twins(case)] == ["scaling", "split layer", "swap", "mirror plane"]
+    outcome = run_case(case)
+    assert (outcome.kind, outcome.violations, outcome.stage) == ("solved", {}, "case")
+
+
+@pytest.mark.parametrize(
+    ("name", "changed"),
+    [
+        ("power of the first of a pair", lambda r: {"driving_torque": 10.0 * r.driving_torque}),
+        ("power of the other of a pair", lambda r: {"counterpart_bulk_power": 10.0 * r.counterpart_bulk_power}),
+        ("power of a pair", lambda r: {"dissipated_power": 10.0 * r.dissipated_power}),
+    ],
+)
+def test_what_a_pair_leaves_unpaid_is_seen(name, changed):
+    case = pair_case()
+    result = vr.solve(case.ball, **case.arguments)
+    assert name in violations(case, replace(result, **changed(result)))
 
 
 def test_an_absolute_number_in_the_solution_is_seen(monkeypatch):

@@ -1,0 +1,98 @@
+"""Balls on balls: the other body of a case, and the same pair seen otherwise."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import viscoroll as vr
+
+from .materials import draw_modulus, modulus_at
+
+__all__ = ["on_a_ball", "on_its_mirror", "swapped"]
+
+#: Modulus of a plane that hardly deforms [Pa]: moduli go up to 1e12.
+_MIRROR = 1e22
+
+
+def on_a_ball(
+    rng: np.random.Generator, ball: vr.CoatedSphere, time: float, arguments: dict[str, Any]
+) -> dict[str, Any]:
+    """Return a ball of a case and its arguments with another one that it rolls on: alike, coated, or one of them rigid.
+
+    Parameters
+    ----------
+    rng : Generator
+        Of the case, for this alone.
+    ball : CoatedSphere
+        What rolls on a plane.
+    time : float
+        That material takes to cross the contact [s].
+    arguments : dict
+        Of `viscoroll.solve`, for the plane.
+    """
+    kind = rng.choice(["alike", "coated", "rigid", "coated under a rigid one"], p=[0.2, 0.5, 0.15, 0.15])
+    radius = ball.outer_radius
+    # Nodes at the same distances on either ball, whichever rolls on the other.
+    mesh = arguments.get("mesh")
+    nodes = 1000 if mesh is None else mesh.nodes_per_revolution
+    wanted = 1.0 if kind == "alike" else 10.0 ** rng.uniform(-0.5, 1.0)
+    ratio = min(max(16, round(nodes * wanted)), 1_000_000) / nodes
+    other = _other(rng, kind, ball, ratio * radius, time, arguments["angular_speed"])
+    share = ratio / (1.0 + ratio)  # of the relative radius in the first one's
+    drive = arguments["drive"]
+    pulled = {name: None if (f := getattr(drive, name)) is None else f * share for name in ("force", "torque")}
+    changed: dict[str, Any] = {
+        "load": share * arguments["load"],
+        "drive": replace(drive, **pulled),
+        "compliance": vr.Compliance.RADIAL,
+        "patch_load": vr.PatchLoad.FLAT,
+    }
+    given = arguments | changed | {"on": other}
+    if kind == "coated under a rigid one":
+        ball, given = swapped(ball, given)
+    return {"ball": ball, "arguments": given}
+
+
+def _other(
+    rng: np.random.Generator, kind: str, ball: vr.CoatedSphere, radius: float, time: float, speed: float
+) -> vr.CoatedSphere:
+    if kind == "alike":
+        return ball
+    if kind != "coated":
+        return vr.CoatedSphere(core_radius=radius)
+    thickness = radius * 10.0 ** rng.uniform(-2.0, -0.1)
+    softest = min(abs(modulus_at(layer.shear_modulus, 1.0 / time)) for layer in ball.layers)
+    modulus = softest * 10.0 ** rng.uniform(-1.0, 2.0)
+    layer = vr.Layer(
+        thickness=thickness,
+        shear_modulus=draw_modulus(rng, modulus, time, speed * ball.outer_radius / radius),
+        poisson_ratio=0.5 if rng.random() < 0.4 else rng.uniform(0.0, 0.5),
+    )
+    return vr.CoatedSphere(core_radius=radius - thickness, layers=[layer])
+
+
+def swapped(ball: vr.CoatedSphere, arguments: dict[str, Any]) -> tuple[vr.CoatedSphere, dict[str, Any]]:
+    """Return the same pair with the other one as what rolls, at the same nodes."""
+    other: vr.CoatedSphere = arguments["on"]
+    ratio = other.outer_radius / ball.outer_radius
+    changed = {"on": ball, "angular_speed": arguments["angular_speed"] / ratio}
+    if mesh := arguments.get("mesh"):
+        numbers = {
+            name: None if (n := getattr(mesh, name)) is None else max(16, round(n * ratio))
+            for name in ("nodes_per_revolution", "theta_nodes_per_revolution", "max_order")
+        }
+        changed["mesh"] = vr.Mesh(**numbers)
+    return other, arguments | changed
+
+
+def on_its_mirror(arguments: dict[str, Any]) -> dict[str, Any]:
+    """Return a ball's arguments on the plane that lies between it and its like, which hardly deforms.
+
+    Its nodes lie on a paraboloid, as between two balls.
+    """
+    plane = vr.CoatedPlane(
+        layers=[vr.Layer(thickness=1.0, shear_modulus=vr.Elastic(modulus=_MIRROR), poisson_ratio=0.3)]
+    )
+    return arguments | {"on": plane}
