@@ -34,17 +34,33 @@ Relaxation strongest_relaxation(const RollingPair& pair, double frequency) {
   return strongest;
 }
 
-/// Moments about the center of what skids, and of what spins on the spot.
-std::array<double, 2> sliding_moments(const Assembly& assembly, ContactProblem problem) {
-  std::array<double, 2> moments{};
+/// What drives a body that slides as a whole.
+struct Sliding {
+  double force;   ///< on the center [N]
+  double moment;  ///< about it [N m]
+};
+
+/// Of what skids, and of what spins on the spot.
+std::array<Sliding, 2> sliding(const Assembly& assembly, ContactProblem problem) {
+  std::array<Sliding, 2> found{};
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     problem.friction->drive = std::make_shared<GivenCreepage>(side == 0 ? 1.0 : -1.0);
-    const LocatedContact sliding = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
-    moments[side] = moment_about_center({*sliding.problem.surface, sliding.problem.friction->arms,
-                                         sliding.contact.force, own_displacement(sliding.contact)},
-                                        assembly.pressure_share());
+    const auto [held, contact] = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+    const ContactState state{*held.surface, held.friction->arms, contact.force, own_displacement(contact)};
+    found[side] = {.force = pushback(state).force - contact.force.col(kForward).sum(),
+                   .moment = moment_about_center(state, assembly.pressure_share())};
   }
-  return moments;
+  return found;
+}
+
+/// @param[in] least,most between which something rolls without sliding for ever
+void require_between(const std::string& name, double given, double least, double most, const Body& body,
+                     const std::string& unit) {
+  if (given > least && given < most) return;
+  reject(name,
+         "between " + rounded(least) + unit + " and " + rounded(most) + unit + ", else the " + std::string(body.name) +
+             " slides without end",
+         text(given) + unit);
 }
 
 }  // namespace
@@ -109,30 +125,31 @@ void require_contact(const Assembly& assembly, double penetration) {
   require_clear_of_core(assembly, penetration);
 }
 
-void require_reachable_torque(const Assembly& assembly, const ContactProblem& problem) {
+void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem) {
+  if (!problem.friction) return;
   const LoadCase& load_case = assembly.load_case;
-  const auto torque = given_motion(load_case.drive).torque;
-  if (!torque) return;
-  // In a contact over 60 degrees the lever of friction is half of the radius; that of the pressure is no larger than
-  // it.
-  const double moment = load_case.load * assembly.pair().body.radius;
-  if (std::abs(*torque) < (0.5 * load_case.friction - 1.0) * moment) return;
+  const GivenMotion given = given_motion(load_case.drive);
+  if (given.creepage) return;
+  const Body& body = assembly.pair().body;
   // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
   // counterpart times it.
-  const double largest = (load_case.friction + 2.0) * moment;
-  std::array<double, 2> limits{};
+  const double largest_force = (load_case.friction + 2.0) * load_case.load;
+  const double largest_moment = largest_force * body.radius;
+  std::array<Sliding, 2> limits{Sliding{-largest_force, -largest_moment}, Sliding{largest_force, largest_moment}};
   try {
-    limits = sliding_moments(assembly, problem);
+    limits = sliding(assembly, problem);
   } catch (const ConvergenceError&) {
-    limits = {-largest, largest};
+    // The wider limits stay.
   }
-  if (*torque > limits[0] && *torque < limits[1]) return;
-  const Body& body = assembly.pair().body;
-  const std::string unit = " " + std::string(body.form.torque_unit);
-  reject("drive.torque",
-         "between " + rounded(limits[0]) + unit + " and " + rounded(limits[1]) + unit + ", else the " +
-             std::string(body.name) + " slides without end",
-         text(*torque) + unit);
+  const auto& [skidding, spinning] = limits;
+  if (given.force) {
+    const auto [least, most] = std::minmax(skidding.force, spinning.force);
+    require_between("drive.force", *given.force, least, most, body, " " + std::string(body.form.load_unit));
+  }
+  if (given.torque) {
+    const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
+    require_between("drive.torque", *given.torque, least, most, body, " " + std::string(body.form.torque_unit));
+  }
 }
 
 }  // namespace viscoroll::detail

@@ -29,8 +29,8 @@ void require_clear_of_core(const Assembly& assembly, double penetration);
 /// @brief The same, and forces of friction that lift what rolls out of its own contact.
 void require_contact(const Assembly& assembly, double penetration);
 
-/// @brief Where no state was found: a driving torque out of reach of the moments of what slides as a whole.
-void require_reachable_torque(const Assembly& assembly, const ContactProblem& problem);
+/// @brief Where no state was found: a driving force or torque out of reach of what slides as a whole.
+void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem);
 
 /// @brief The load, always.
 /// @param[in] pair both bodies

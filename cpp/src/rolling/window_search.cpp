@@ -54,7 +54,7 @@ LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& pro
   try {
     return solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
   } catch (const ConvergenceError&) {
-    require_reachable_torque(assembly, problem);
+    require_reachable_drive(assembly, problem);
     throw;
   }
 }

@@ -37,7 +37,7 @@ def solve(
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> Result:
-    """Solve steady rolling on a plane, with Coulomb friction or without.
+    """Solve steady rolling on a plane, in a groove or on another body, with Coulomb friction or without.
 
     The call releases the GIL, may run on several threads at once, and stops on Ctrl-C.
 
@@ -49,9 +49,9 @@ def solve(
         What it rolls on; without it the rigid plane. A ball rolls on a plane, in a groove or on another ball; a
         cylinder on a plane, in a groove that is curved along its path, or on another cylinder; a wheel on a plane, in a
         groove, on a cylinder or another wheel, whose axis is parallel. One of the two may be rigid, without layers. The
-        material of both passes the contact at Ω r_o.
+        memory of both is that of material that passes the contact at Ω r_o.
     load : float
-        P, force that presses the ball on the plane [N], of a cylinder per length [N/m], > 0.
+        P, force that presses the body on what it rolls on [N], of a roller per length [N/m], > 0.
     angular_speed : float
         Ω [rad/s], > 0 and below `critical_speed(ball)`; of two bodies on axes of their own relative to the line of
         their centers.

@@ -102,6 +102,14 @@ def test_each_body_pays_for_itself(speed):
     assert errors[-1].max() < 0.25 * errors[0].max()
 
 
+def test_friction_too_small_to_push_a_ball_over_its_mat_is_told_by_the_force():
+    # The mat pushes back with 0.53 N, and friction bears 0.3 N.
+    message = r"drive\.force must be between 0\.\d+ N and 0\.\d+ N, else the ball slides without end, got 0 N"
+    with pytest.raises(ValueError, match=message):
+        rolled(RIGID, MAT, friction=0.003, mesh=Mesh(nodes_per_revolution=600))
+    assert rolled(RIGID, MAT, friction=0.02, mesh=Mesh(nodes_per_revolution=600)).driving_force == 0.0
+
+
 @pytest.mark.parametrize("drive", [Drive(torque=0.0), Drive(force=0.0), Drive(creepage=0.0, spin=5.0)])
 def test_rigid_ball_on_a_plane_with_friction(drive):
     # 43 nodes across.
