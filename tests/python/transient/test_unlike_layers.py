@@ -31,7 +31,8 @@ def mesh(nodes):
 def test_first_turn_is_that_of_an_independent_program(ball, on, depth, peak):
     """Plain NumPy, in the limit of π/150, π/250, π/350: depths to 1e-7 m, the maximum to 0.05 mN m, at 1.385 mm."""
     h = vr.roll(ball, on=on, time=[0.0, 0.04], way=[0.0, 2.1e-3], load=100.0, mesh=mesh(300))
-    assert h.penetration[0] == pytest.approx(depth, abs=4e-7)  # the mesh takes 3e-7 of the ball's
+    # Of the ball it is 0.15 % more: 0.24333 mm, as the steady solver has it of layers that are elastic as at rest.
+    assert h.penetration[0] == pytest.approx(depth, rel=2e-3 if peak is None else 5e-4)
     if peak is None:
         return
     assert h.resisting_torque.max() == pytest.approx(peak, rel=2e-3)  # the mesh takes 1e-3
