@@ -35,7 +35,7 @@ Result solve_released(const RollingBody& body, const Counterpart& on, double loa
 }
 
 RollingModel rolling_model(const RollingBody& body, const Counterpart& on, double angular_speed, const Mesh& mesh,
-                        Curvature curvature, int threads, const py::object& progress) {
+                           Curvature curvature, int threads, const py::object& progress) {
   const Observer observer = python_observer(progress);
   const py::gil_scoped_release release;
   return {body, on, angular_speed, mesh, threads, curvature, observer};

@@ -106,6 +106,30 @@ class CoatedCylinder:
         self, *, core_radius: typing.SupportsFloat | typing.SupportsIndex, layers: collections.abc.Sequence[Layer]
     ) -> None: ...
 
+class Hub(enum.Enum):
+    """What the hub of a crowned wheel looks like under the tread."""
+
+    STRAIGHT = ...
+    CROWNED = ...
+
+class Sides(enum.Enum):
+    """What a tread ends in."""
+
+    FREE = ...
+    ENDLESS = ...
+
+class CoatedWheel:
+    def __init__(
+        self,
+        *,
+        core_radius: typing.SupportsFloat | typing.SupportsIndex,
+        layers: collections.abc.Sequence[Layer],
+        width: typing.SupportsFloat | typing.SupportsIndex,
+        crown_radius: typing.SupportsFloat | typing.SupportsIndex,
+        hub: Hub,
+        sides: Sides,
+    ) -> None: ...
+
 class HalfSpace:
     def __init__(
         self,
@@ -158,6 +182,9 @@ class WarningKind(enum.Enum):
     COARSE_MESH = ...
     POWER_BALANCE = ...
     LARGE_STRAIN = ...
+    CONTACT_AT_SIDE = ...
+    EDGE_PRESSURE = ...
+    TIGHT_CROWN = ...
 
 class Refinement:
     @property
@@ -207,6 +234,11 @@ class ResultScalars:
         contact area [m^2].
         """
     @property
+    def contact_width(self) -> float | None:
+        """
+        width of the contact, across the path [m]. From one of the outermost nodes that touch to the other, with their patches; None in line contact.
+        """
+    @property
     def counterpart_bulk_power(self) -> float:
         """
         power lost in what it rolls on [W]. The other share.
@@ -237,6 +269,11 @@ class ResultScalars:
         relative error estimate [1]. The power-balance error on a given mesh, else the largest of it and the changes, from the mesh before, of all that was not given: penetration, torques, forces, speed, powers.
         """
     @property
+    def face_distance(self) -> float | None:
+        """
+        distance of the contact from the faces [m]. Of a wheel, from the nearer one: 0 where it reaches it; None for what has no faces.
+        """
+    @property
     def iterations(self) -> int:
         """
         linear systems solved on the last mesh [1].
@@ -259,7 +296,7 @@ class ResultScalars:
     @property
     def model_error(self) -> float | None:
         """
-        what linear theory leaves open, by that strain [1]. Relative: 0.75 times the strain. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
+        what the model leaves open, by that strain [1]. Relative: 0.75 times the strain; on wheels with what crown and sides leave out. With the radial compliance it covers the torque and penetration of finite-strain computations for h/r_o from 1/84 to 1/5, ν = 0.3 and ½ and the viscosities of Newton and Jaumann, up to a strain of 0.24; a Lagrangian viscosity at ν = 0.3 leaves twice that.
         """
     @property
     def operator_applications(self) -> int:
@@ -405,8 +442,8 @@ class Options:
 class RollingModel:
     def __init__(
         self,
-        body: CoatedSphere | CoatedCylinder,
-        on: CoatedPlane | CoatedCylinder | Groove,
+        body: CoatedSphere | CoatedCylinder | CoatedWheel,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
         *,
         angular_speed: typing.SupportsFloat | typing.SupportsIndex,
         mesh: Mesh,
@@ -434,12 +471,20 @@ class Tractions:
         self,
         *,
         mesh: Mesh,
+        radius: typing.SupportsFloat | typing.SupportsIndex,
+        theta_spacing: typing.SupportsFloat | typing.SupportsIndex | None,
+        crown_radius: typing.SupportsFloat | typing.SupportsIndex | None,
+        line: bool,
         pressure: numpy.typing.NDArray[numpy.float64],
         shear_traction: numpy.typing.NDArray[numpy.float64],
         friction: bool,
         compliance: Compliance,
         curvature: Curvature,
         patch_load: PatchLoad,
+        counterpart: bool,
+        counterpart_curvature: typing.Annotated[
+            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
+        ],
     ) -> None: ...
 
 class LossDensity:
@@ -448,15 +493,17 @@ class LossDensity:
     @property
     def order_power(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
-    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+    def orders(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
-    def radial_weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    def places(self) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
     @property
     def surface_power(self) -> float: ...
     @property
     def theta(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def volume_power(self) -> float: ...
+    @property
+    def weights(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
 class Start(enum.Enum):
     """What the coating has gone through before the first instant."""
@@ -589,6 +636,8 @@ def critical_speed(
 def critical_speed(
     cylinder: CoatedCylinder, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
+@typing.overload
+def critical_speed(wheel: CoatedWheel, *, highest_frequency: typing.SupportsFloat | typing.SupportsIndex) -> float: ...
 def degree_compliance(
     sphere: CoatedSphere,
     degree: numpy.typing.NDArray[numpy.int32],
@@ -613,10 +662,10 @@ def instant_names() -> list[str]:
     """
 
 def interior_fields(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     tractions: Tractions,
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     phi: numpy.typing.NDArray[numpy.float64],
     theta: numpy.typing.NDArray[numpy.float64],
@@ -625,10 +674,10 @@ def interior_fields(
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def loss_density(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     tractions: Tractions,
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     max_order: typing.SupportsInt | typing.SupportsIndex,
@@ -636,17 +685,18 @@ def loss_density(
     progress: typing.Any,
 ) -> LossDensity: ...
 def order_fields(
-    sphere: CoatedSphere,
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     m: numpy.typing.NDArray[numpy.int32],
     n: numpy.typing.NDArray[numpy.int32],
     *,
-    radius: numpy.typing.NDArray[numpy.float64],
+    position: numpy.typing.NDArray[numpy.float64],
     layer: numpy.typing.NDArray[numpy.int32],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    radius: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def places_at(
-    sphere: CoatedSphere, radius: numpy.typing.NDArray[numpy.float64]
+    shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
 def result_scalars() -> list[ScalarDescription]:
     """
@@ -654,8 +704,8 @@ def result_scalars() -> list[ScalarDescription]:
     """
 
 def solve(
-    body: CoatedSphere | CoatedCylinder,
-    on: CoatedPlane | CoatedCylinder | Groove,
+    body: CoatedSphere | CoatedCylinder | CoatedWheel,
+    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
     *,
     load: typing.SupportsFloat | typing.SupportsIndex,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
@@ -686,6 +736,7 @@ def state_matrix(
     n: typing.SupportsInt | typing.SupportsIndex,
     curvature: Curvature,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
 def surface_compliance(
     sphere: CoatedSphere,
     m: numpy.typing.NDArray[numpy.int32],
@@ -693,6 +744,14 @@ def surface_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
     curvature: Curvature,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
+@typing.overload
+def surface_compliance(
+    wheel: CoatedWheel,
+    m: numpy.typing.NDArray[numpy.int32],
+    k: numpy.typing.NDArray[numpy.float64],
+    *,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
 def validate_modulus(
     modulus: Elastic | Prony | KelvinVoigt | FractionalZener | MasterCurve | CustomModulus,

@@ -234,7 +234,9 @@ def test_values_without_a_repr():
 
 
 def test_load_too_large_for_the_coating(paper_ball):
-    message = r"load must be small enough for the coating, got 20000 N \(the ball is pressed .* m into a coating of 0.001 m\)"
+    message = (
+        r"load must be small enough for the coating, got 20000 N \(the ball is pressed .* m into a coating of 0.001 m\)"
+    )
     with pytest.raises(ValueError, match=message):
         vr.solve(paper_ball, load=20000.0, angular_speed=2.5, mesh=vr.Mesh(**MESH))
     with pytest.raises(ValueError, match="load must be small enough for the coating, got 20000 N"):
