@@ -39,5 +39,8 @@ UNITS = {
     "loss_factor": "1",
     "reference_frequency": "rad/s",
     "decades": "1",
+    "critical_strain": "1",
+    "exponent": "1",
+    "strain": "1",
     "temperature": "°C",
 }

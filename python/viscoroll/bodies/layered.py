@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from enum import Enum
-from typing import ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from .. import _core
 from .._support.arguments import as_member, store_floats
 from .._support.tables import ParameterTable
-from .layers import Layer, as_layers
+from .layers import HalfSpace, Layer, as_layers, at_rest
 from .si_hints import si_hint
 
-__all__ = ["LayeredBody", "RoundBody"]
+__all__ = ["LayeredBody", "RoundBody", "with_materials"]
+
+Body = TypeVar("Body", bound="LayeredBody")
 
 
 class LayeredBody(ParameterTable):
@@ -33,7 +36,7 @@ class LayeredBody(ParameterTable):
         object.__setattr__(self, "layers", as_layers(self.layers))
         for name, kind in self._choices.items():
             object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
-        self._to_core()
+        with_materials(self, at_rest)._to_core()
 
     @property
     def thickness(self) -> float:
@@ -46,6 +49,21 @@ class LayeredBody(ParameterTable):
     def _to_core(self) -> object:
         """Return what the core knows it as, which checks the parameters."""
         raise NotImplementedError
+
+
+def with_materials(body: Body, change: Callable[[Any], Any]) -> Body:
+    """Return a body with layers, and a base where it has one, that are `change` of what they are.
+
+    It is the same body where none of them changes.
+    """
+    layers = tuple(change(layer) for layer in body.layers)
+    base = getattr(body, "base", None)
+    parts: dict[str, Any] = {}
+    if any(new is not old for new, old in zip(layers, body.layers, strict=True)):
+        parts["layers"] = layers
+    if isinstance(base, HalfSpace) and (changed := change(base)) is not base:
+        parts["base"] = changed
+    return replace(body, **parts) if parts else body
 
 
 class RoundBody(LayeredBody):
