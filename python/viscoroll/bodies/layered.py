@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum
-from typing import Any, ClassVar, TypeVar
+from typing import ClassVar, TypeVar
 
 from .. import _core
 from .._support.arguments import as_member, store_floats
@@ -13,7 +13,7 @@ from .._support.tables import ParameterTable
 from .layers import HalfSpace, Layer, as_layers, at_rest
 from .si_hints import si_hint
 
-__all__ = ["LayeredBody", "RoundBody", "with_materials"]
+__all__ = ["LayeredBody", "RoundBody", "materials_of", "with_materials"]
 
 Body = TypeVar("Body", bound="LayeredBody")
 
@@ -36,7 +36,7 @@ class LayeredBody(ParameterTable):
         object.__setattr__(self, "layers", as_layers(self.layers))
         for name, kind in self._choices.items():
             object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
-        with_materials(self, at_rest)._to_core()
+        with_materials(self, [at_rest(material) for material in materials_of(self)])._to_core()
 
     @property
     def thickness(self) -> float:
@@ -51,19 +51,19 @@ class LayeredBody(ParameterTable):
         raise NotImplementedError
 
 
-def with_materials(body: Body, change: Callable[[Any], Any]) -> Body:
-    """Return a body with layers, and a base where it has one, that are `change` of what they are.
-
-    It is the same body where none of them changes.
-    """
-    layers = tuple(change(layer) for layer in body.layers)
+def materials_of(body: LayeredBody) -> tuple[Layer | HalfSpace, ...]:
+    """Return what a body is made of, from the inside outwards, the base of a plane first."""
     base = getattr(body, "base", None)
-    parts: dict[str, Any] = {}
-    if any(new is not old for new, old in zip(layers, body.layers, strict=True)):
-        parts["layers"] = layers
-    if isinstance(base, HalfSpace) and (changed := change(base)) is not base:
-        parts["base"] = changed
-    return replace(body, **parts) if parts else body
+    return (*((base,) if isinstance(base, HalfSpace) else ()), *body.layers)
+
+
+def with_materials(body: Body, materials: Sequence[Layer | HalfSpace]) -> Body:
+    """Return a body of other materials, as many as it has; itself where they are its own."""
+    if all(new is old for new, old in zip(materials, materials_of(body), strict=True)):
+        return body
+    layers = tuple(material for material in materials if isinstance(material, Layer))
+    base = {"base": materials[0]} if isinstance(materials[0], HalfSpace) else {}
+    return replace(body, layers=layers, **base)  # type: ignore[type-var]
 
 
 class RoundBody(LayeredBody):

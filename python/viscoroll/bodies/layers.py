@@ -99,7 +99,7 @@ class HalfSpace(ParameterTable):
 
 
 #: What has a modulus.
-Material = TypeVar("Material", Layer, HalfSpace)
+Material = TypeVar("Material", bound="Layer | HalfSpace")
 
 
 def _material(of: Layer | HalfSpace) -> dict[str, Any]:

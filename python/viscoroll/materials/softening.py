@@ -17,6 +17,8 @@ from .networks import Network
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from .moduli import _CoreModulus
+
 __all__ = ["SoftenedModulus", "SofteningModulus"]
 
 #: Of the network as a law of frequency. Frequencies of a contact are a few decades around Ω R/a; the lowest is that of
@@ -116,7 +118,7 @@ class SoftenedModulus(ShearModulus):
             return np.zeros(angular_frequency.shape, np.complex128)
         return self.network.complex_modulus(angular_frequency)
 
-    def _to_core(self) -> _core.CustomModulus | _core.Elastic | _core.Prony:
+    def _to_core(self) -> _CoreModulus:
         if self.network is None:
             return to_core(self.matrix)
         return _core.CustomModulus(self._sum)
