@@ -39,7 +39,7 @@ from .bodies.orders import (
     surface_compliance,
 )
 from .export import dem
-from .interior import Core, Temperature, plane_cooling, self_heating, temperature
+from .interior import Core, StrainSoftening, Temperature, plane_cooling, self_heating, strain_softening, temperature
 from .materials import (
     Arrhenius,
     Elastic,
@@ -123,6 +123,7 @@ __all__ = [
     "Start",
     "Status",
     "StrainKind",
+    "StrainSoftening",
     "StrainSweep",
     "Temperature",
     "WarningKind",
@@ -153,6 +154,7 @@ __all__ = [
     "self_heating",
     "solve",
     "state_matrix",
+    "strain_softening",
     "superpose",
     "surface_compliance",
     "sweep",
