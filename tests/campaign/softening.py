@@ -7,6 +7,7 @@ many contacts it took at most, and how much processor time beside one contact of
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 import warnings
 from dataclasses import dataclass
@@ -131,9 +132,11 @@ def main():
             wrong, count, time_ratio = [str(error)], MOST_CONTACTS, np.nan
         contacts.append(count)
         times.append(time_ratio)
+        print(f"\r{number + 1} of {arguments.cases}, {failed} failed", end="", file=sys.stderr, flush=True)
         if wrong:
             failed += 1
             print(f"{number}: {', '.join(wrong)}; {case}", flush=True)
+    print(file=sys.stderr)
     print(
         f"{arguments.cases} cases, {refused} refused, {failed} failed; at most {max(contacts)} contacts, median "
         f"{np.median(contacts):.0f}; time by that of one contact: median {np.nanmedian(times):.0f}, at most "

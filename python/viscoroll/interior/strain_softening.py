@@ -101,7 +101,7 @@ def strain_softening(
     >>> roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
     >>> soft = vr.strain_softening(roller, load=2e3, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=600))
     >>> print(f"{soft.layer_amplitudes[0]:.1%}")
-    5.8%
+    1.3%
     """
     require_type("ball", ball, RollingBody)
     require_type("on", on, Counterpart, optional=True)

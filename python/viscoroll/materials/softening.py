@@ -49,8 +49,8 @@ class SofteningModulus(ShearModulus):
     >>> from viscoroll import MasingNetwork, StandardLinearSolid
     >>> rubber = StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
     >>> tread = SofteningModulus(matrix=rubber, network=MasingNetwork(storage=6e6, critical_strain=0.01))
-    >>> tread.at(0.01, reference_frequency=8.0).complex_modulus(8.0).round(-4)
-    array(7410000.+2370000.j)
+    >>> tread.at(0.01, reference_frequency=8.0).complex_modulus([8.0]).round(-4)
+    array([7410000.+2370000.j])
     """
 
     matrix: ShearModulusLike
