@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 import viscoroll as vr
 from specimens import command
 from viscoroll.case import load_case
+from viscoroll.studies.identity import PointKeys
 
 CASE = """
 [cylinder]
@@ -73,6 +75,20 @@ def test_a_study_of_filled_rubber(write):
     study = vr.sweep(**case.arguments() | {"load": [1e3, 2e3]})
     # a point of a study is solved on one thread, which alters no digit
     assert study.resisting_torque[1].item() == case.strain_softening().result.resisting_torque
+
+
+def test_studies_tell_networks_apart(write):
+    """By law and matrix, and by the values of a matrix that is a function."""
+    case = load_case(write(SWEEP))
+    arguments = {"load": 1e3, "angular_speed": 2.5}
+
+    def key(matrix, **changed):
+        network = vr.KrausNetwork(**{"storage": 8e6, "loss": 8e5, "critical_strain": 0.01} | changed)
+        layer = replace(case.ball.layers[0], shear_modulus=vr.SofteningModulus(matrix=matrix, network=network))
+        return PointKeys().key(replace(case.ball, layers=[layer]), arguments, ())
+
+    assert key(lambda _: 1e6) == key(lambda _: 1e6)
+    assert len({key(lambda _: 1e6), key(lambda _: 2e6), key(MATRIX), key(MATRIX, loss=7e5)}) == 4
 
 
 @pytest.mark.parametrize(
