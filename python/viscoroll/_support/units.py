@@ -44,5 +44,8 @@ UNITS = {
     "decades": "1",
     "hardness": "Shore",
     "rebound": "1",
+    "critical_strain": "1",
+    "exponent": "1",
+    "strain": "1",
     "temperature": "°C",
 }

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import Enum
-from typing import ClassVar
+from typing import ClassVar, TypeVar
 
 from .. import _core
 from .._support.arguments import as_member, store_floats
 from .._support.tables import ParameterTable
-from .layers import Layer, as_layers
+from .layers import HalfSpace, Layer, as_layers, at_rest
 from .si_hints import si_hint
 
-__all__ = ["LayeredBody", "RoundBody"]
+__all__ = ["LayeredBody", "RoundBody", "materials_of", "with_materials"]
+
+Body = TypeVar("Body", bound="LayeredBody")
 
 
 class LayeredBody(ParameterTable):
@@ -33,7 +36,7 @@ class LayeredBody(ParameterTable):
         object.__setattr__(self, "layers", as_layers(self.layers))
         for name, kind in self._choices.items():
             object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
-        self._to_core()
+        with_materials(self, [at_rest(material) for material in materials_of(self)])._to_core()
 
     @property
     def thickness(self) -> float:
@@ -46,6 +49,21 @@ class LayeredBody(ParameterTable):
     def _to_core(self) -> object:
         """Return what the core knows it as, which checks the parameters."""
         raise NotImplementedError
+
+
+def materials_of(body: LayeredBody) -> tuple[Layer | HalfSpace, ...]:
+    """Return what a body is made of, from the inside outwards, the base of a plane first."""
+    base = getattr(body, "base", None)
+    return (*((base,) if isinstance(base, HalfSpace) else ()), *body.layers)
+
+
+def with_materials(body: Body, materials: Sequence[Layer | HalfSpace]) -> Body:
+    """Return a body of other materials, as many as it has; itself where they are its own."""
+    if all(new is old for new, old in zip(materials, materials_of(body), strict=True)):
+        return body
+    layers = tuple(material for material in materials if isinstance(material, Layer))
+    base = {"base": materials[0]} if isinstance(materials[0], HalfSpace) else {}
+    return replace(body, layers=layers, **base)  # type: ignore[type-var]
 
 
 class RoundBody(LayeredBody):

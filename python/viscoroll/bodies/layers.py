@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
 
 from .. import _core
 from .._support.arguments import require_type, store_floats
 from .._support.tables import ParameterTable
 from .._support.text import shown
-from ..materials import ShearModulusLike
+from ..materials import ShearModulusLike, SofteningModulus
 from ..materials.moduli import as_modulus, to_core
 
-__all__ = ["HalfSpace", "Layer", "as_layers"]
+__all__ = ["HalfSpace", "Layer", "as_layers", "at_rest"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +61,7 @@ density=0.0, conductivity=None)
         object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
         if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
             raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
-        self._to_core()
+        at_rest(self)._to_core()
 
     def _to_core(self) -> _core.Layer:
         return _core.Layer(thickness=self.thickness, **_material(self))
@@ -91,15 +91,27 @@ class HalfSpace(ParameterTable):
     def __post_init__(self) -> None:
         """Store the numbers as floats and check the parameters."""
         store_floats(self, ("density",), optional=("poisson_ratio", "bulk_modulus"))
-        _core.CoatedPlane(layers=[], base=self._to_core())
+        object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
+        _core.CoatedPlane(layers=[], base=at_rest(self)._to_core())
 
     def _to_core(self) -> _core.HalfSpace:
         return _core.HalfSpace(**_material(self))
 
 
+#: What has a modulus.
+Material = TypeVar("Material", bound="Layer | HalfSpace")
+
+
 def _material(of: Layer | HalfSpace) -> dict[str, Any]:
     given = {name: getattr(of, name) for name in ("poisson_ratio", "bulk_modulus", "density")}
     return {"shear_modulus": to_core(of.shear_modulus), **given}
+
+
+def at_rest(of: Material) -> Material:
+    """Return a layer as it is before any strain: of a modulus that depends on strain its value without any."""
+    if not isinstance(of.shear_modulus, SofteningModulus):
+        return of
+    return replace(of, shear_modulus=of.shear_modulus.at(0.0, reference_frequency=1.0))
 
 
 def as_layers(layers: object) -> tuple[Layer, ...]:

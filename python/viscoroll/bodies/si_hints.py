@@ -12,7 +12,7 @@ import numpy as np
 from .._core import ConvergenceError, complex_modulus
 from ..materials import ShearModulusLike
 from ..materials.moduli import to_core
-from .layers import Layer
+from .layers import Layer, at_rest
 
 __all__ = ["si_hint", "si_hints"]
 
@@ -65,14 +65,14 @@ def _doubtful(body: _Layered, where: str) -> Iterator[str]:
     for j, layer in enumerate(body.layers):
         if layer.thickness > _LARGEST_THICKNESS:
             yield f"{where}layers[{j}].thickness = {layer.thickness:g} m"
-        yield from _soft(layer.shear_modulus, f"{where}layers[{j}]")
+        yield from _soft(at_rest(layer).shear_modulus, f"{where}layers[{j}]")
     if (base := getattr(body, "base", None)) is not None:
-        yield from _soft(base.shear_modulus, f"{where}base")
+        yield from _soft(at_rest(base).shear_modulus, f"{where}base")
 
 
 def _soft(modulus: ShearModulusLike, where: str) -> Iterator[str]:
     """Yield a modulus at rest that is too low for a solid; tables that hold none at rest are passed over."""
     with suppress(ValueError):
-        at_rest = complex_modulus(to_core(modulus), np.zeros(1))[0].real
-        if at_rest < _SMALLEST_MODULUS:
-            yield f"{where}.shear_modulus = {at_rest:.3g} Pa at rest"
+        static = complex_modulus(to_core(modulus), np.zeros(1))[0].real
+        if static < _SMALLEST_MODULUS:
+            yield f"{where}.shear_modulus = {static:.3g} Pa at rest"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
+from functools import partial
 from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
@@ -26,7 +28,16 @@ from ..bodies import (
     Mesh,
     RollingBody,
 )
-from ..interior import Core, SelfHeating, Temperature, self_heating, temperature
+from ..interior import (
+    Core,
+    SelfHeating,
+    StrainSoftening,
+    Temperature,
+    self_heating,
+    softens,
+    strain_softening,
+    temperature,
+)
 from ..materials import Arrhenius, WilliamsLandelFerry
 from ..rheology import LossFactor, hardness_to_modulus, load_material, rebound_to_loss_factor
 from ..rolling import Result, solve
@@ -79,14 +90,13 @@ def _of_data_sheet(
     return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound), **given)
 
 
-def _with_columns(table: dict[str, Any], info: ValidationInfo) -> dict[str, Any]:
-    """Replace the name of a file by the columns of a master curve in it."""
+def _with_columns(table: dict[str, Any], info: ValidationInfo, *, what: str, names: tuple[str, ...]) -> dict[str, Any]:
+    """Replace the name of a file by the columns in it."""
     if "file" not in table:
         return table
-    names = ("frequency", "storage", "loss")
     if both := [name for name in names if name in table]:
         raise ValueError(f"file must be left out where columns are given, got {', '.join(both)} too")
-    columns = read_columns("master curve", in_folder(table["file"], info), names)
+    columns = read_columns(what, in_folder(table["file"], info), names)
     return {key: value for key, value in table.items() if key != "file"} | columns
 
 
@@ -106,7 +116,35 @@ def _as_table(given: object) -> object:
     return _typed(given)
 
 
-_Modulus: TypeAlias = Annotated[
+def _strain_sweep(
+    *,
+    strain: list[float],
+    storage: list[float],
+    loss: list[float],
+    kind: str | materials.StrainKind = materials.StrainKind.SHEAR,
+    frequency: float | None = None,
+) -> Callable[[Any], materials.StrainSweep]:
+    """Return what makes the network of a sweep, which at a known frequency takes the matrix off."""
+    table = partial(
+        materials.StrainSweep,
+        strain=strain,
+        storage=storage,
+        loss=loss,
+        kind=as_member("kind", kind, materials.StrainKind),
+    )
+    if frequency is None:
+        return lambda _: table()
+    return lambda matrix: table(matrix=matrix, frequency=frequency)
+
+
+def _softening(
+    *, matrix: Any, network: materials.Network | Callable[[Any], materials.StrainSweep]
+) -> materials.SofteningModulus:
+    made = network if isinstance(network, materials.Network) else network(matrix)
+    return materials.SofteningModulus(matrix=matrix, network=made)
+
+
+_Linear: TypeAlias = Annotated[
     Annotated[materials.Elastic, Table("elastic")]
     | Annotated[materials.StandardLinearSolid, Table("standard_linear_solid")]
     | Annotated[materials.Prony, Table("prony")]
@@ -115,11 +153,32 @@ _Modulus: TypeAlias = Annotated[
     | Annotated[
         materials.MasterCurve,
         Table("master_curve", extrapolation=Annotated[Extrapolation, ByName()]),
-        BeforeValidator(_with_columns),
+        BeforeValidator(partial(_with_columns, what="master curve", names=("frequency", "storage", "loss"))),
     ]
     | Annotated[LossFactor, Table("loss_factor")]
     | Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)]
     | Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
+    Field(discriminator="type"),
+]
+
+_Network: TypeAlias = Annotated[
+    Annotated[materials.KrausNetwork, Table("kraus")]
+    | Annotated[materials.MasingNetwork, Table("masing")]
+    | Annotated[
+        materials.StrainSweep,
+        Table("strain_sweep", _strain_sweep),
+        BeforeValidator(partial(_with_columns, what="strain sweep", names=("strain", "storage", "loss"))),
+    ],
+    Field(discriminator="type"),
+    BeforeValidator(_typed),
+]
+
+_Modulus: TypeAlias = Annotated[
+    _Linear
+    | Annotated[
+        materials.SofteningModulus,
+        Table("softening", _softening, matrix=Annotated[_Linear, BeforeValidator(_as_table)], network=_Network),
+    ],
     Field(discriminator="type"),
     BeforeValidator(_as_table),
 ]
@@ -260,8 +319,17 @@ class Case:
         return {field.name: getattr(self, field.name) for field in fields(self) if field.name != "thermal"}
 
     def solve(self, **options: Any) -> Result:
-        """Solve the case; `options` go to `viscoroll.solve`."""
-        return solve(**self.arguments(), **options)
+        """Solve the case, with the moduli of its own strain where layers soften; `options` go to `viscoroll.solve`."""
+        return self.strain_softening(**options).result if self.softens else solve(**self.arguments(), **options)
+
+    @property
+    def softens(self) -> bool:
+        """Whether a layer has a modulus that falls with strain."""
+        return softens(self.ball, self.on)
+
+    def strain_softening(self, **options: Any) -> StrainSoftening:
+        """Find the strain that the layers soften to."""
+        return strain_softening(**self.arguments(), **options)
 
     def self_heating(self, **options: Any) -> SelfHeating:
         """Find the steady states of temperature and torque of a case whose table [thermal] has a shift."""

@@ -215,7 +215,7 @@ def _first_line(error: ValidationError) -> str:
 
 
 #: Tables of a type, which stands behind their names in the places of pydantic.
-_TYPED = ("shear_modulus", "shift")
+_TYPED = ("shear_modulus", "shift", "matrix", "network")
 
 #: What is wrong with a key of such a table.
 _WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
@@ -223,7 +223,7 @@ _WRONG_KEYS = {"missing": "must have", "extra_forbidden": "has no parameter"}
 
 def _told(error: ErrorDetails, *, with_value: bool = True) -> str:
     *above, key = [part for before, part in pairwise(("", *error["loc"])) if before not in _TYPED]
-    kind = next((part for before, part in pairwise(error["loc"]) if before in _TYPED), None)
+    kind = next((part for before, part in reversed([*pairwise(error["loc"])]) if before in _TYPED), None)
     got = f", got {shown(error['input'])}" if with_value and error["type"] != "missing" else ""
     if kind is not None and error["type"] in _WRONG_KEYS:
         return f"{_place(above)} of type {kind} {_WRONG_KEYS[error['type']]} {key}{got}"

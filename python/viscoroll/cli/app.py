@@ -104,12 +104,15 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
-    heated = None
+    heated = softened = None
     with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
             result = heated.states[0].result  # of a cold start
+        elif loaded.softens:
+            softened = loaded.strain_softening(progress=report)
+            result = softened.result
         else:
             result = loaded.solve(progress=report)
         temperatures = [] if heated is None else [state.temperature for state in heated.states]
@@ -119,11 +122,16 @@ def solve(
         scalars = result.scalars()
         if temperatures:
             scalars["thermal"] = _thermal_scalars(temperatures, heated)  # type: ignore[assignment]
+        if softened is not None:
+            scalars["softening"] = {name: value for name, value, _ in softened.rows()}  # type: ignore[assignment]
         typer.echo(_json(scalars))
     else:
         _print_result(result)
         if temperatures:
             OUTPUT.print(_thermal_table(_thermal_scalars(temperatures, heated)))
+        if softened is not None:
+            for line in repr(softened).splitlines():
+                write_line(line)
     said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
     for message in dict.fromkeys([*result.warnings.values(), *said]):
         write_message(f"warning: {message}")

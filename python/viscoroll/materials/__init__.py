@@ -11,19 +11,29 @@ from .moduli import (
     ShearModulusLike,
     StandardLinearSolid,
 )
+from .networks import KrausNetwork, MasingNetwork, Network
 from .shift import Arrhenius, Shift, WilliamsLandelFerry
+from .softening import SoftenedModulus, SofteningModulus
+from .strain_sweep import StrainKind, StrainSweep
 
 __all__ = [
     "Arrhenius",
     "Elastic",
     "FractionalZener",
     "KelvinVoigt",
+    "KrausNetwork",
     "LossFactor",
+    "MasingNetwork",
     "MasterCurve",
+    "Network",
     "Prony",
     "ShearModulus",
     "ShearModulusLike",
     "Shift",
+    "SoftenedModulus",
+    "SofteningModulus",
     "StandardLinearSolid",
+    "StrainKind",
+    "StrainSweep",
     "WilliamsLandelFerry",
 ]

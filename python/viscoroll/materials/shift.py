@@ -24,6 +24,7 @@ from .moduli import (
     StandardLinearSolid,
     as_modulus,
 )
+from .softening import SofteningModulus
 
 __all__ = ["Arrhenius", "Shift", "WilliamsLandelFerry", "scaled", "shift_factor", "shifted"]
 
@@ -159,6 +160,8 @@ def shifted(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             return replace(known, viscosity=factor * known.viscosity)
         case MasterCurve():
             return replace(known, frequency=[frequency / factor for frequency in known.frequency])
+        case SofteningModulus():  # the network has no rate
+            return replace(known, matrix=shifted(known.matrix, factor))
         case ShearModulus():
             evaluate = known.complex_modulus
             return lambda omega: evaluate(factor * omega)
@@ -195,6 +198,8 @@ def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             )
         case KelvinVoigt():
             return replace(known, modulus=factor * known.modulus, viscosity=factor * known.viscosity)
+        case SofteningModulus():  # what a network is at another temperature has to be measured
+            return replace(known, matrix=scaled(known.matrix, factor))
         case ShearModulus():
             evaluate = known.complex_modulus
             return lambda omega: factor * evaluate(omega)

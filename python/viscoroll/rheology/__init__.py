@@ -7,15 +7,18 @@ from ..materials import LossFactor
 from .checks import Check, check_modulus, check_range, rolling_range
 from .hardness import hardness_to_modulus, rebound_to_loss_factor
 from .material_file import load_material, save_material
+from .network_fit import NetworkFit, fit_network
 from .prony_fit import PronyFit, fit_prony
 from .reading import Isotherm, RheologyData, read_rheology
 from .shift_laws import ShiftFactors, ShiftLaw
+from .strain_sweeps import read_strain_sweep
 from .superposition import Superposition, superpose
 
 __all__ = [
     "Check",
     "Isotherm",
     "LossFactor",
+    "NetworkFit",
     "PronyFit",
     "RheologyData",
     "ShiftFactors",
@@ -24,10 +27,12 @@ __all__ = [
     "check_modulus",
     "check_range",
     "example_data",
+    "fit_network",
     "fit_prony",
     "hardness_to_modulus",
     "load_material",
     "read_rheology",
+    "read_strain_sweep",
     "rebound_to_loss_factor",
     "rolling_range",
     "save_material",

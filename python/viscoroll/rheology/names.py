@@ -41,12 +41,14 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
         "F": (5.0 / 9.0, -160.0 / 9.0),
         "degF": (5.0 / 9.0, -160.0 / 9.0),
     },
+    "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0)},
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
 
 #: The kind of quantity that each column holds.
 _KIND = {
     "frequency": "frequency",
+    "strain": "strain",
     "storage": "modulus",
     "loss": "modulus",
     "tan_delta": "ratio",
@@ -80,6 +82,17 @@ _TAN_DELTA = {
 _STORAGE = {"storage modulus", "storage"}
 _LOSS = {"loss modulus", "loss"}
 _SWEEP = {"set", "sweep"}
+_STRAIN = {
+    "strain",
+    "shear strain",
+    "oscillation strain",
+    "oscillatory strain",
+    "dynamic strain",
+    "strain amplitude",
+    "double strain amplitude",
+    "\N{GREEK SMALL LETTER GAMMA}",
+    "gamma",
+}
 _TENSILE = re.compile(r"(e|tensile|young'?s?|extensional|flexural|bending|compression)\b|e['_\"]|e(stor|loss)")
 _SHEAR = re.compile(r"(g|shear)\b|g['_\"]|g(stor|loss)")
 
@@ -99,7 +112,7 @@ class Column:
     name, unit : str
         As the file gives them; the unit is empty where there is none.
     role : str
-        "frequency", "storage", "loss", "tan_delta", "temperature" or "sweep".
+        "frequency", "strain", "storage", "loss", "tan_delta", "temperature" or "sweep".
     """
 
     index: int
@@ -116,7 +129,7 @@ class Column:
         return False if _SHEAR.match(name) else None
 
     def converted(self, values: list[float], path: object) -> np.ndarray:
-        """Return the column in rad/s, Pa, °C or as plain numbers.
+        """Return the column in rad/s, Pa, °C or as plain numbers, strain as a ratio.
 
         Raises
         ------
@@ -157,6 +170,8 @@ def role_of(name: str) -> str | None:
         return "tan_delta"
     if plain in _SWEEP:
         return "sweep"
+    if plain in _STRAIN:
+        return "strain"
     if bare in _STORAGE or re.fullmatch(r"[eg]('|_?stor(age)?|_?prime| prime)", plain):
         return "storage"
     if bare in _LOSS or re.fullmatch(r"[eg](\"|_?loss|_?doubleprime| double prime)", plain):
@@ -176,8 +191,9 @@ def parse_header(cell: str) -> tuple[str, str]:
 
 
 def is_unit(text: str) -> bool:
-    """Return whether a text is a unit of frequency, modulus or temperature."""
-    return any(_known_unit(kind, text) is not None for kind in ("frequency", "modulus", "temperature"))
+    """Return whether a text is a unit of frequency, modulus or temperature, or percent."""
+    kinds = ("frequency", "modulus", "temperature")
+    return text.strip().strip("[]()") == "%" or any(_known_unit(kind, text) is not None for kind in kinds)
 
 
 def _known_unit(kind: str, text: str) -> str | None:

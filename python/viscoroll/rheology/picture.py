@@ -15,11 +15,11 @@ from .shift_laws import ShiftFactors, ShiftLaw
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["plot_fit", "plot_superposition"]
+__all__ = ["plot_fit", "plot_strain_sweep", "plot_superposition"]
 
 _STORAGE, _LOSS = "tab:blue", "tab:orange"
 
-#: Angular frequency [rad/s], storage and loss modulus [Pa].
+#: Angular frequency [rad/s] or strain [-], storage and loss modulus [Pa].
 _Measured: TypeAlias = tuple[Floats, Floats, Floats]
 
 
@@ -52,6 +52,20 @@ def _draw_moduli(axes: Axes, measured: _Measured, series: Prony) -> None:
         axes.loglog(omega, curve, "-", color=color, linewidth=1, label=f"{name}, Prony series")
     axes.set(xlabel="angular frequency [rad/s]", ylabel="shear modulus [Pa]")
     axes.legend()
+
+
+def plot_strain_sweep(measured: _Measured, fitted: _Measured, *, ax: Axes | None = None) -> Picture | Axes:
+    """Draw moduli over the amplitude of strain, measured and of a law."""
+
+    def draw(axes: Axes) -> None:
+        for data, style, name in ((measured, "o", "measured"), (fitted, "-", "fitted")):
+            strain, storage, loss = data
+            axes.loglog(100.0 * strain, storage, style, color=_STORAGE, markersize=4, label=f"storage, {name}")
+            axes.loglog(100.0 * strain, loss, style, color=_LOSS, markersize=4, label=f"loss, {name}")
+        axes.set(xlabel="amplitude of shear strain [%]", ylabel="shear modulus [Pa]")
+        axes.legend()
+
+    return drawn(draw, ax, figsize=(7.0, 4.0))
 
 
 def plot_superposition(

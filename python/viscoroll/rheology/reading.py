@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -18,7 +18,7 @@ from .text import Table, find_tables, read_text
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Isotherm", "RheologyData", "read_rheology"]
+__all__ = ["Columns", "Isotherm", "RheologyData", "moduli_are_tensile", "named_columns", "read_rheology"]
 
 _ROLES = ("frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
 
@@ -148,7 +148,7 @@ def read_rheology(
     moduli of shear; 1 points dropped
     """
     path = Path(path)
-    names = _named(columns)
+    names = named_columns(columns, _ROLES)
     nu = as_float("poisson_ratio", poisson_ratio)
     if not -1.0 < nu <= 0.5:
         raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
@@ -161,7 +161,7 @@ def read_rheology(
         raise ValueError(f"{path}: {error}") from None
     if not tables:
         raise ValueError(_nothing_found(path, text))
-    is_tensile = _is_tensile(path, tables) if tensile is None else tensile
+    is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
     divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
     isotherms: list[Isotherm] = []
     dropped = 0
@@ -177,11 +177,18 @@ def read_rheology(
     )
 
 
-def _named(columns: Columns | None) -> dict[str, tuple[str, str | None]]:
+def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tuple[str, str | None]]:
+    """Return names and units of columns that the caller gives, which are of some roles.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For another role, and for what is neither a name nor name and unit.
+    """
     names: dict[str, tuple[str, str | None]] = {}
     for role, value in (columns or {}).items():
-        if role not in _ROLES:
-            raise ValueError(f"columns must be of {', '.join(_ROLES)}, got {role!r}")
+        if role not in roles:
+            raise ValueError(f"columns must be of {', '.join(roles)}, got {role!r}")
         pair = (value, None) if isinstance(value, str) else value
         if (
             not isinstance(pair, tuple | list)
@@ -205,7 +212,8 @@ def _nothing_found(path: Path, text: str) -> str:
     )
 
 
-def _is_tensile(path: Path, tables: list[Table]) -> bool:
+def moduli_are_tensile(path: Path, tables: list[Table]) -> bool:
+    """Return whether moduli are of tension, by their names; a ValueError where these do not say."""
     said = {table.columns["storage"].is_tensile for table in tables}
     if said <= {True, False} and len(said) == 1:
         return bool(said.pop())

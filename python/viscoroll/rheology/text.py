@@ -1,8 +1,8 @@
 """Tables in the text files of rheometers and DMA instruments.
 
-A table is a row of names in which a frequency and a modulus are found, a row of units unless they stand with the names,
-and rows of numbers. What stands before, between and behind tables (headers of TRIOS, intervals of RheoCompass) is
-skipped. So are labels in the first column ("Data point", point numbers).
+A table is a row of names in which a frequency, or a strain, and a modulus are found, a row of units unless they stand
+with the names, and rows of numbers. What stands before, between and behind tables (headers of TRIOS, intervals of
+RheoCompass) is skipped. So are labels in the first column ("Data point", point numbers).
 """
 
 from __future__ import annotations
@@ -24,9 +24,10 @@ _SEPARATORS = ("\t", ";", ",")
 
 @dataclass(slots=True)
 class Table:
-    """One table of a file: its columns by role, and their numbers row by row."""
+    """One table of a file: its columns by role, what they are over, and their numbers row by row."""
 
     columns: dict[str, Column]
+    over: str = "frequency"
     rows: list[dict[str, float]] = field(default_factory=list)
     unreadable: int = 0
 
@@ -42,7 +43,7 @@ def read_text(path: Path) -> str:
         return content.decode("cp1252", errors="replace")
 
 
-def find_tables(text: str, names: Mapping[str, tuple[str, str | None]]) -> list[Table]:
+def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over: str = "frequency") -> list[Table]:
     """Return the tables of a text.
 
     Parameters
@@ -51,6 +52,8 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]]) -> list[
         The content of a file.
     names : mapping of str to (str, str or None)
         For roles whose names the caller gives, the name and, unless the file's holds, the unit.
+    over : {"frequency", "strain"}
+        What was swept; in sweeps of frequency columns of strain do not count.
 
     Raises
     ------
@@ -63,9 +66,9 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]]) -> list[
     for line in text.splitlines():
         if not line.strip():
             continue
-        if header := _header(line, names):
+        if header := _header(line, names, over):
             separator, columns = header
-            tables.append(Table(columns))
+            tables.append(Table(columns, over))
             waiting_for_units = True
         elif tables:
             cells = _cells(line, separator)
@@ -77,24 +80,26 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]]) -> list[
     return [table for table in tables if table.rows]
 
 
-def _header(line: str, names: Mapping[str, tuple[str, str | None]]) -> tuple[str, dict[str, Column]] | None:
+def _header(line: str, names: Mapping[str, tuple[str, str | None]], over: str) -> tuple[str, dict[str, Column]] | None:
     """Return separator and columns of a row of names, or None where it is none."""
     for separator in _SEPARATORS:
         cells = _cells(line, separator)
-        columns = _columns(cells, names)
-        wanted = set(names) | {"frequency"} | ({"storage"} if "storage" not in names else set())
+        columns = _columns(cells, names, over)
+        wanted = set(names) | {over} | ({"storage"} if "storage" not in names else set())
         if len(cells) > 2 and wanted <= columns.keys():
             return separator, columns
     return None
 
 
-def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]]) -> dict[str, Column]:
+def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]], over: str) -> dict[str, Column]:
     given = {normalized(name): role for role, (name, _) in names.items()}
     columns: dict[str, Column] = {}
     for index, cell in enumerate(cells):
         name, unit = parse_header(cell)
         role = given.get(normalized(cell)) or given.get(normalized(name)) or role_of(name)
-        if role is None or (role in names and normalized(name) not in given and normalized(cell) not in given):
+        if role is None or (role == "strain" and over != "strain"):
+            continue
+        if role in names and normalized(name) not in given and normalized(cell) not in given:
             continue
         if role in columns:
             raise ValueError(
@@ -144,7 +149,7 @@ def _add_row(table: Table, cells: list[str], separator: str) -> bool:
     readable = [not math.isnan(numbers[column.role]) for column in needed]
     if all(readable):
         table.rows.append(numbers)
-    elif any(readable) and not math.isnan(numbers["frequency"]):
+    elif any(readable) and not math.isnan(numbers[table.over]):
         table.unreadable += 1
     else:
         return False

@@ -21,6 +21,7 @@ from ..bodies import (
     HalfSpace,
     Layer,
 )
+from ..bodies.layered import materials_of
 from .solution import Solution, node_angles, node_spacings
 
 if TYPE_CHECKING:
@@ -62,8 +63,7 @@ class Inside:
     @property
     def layers(self) -> tuple[Layer | HalfSpace, ...]:
         """All layers, the base of a plane first."""
-        base = self.body.base if isinstance(self.body, CoatedPlane) else None
-        return (*(() if base is None else (base,)), *self.body.layers)
+        return materials_of(self.body)
 
     @property
     def thickness(self) -> float:

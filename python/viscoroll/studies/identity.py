@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 import numpy as np
 
 from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..materials import SofteningModulus, StrainSweep
 from ..rolling import solve
 from .dimensions import LOAD_CASE
 
@@ -103,8 +104,17 @@ def _layer_text(layer: Layer | HalfSpace, frequencies: list[float]) -> str:
     thickness = layer.thickness if isinstance(layer, Layer) else None
     properties = (thickness, layer.poisson_ratio, layer.bulk_modulus, layer.density)
     modulus = layer.shear_modulus
-    text = _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
-    return f"{properties!r} {text}"
+    return f"{properties!r} {_modulus_text(modulus, frequencies)}"
+
+
+def _modulus_text(modulus: object, frequencies: list[float]) -> str:
+    match modulus:
+        case SofteningModulus(matrix=matrix, network=StrainSweep(matrix=measured) as sweep):
+            table = (sweep.strain, sweep.storage, sweep.loss, sweep.kind.name, sweep.frequency)
+            return f"{_modulus_text(matrix, frequencies)} {table!r} {_modulus_text(measured, frequencies)}"
+        case SofteningModulus(matrix=matrix, network=network):
+            return f"{_modulus_text(matrix, frequencies)} {network!r}"
+    return _sampled(modulus, frequencies) if callable(modulus) else repr(modulus)
 
 
 def _sampled(modulus: Callable[[Any], Any], frequencies: list[float]) -> str:

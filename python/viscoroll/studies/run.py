@@ -16,6 +16,7 @@ from .._core import ConvergenceError, core_count
 from .._support.cautions import kept_in_results
 from .._support.progress import Report
 from ..bodies import RollingBody
+from ..interior import softens, strain_softening
 from ..rolling import Result, RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
 
@@ -131,12 +132,19 @@ def _solver(
     ball: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
 ) -> Callable[..., Result]:
     """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
+    if softens(ball, shared.get("on")):
+        return partial(_softened, ball, **shared, **options)
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
     of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
     model = RollingModel(ball, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)
+
+
+def _softened(ball: RollingBody, *, threads: int, **case: Any) -> Result:
+    """Return the contact with the moduli of its own strain, which no other point shares."""
+    return strain_softening(ball, threads=threads, **case).result
 
 
 def run(

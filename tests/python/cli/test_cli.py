@@ -166,8 +166,8 @@ CURVE = 'type = "master_curve"\n'
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('type = ["elastic"]', "shear_modulus.type must be one of elastic, .* measured, got ['elastic']"),
-        ("type = { a = 1 }", "shear_modulus.type must be one of elastic, .* measured, got {'a': 1}"),
+        ('type = ["elastic"]', "shear_modulus.type must be one of elastic, .* softening, got ['elastic']"),
+        ("type = { a = 1 }", "shear_modulus.type must be one of elastic, .* softening, got {'a': 1}"),
         (
             CURVE + 'file = "curve.csv"\nextrapolation = ["hold"]',
             "extrapolation: input should be 'error' or 'hold', got ['hold']",

@@ -1,0 +1,225 @@
+"""Rolling of filled rubber, whose moduli fall with the strain that rolling makes: the two found together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from .._support.arguments import as_float, as_int, require_type
+from .._support.cautions import warn
+from .._support.extras import extra
+from .._support.progress import ProgressLike, reporting
+from .._support.text import shown
+from ..bodies import Counterpart, HalfSpace, Layer, RollingBody
+from ..bodies.layered import materials_of, with_materials
+from ..materials import SofteningModulus
+from ..rolling import solve
+from .softening_result import Matching, StrainSoftening
+from .softening_search import SofteningLayer, SofteningSearch, State, softening_layers
+
+if TYPE_CHECKING:
+    from ..rolling import Result
+
+__all__ = ["strain_softening"]
+
+#: Scales of the loss that theory has been held against exact solutions with, and strain up to which linear theory is.
+_PLAIN_SCALES = (0.5, 1.5)
+_LARGE_STRAIN = 0.2
+
+
+def strain_softening(
+    ball: RollingBody,
+    *,
+    on: Counterpart | None = None,
+    load: float,
+    angular_speed: float,
+    loss: Matching = "network",
+    sublayers: int = 1,
+    depths: int = 3,
+    tolerance: float = 1e-3,
+    progress: ProgressLike = None,
+    **options: Any,
+) -> StrainSoftening:
+    """Solve rolling of layers whose moduli fall with strain, `SofteningModulus`: moduli and strain found together.
+
+    Each layer has one modulus, that of the amplitude of its strain: half of the largest distance between two strains
+    that a point goes through, in its mean over the layer weighted by what the network loses.
+
+    Parameters
+    ----------
+    ball, on, load, angular_speed
+        As of `solve`; layers of either body, and a plane's base, may soften.
+    loss : {"network", "harmonic"}, default "network"
+        How the network loses: as one without rate does, which only knows where the strain turns, its loss modulus
+        scaled for the harmonics to lose as much; or as its loss modulus at that amplitude has it, summed over
+        harmonics, as the tire industry does. `torque_bounds` has both.
+    sublayers : int, default 1
+        Parts that every layer that softens is cut into, each with an amplitude of its own, in [1, 20]. It matters only
+        where a contact is shorter than a third of the layer.
+    depths : int, default 3
+        Depths in a layer at which strain is followed, in [2, 20]; in thick ones several times as many.
+    tolerance : float, default 1e-3
+        By which share of themselves amplitudes and losses may still change, in [1e-9, 0.1].
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction) after every pass.
+    **options
+        Of `solve`: friction, drive, accuracy, mesh, compliance, and so on; curvature EXACT has no inside.
+
+    Returns
+    -------
+    StrainSoftening
+        The contact, and what was found: strain, moduli, both torques. Without a layer that softens that of `solve`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For bad input, as of `solve`.
+    ConvergenceError
+        Where the amplitudes do not come to rest.
+    ImportError
+        Without the extras `viscoroll[studies]` and `viscoroll[files]`.
+
+    Warns
+    -----
+    ResultWarning
+        As of `solve`; where strain lies outside of a measured sweep, where the two ways to take the loss differ by half
+        and more, and above a strain of 0.2.
+
+    Notes
+    -----
+    This is the steady loop of a network that keeps what each pass has broken. Rubber that recovers between two passes
+    loses more, in columns 13 to 82 %: more than all that is corrected for here. There is no set, no first pass
+    (Mullins), no drift. That strain whose axes turn loses as von Mises' plasticity has it is an assumption.
+
+    Examples
+    --------
+    >>> import viscoroll as vr
+    >>> rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    >>> network = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
+    >>> tread = vr.SofteningModulus(matrix=rubber, network=network)
+    >>> layer = vr.Layer(thickness=1e-2, shear_modulus=tread, poisson_ratio=0.5)
+    >>> roller = vr.CoatedCylinder(core_radius=50e-3, layers=[layer])
+    >>> soft = vr.strain_softening(roller, load=2e3, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=600))
+    >>> print(f"{soft.layer_amplitudes[0]:.1%}")
+    1.3%
+    """
+    require_type("ball", ball, RollingBody)
+    require_type("on", on, Counterpart, optional=True)
+    if loss not in ("network", "harmonic"):
+        raise ValueError(f"loss must be 'network' or 'harmonic', got {shown(loss)}")
+    parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
+    if not 1 <= parts <= 20:
+        raise ValueError(f"sublayers must be in [1, 20], got {parts}")
+    if not 2 <= columns <= 20:
+        raise ValueError(f"depths must be in [2, 20], got {columns}")
+    share = as_float("tolerance", tolerance)
+    if not 1e-9 <= share <= 0.1:
+        raise ValueError(f"tolerance must be in [1e-9, 0.1], got {share!r}")
+    layers = softening_layers(ball, on)
+    if not layers:
+        return _linear(solve(ball, on=on, load=load, angular_speed=angular_speed, progress=progress, **options), loss)
+    ball, on = _cut(ball, parts), None if on is None else _cut(on, parts)
+    layers = softening_layers(ball, on)
+    with extra("files"), reporting(progress) as report:
+        search = SofteningSearch(
+            ball=ball,
+            on=on,
+            layers=layers,
+            load=as_float("load", load),
+            angular_speed=as_float("angular_speed", angular_speed),
+            options=dict(options),
+            depths=columns,
+            report=report,
+        )
+        harmonic, first = search.converged(None, matched=False, tolerance=share)
+        matched, second = search.converged(harmonic, matched=True, tolerance=share)
+        given = {name: options.get(name) for name in ("mesh", "accuracy")}
+        results = {
+            name: state.result if given["mesh"] is not None else search.solved(state.amplitudes, state.scales, **given)
+            for name, state in (("harmonic", harmonic), ("network", matched))
+        }
+    return _found(search, results, {"harmonic": harmonic, "network": matched}[loss], loss, (*first, *second[1:]))
+
+
+def _found(
+    search: SofteningSearch,
+    results: dict[str, Result],
+    state: State,
+    loss: Matching,
+    history: tuple[Any, ...],
+) -> StrainSoftening:
+    result = results[loss]
+    moduli = tuple(
+        tuple(float(part) for part in layer.modulus.network.at(amplitude))
+        for layer, amplitude in zip(search.layers, state.amplitudes, strict=True)
+    )
+    lost = sum(layer.shear_loss for layer in state.layers)
+    cautions = tuple(_cautions(search.layers, state))
+    warn([*result.warnings.values(), *cautions])
+    return StrainSoftening(
+        result=result,
+        loss=loss,
+        layer_amplitudes=tuple(state.amplitudes.tolist()),
+        largest_amplitudes=tuple(float(layer.amplitudes.max()) for layer in state.layers),
+        layer_moduli=moduli,  # type: ignore[arg-type]
+        loss_scales=tuple(state.scales.tolist()),
+        network_share=sum(layer.harmonic_loss for layer in state.layers) / lost if lost > 0.0 else 0.0,
+        torque_bounds=(results["harmonic"].resisting_torque, results["network"].resisting_torque),
+        iterations=search.contacts,
+        history=tuple(tuple(amplitudes.tolist()) for amplitudes in history),
+        warnings=cautions,
+        _layers=search.layers,
+        _state=state,
+    )
+
+
+def _linear(result: Result, loss: Matching) -> StrainSoftening:
+    """Return what is found of layers of which none softens."""
+    return StrainSoftening(
+        result=result,
+        loss=loss,
+        layer_amplitudes=(),
+        largest_amplitudes=(),
+        layer_moduli=(),
+        loss_scales=(),
+        network_share=0.0,
+        torque_bounds=(result.resisting_torque, result.resisting_torque),
+        iterations=1,
+        history=(),
+        warnings=(),
+        _layers=(),
+        _state=None,
+    )
+
+
+def _cautions(layers: tuple[SofteningLayer, ...], state: State) -> list[str]:
+    texts = []
+    for layer, found, amplitude, scale in zip(layers, state.layers, state.amplitudes, state.scales, strict=True):
+        where = f"{layer.of}, layer {layer.number}"
+        least, most = layer.modulus.network.known_strains
+        largest = float(found.amplitudes.max())
+        if not least <= amplitude <= most or largest > most:
+            texts.append(
+                f"{where}: strains of {amplitude:.3g}, at most {largest:.3g}, lie outside of the sweep, {least:.3g} to "
+                f"{most:.3g}, whose ends are held"
+            )
+        if not _PLAIN_SCALES[0] <= scale <= _PLAIN_SCALES[1]:
+            texts.append(
+                f"{where}: harmonics lose {1.0 / scale:.3g} times what the network does, outside of 0.67 to 2, where "
+                "the two have been held against exact solutions"
+            )
+        if largest > _LARGE_STRAIN:
+            texts.append(f"{where}: the amplitude of strain is up to {largest:.3g}, above 0.2 linear theory is rough")
+    return texts
+
+
+def _cut(body: Any, parts: int) -> Any:
+    if parts == 1:
+        return body
+    materials: list[Layer | HalfSpace] = []
+    for material in materials_of(body):
+        if isinstance(material, Layer) and isinstance(material.shear_modulus, SofteningModulus):
+            materials += [replace(material, thickness=material.thickness / parts)] * parts
+        else:
+            materials.append(material)
+    return with_materials(body, materials)

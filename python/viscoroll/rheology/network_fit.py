@@ -1,0 +1,187 @@
+"""Laws of a network of filler fitted to a strain sweep, with intervals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, overload
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._support.arguments import Floats, require_type
+from .._support.extras import extra
+from .._support.least_squares import Parameter, with_intervals
+from .._support.text import shown
+from ..materials import KrausNetwork, MasingNetwork, StrainSweep
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["NetworkFit", "fit_network"]
+
+#: Parameters of the laws, those of what lies beside the network last, and their units.
+_UNITS = {
+    "kraus": {"storage": "Pa", "loss": "Pa", "critical_strain": "1", "exponent": "1"},
+    "masing": {"storage": "Pa", "critical_strain": "1"},
+}
+_BESIDE = {"matrix_storage": "Pa", "matrix_loss": "Pa"}
+
+#: Kraus' exponent of carbon black, to start from.
+_EXPONENT = 0.6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class NetworkFit:
+    """A law of the network, and how well it fits.
+
+    Attributes
+    ----------
+    network : KrausNetwork or MasingNetwork
+        The law.
+    parameters : mapping of str to Parameter
+        Its parameters with intervals, and what lies beside the network at the frequency of the sweep, `matrix_storage`
+        and `matrix_loss` [Pa].
+    sweep : StrainSweep
+        The data.
+    storage_error, loss_error : ndarray
+        Fit over data less 1, at each point [-].
+    """
+
+    network: KrausNetwork | MasingNetwork
+    parameters: Mapping[str, Parameter]
+    sweep: StrainSweep
+    storage_error: Floats
+    loss_error: Floats
+
+    @overload
+    def plot(self) -> Figure: ...
+
+    @overload
+    def plot(self, ax: Axes) -> Axes: ...
+
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw data and fit (the extra `viscoroll[plot]`).
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw.
+
+        Returns
+        -------
+        matplotlib.figure.Figure or matplotlib.axes.Axes
+            A new figure, or `ax`.
+        """
+        from .picture import plot_strain_sweep
+
+        strain = self.sweep.amplitudes
+        fine = np.geomspace(strain[0], strain[-1], 200)
+        storage, loss = self.network.at(fine)
+        beside = self.parameters["matrix_storage"].value, self.parameters["matrix_loss"].value
+        measured = strain, np.asarray(self.sweep.storage), np.asarray(self.sweep.loss)
+        return plot_strain_sweep(measured, (fine, storage + beside[0], loss + beside[1]), ax=ax)
+
+    def __repr__(self) -> str:
+        """Return what was fitted, and how well."""
+        rms = [float(np.sqrt(np.mean(error**2))) for error in (self.storage_error, self.loss_error)]
+        rows = [
+            f"  {name} = {p.value:.4g} {p.unit} in [{p.lower:.4g}, {p.upper:.4g}]"
+            for name, p in self.parameters.items()
+        ]
+        head = f"{type(self.network).__name__}, error of storage {rms[0]:.2%}, of loss {rms[1]:.2%} (root mean square)"
+        return "\n".join([head, *rows])
+
+
+def fit_network(
+    sweep: StrainSweep, *, law: Literal["kraus", "masing"] = "kraus", confidence: float = 0.95
+) -> NetworkFit:
+    """Fit a law of the network to a strain sweep, with what lies beside it free: the matrix, at one frequency.
+
+    Least squares on the relative errors of both moduli.
+
+    Parameters
+    ----------
+    sweep : StrainSweep
+        The measurement; its matrix does not count.
+    law : {"kraus", "masing"}, default "kraus"
+        Four parameters, or two.
+    confidence : float, default 0.95
+        Probability that an interval holds the true value [-], for errors that are independent and normal.
+
+    Returns
+    -------
+    NetworkFit
+        The law, intervals, errors and a picture.
+
+    Raises
+    ------
+    ValueError
+        For another law, too few points, and a sweep that does not determine the parameters.
+    ConvergenceError
+        Where the iteration does not converge.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import viscoroll as vr
+    >>> strain = np.geomspace(1e-3, 0.3, 12)
+    >>> storage, loss = vr.MasingNetwork(storage=6e6, critical_strain=0.01).at(strain)
+    >>> fit = vr.fit_network(vr.StrainSweep(strain=strain, storage=storage + 3e6, loss=loss + 2e5), law="masing")
+    >>> print(f"{fit.network.storage:.3g} Pa, {fit.network.critical_strain:.3g}")
+    6e+06 Pa, 0.01
+    """
+    with extra("studies"):
+        from scipy.optimize import least_squares
+
+    require_type("sweep", sweep, StrainSweep)
+    if law not in _UNITS:
+        raise ValueError(f"law must be 'kraus' or 'masing', got {shown(law)}")
+    if not 0.0 < confidence < 1.0:
+        raise ValueError(f"confidence must be in (0, 1), got {confidence!r}")
+    strain, data = sweep.amplitudes, np.array([sweep.storage, sweep.loss])
+    start = np.log(_start(law, strain, data))
+    freedom = data.size - len(start)
+    if freedom < 1:
+        raise ValueError(f"sweep must have more than {len(start) / 2:g} points for {len(start)} parameters")
+
+    def errors(logs: Floats) -> Floats:
+        values = np.exp(logs)
+        fitted = np.array(_network(law, values).at(strain)) + values[-2:, None]
+        return np.asarray((fitted / data - 1.0).ravel())
+
+    bounds = np.full(len(start), np.inf)
+    if law == "kraus":
+        bounds[3] = 0.0  # exponents up to 1
+    found = least_squares(errors, start, bounds=(-np.inf, bounds), x_scale="jac", xtol=1e-13, ftol=1e-13, gtol=1e-13)
+    if not found.success:
+        raise ConvergenceError(f"the fit of {law} did not converge: residual {found.cost:.3g}")
+    singular = np.linalg.svd(found.jac, compute_uv=False)
+    if not singular[-1] > 1e-10 * singular[0]:
+        raise ValueError(f"sweep must determine all parameters of {law}, got data that fit many values of them")
+    values = np.exp(found.x)
+    covariance = np.linalg.inv(found.jac.T @ found.jac) * (2.0 * found.cost / freedom) * np.outer(values, values)
+    storage_error, loss_error = found.fun.reshape(2, -1)
+    return NetworkFit(
+        network=_network(law, values),
+        parameters=with_intervals(_UNITS[law] | _BESIDE, values, covariance, confidence, freedom),
+        sweep=sweep,
+        storage_error=storage_error,
+        loss_error=loss_error,
+    )
+
+
+def _network(law: str, values: Floats) -> KrausNetwork | MasingNetwork:
+    given = dict(zip(_UNITS[law], values.tolist(), strict=False))
+    return KrausNetwork(**given) if law == "kraus" else MasingNetwork(**given)
+
+
+def _start(law: str, strain: Floats, data: Floats) -> Floats:
+    """Return parameters to start from: steps of the sweep, its strain of largest loss, and what is left at its end."""
+    storage, loss = data
+    fall = max(storage[0] - storage[-1], 0.1 * storage[0])
+    rise = max(loss.max() - loss.min(), 0.1 * loss.max())
+    beside = [max(storage[-1] - 0.1 * fall, 0.1 * storage[-1]), 0.9 * loss.min()]
+    peak = strain[loss.argmax()]
+    return np.array([fall, rise, peak, _EXPONENT, *beside] if law == "kraus" else [fall, peak, *beside])

@@ -1,0 +1,120 @@
+"""Strain sweeps of filled rubber from the files of rheometers and DMA instruments."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from .._support.arguments import as_float, as_int, as_member
+from .._support.text import shown
+from ..materials import ShearModulusLike, StrainKind, StrainSweep
+from .reading import Columns, moduli_are_tensile, named_columns
+from .text import Table, find_tables, read_text
+
+__all__ = ["read_strain_sweep"]
+
+_ROLES = ("strain", "frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
+
+
+def read_strain_sweep(
+    path: str | Path,
+    *,
+    kind: StrainKind | str,
+    matrix: ShearModulusLike | None = None,
+    frequency: float | None = None,
+    sweep: int | None = None,
+    columns: Columns | None = None,
+    tensile: bool | None = None,
+    poisson_ratio: float = 0.5,
+) -> StrainSweep:
+    """Read a strain sweep from a text or CSV export, as `read_rheology` reads sweeps of frequency.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    kind : StrainKind or str
+        What the instrument calls strain: files do not say whether it is single or double.
+    matrix : ShearModulus, callable or float, optional
+        Of the rubber without its network, to be taken off, as of `StrainSweep`.
+    frequency : float, optional
+        Of the sweep [rad/s]; by default that of the file. Only a matrix needs it.
+    sweep : int, optional
+        Which of several, from 1 on.
+    columns, tensile, poisson_ratio
+        As of `read_rheology`; "strain" is one of the columns, in "%" or "1".
+
+    Returns
+    -------
+    StrainSweep
+        The network; points with a modulus that is not positive are left out.
+
+    Raises
+    ------
+    ValueError
+        Where the file has no table with strain and moduli, where a unit is missing, and where it holds several sweeps.
+    OSError
+        Where it cannot be read.
+    """
+    path = Path(path)
+    nu = as_float("poisson_ratio", poisson_ratio)
+    if not -1.0 < nu <= 0.5:
+        raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
+    try:
+        tables = find_tables(read_text(path), named_columns(columns, _ROLES), over="strain")
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    if not tables:
+        raise ValueError(
+            f"{path}: needs a row of names with a strain and a storage modulus, and numbers below; pass "
+            'columns={"strain": (name, "%"), "storage": (name, unit), ...}'
+        )
+    is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
+    rows = _chosen([part for table in tables for part in _sweeps(table, path)], sweep, path)
+    divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
+    measured = rows.get("frequency")
+    if frequency is None and matrix is not None:
+        if measured is None:
+            raise ValueError(f"frequency must be given with matrix, for {path} does not say that of the sweep")
+        frequency = float(measured.mean())
+    try:
+        return StrainSweep(
+            strain=rows["strain"],
+            storage=rows["storage"] / divisor,
+            loss=rows["loss"] / divisor,
+            kind=as_member("kind", kind, StrainKind),
+            matrix=matrix,
+            frequency=None if matrix is None else frequency,
+        )
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def _chosen(sweeps: list[dict[str, np.ndarray]], number: int | None, path: Path) -> dict[str, np.ndarray]:
+    """Return the sweep of a number, which may be left out where there is one."""
+    if number is None and len(sweeps) == 1:
+        return sweeps[0]
+    if number is None:
+        raise ValueError(f"sweep must be given for {path}, which holds {len(sweeps)}: 1 to {len(sweeps)}")
+    if not 1 <= as_int("sweep", number) <= len(sweeps):
+        raise ValueError(f"sweep must be in [1, {len(sweeps)}], got {shown(number)}")
+    return sweeps[number - 1]
+
+
+def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:
+    """Return the sweeps of a table by increasing strain, columns by role, in SI units."""
+    values = {
+        role: column.converted([row[role] for row in table.rows], path)
+        for role, column in table.columns.items()
+        if role in ("strain", "frequency", "storage", "loss")
+    }
+    if "loss" not in values:
+        if "tan_delta" not in table.columns:
+            raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
+        values["loss"] = values["storage"] * np.array([row["tan_delta"] for row in table.rows])
+    numbers = np.array([row.get("sweep", 0.0) for row in table.rows])
+    valid = (values["strain"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
+    parts = [np.flatnonzero(valid & (numbers == number)) for number in np.unique(numbers[valid])]
+    order = [part[np.argsort(values["strain"][part], kind="stable")] for part in parts]
+    return [{role: column[part] for role, column in values.items()} for part in order]

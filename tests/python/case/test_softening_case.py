@@ -1,0 +1,104 @@
+"""Filled rubber in case files: the same as from Python, in the shell, and over a study."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+import viscoroll as vr
+from specimens import command
+from viscoroll.case import load_case
+from viscoroll.studies.identity import PointKeys
+
+CASE = """
+[cylinder]
+core_radius = 50e-3
+[[cylinder.layers]]
+thickness = 10e-3
+poisson_ratio = 0.5
+[cylinder.layers.shear_modulus]
+type = "softening"
+matrix = { type = "standard_linear_solid", instantaneous_modulus = 3e6, relaxed_modulus = 2.5e6, relaxation_time = 0.1 }
+network = NETWORK
+[rolling]
+load = 2e3
+angular_speed = 2.5
+[numerics]
+nodes_per_revolution = 800
+"""
+SWEEP = '{ type = "strain_sweep", file = "sweep.csv", kind = "double_shear", frequency = 60.0 }'
+TABLE = {"strain": [0.001, 0.01, 0.1, 0.5], "storage": [9.5e6, 7e6, 4.2e6, 3.5e6], "loss": [6e5, 12e5, 9e5, 7e5]}
+MATRIX = vr.StandardLinearSolid(instantaneous_modulus=3e6, relaxed_modulus=2.5e6, relaxation_time=0.1)
+
+
+@pytest.fixture
+def write(tmp_path):
+    rows = [",".join(TABLE), *(",".join(map(str, row)) for row in zip(*TABLE.values(), strict=True))]
+    (tmp_path / "sweep.csv").write_text("\n".join(rows), encoding="utf-8")
+
+    def written(network, more=""):
+        path = tmp_path / "case.toml"
+        path.write_text(CASE.replace("NETWORK", network) + more, encoding="utf-8")
+        return path
+
+    return written
+
+
+def test_networks_of_a_case_file(write):
+    sweep = vr.StrainSweep(**TABLE, kind="double_shear", matrix=MATRIX, frequency=60.0)
+    kraus = '{ type = "kraus", storage = 8e6, loss = 8e5, critical_strain = 0.01 }'
+    masing = '{ type = "masing", storage = 6e6, critical_strain = 0.01 }'
+    for text, network in (
+        (SWEEP, sweep),
+        (kraus, vr.KrausNetwork(storage=8e6, loss=8e5, critical_strain=0.01)),
+        (
+            masing,
+            vr.MasingNetwork(storage=6e6, critical_strain=0.01),
+        ),
+    ):
+        modulus = load_case(write(text)).ball.layers[0].shear_modulus
+        assert modulus == vr.SofteningModulus(matrix=MATRIX, network=network)
+
+
+def test_the_shell_tells_both_torques(write):
+    case = write(SWEEP)
+    found = load_case(case).strain_softening()
+    told = json.loads(command("solve", case, "--json").stdout)
+    assert told["resisting_torque"] == found.torque_bounds[1]
+    assert told["softening"]["harmonic_torque"] == found.torque_bounds[0]
+    assert f"{found.torque_bounds[0]:.6g} (harmonic sum)" in command("solve", case).stdout
+
+
+def test_a_study_of_filled_rubber(write):
+    case = load_case(write(SWEEP))
+    study = vr.sweep(**case.arguments() | {"load": [1e3, 2e3]})
+    # a point of a study is solved on one thread, which alters no digit
+    assert study.resisting_torque[1].item() == case.strain_softening().result.resisting_torque
+
+
+def test_studies_tell_networks_apart(write):
+    """By law and matrix, and by the values of a matrix that is a function."""
+    case = load_case(write(SWEEP))
+    arguments = {"load": 1e3, "angular_speed": 2.5}
+
+    def key(matrix, **changed):
+        network = vr.KrausNetwork(**{"storage": 8e6, "loss": 8e5, "critical_strain": 0.01} | changed)
+        layer = replace(case.ball.layers[0], shear_modulus=vr.SofteningModulus(matrix=matrix, network=network))
+        return PointKeys().key(replace(case.ball, layers=[layer]), arguments, ())
+
+    assert key(lambda _: 1e6) == key(lambda _: 1e6)
+    assert len({key(lambda _: 1e6), key(lambda _: 2e6), key(MATRIX), key(MATRIX, loss=7e5)}) == 4
+
+
+@pytest.mark.parametrize(
+    ("network", "message"),
+    [
+        ('{ type = "kraus", storage = 8e6, loss = 8e5 }', "network of type kraus must have critical_strain"),
+        ('{ type = "payne" }', "network.type must be one of kraus, masing, strain_sweep, got 'payne'"),
+        ('{ type = "strain_sweep", file = "no.csv" }', "strain sweep .*no.csv: No such file"),
+    ],
+)
+def test_what_is_refused(write, network, message):
+    with pytest.raises(ValueError, match=message):
+        load_case(write(network))

@@ -1,0 +1,175 @@
+"""Paths of strain: their amplitude, what harmonics lose on them, and what a network without rate does."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import RUBBER, coated_ball
+from viscoroll.interior.network_loss import iwan_loss, turning_ratio
+from viscoroll.interior.strain_path import StrainPath, deviatoric_path, half_range, harmonic_squares, strain_paths
+from viscoroll.solution.inside import inside_of
+
+TURN = np.linspace(0.0, 2.0 * np.pi, 1000, endpoint=False)
+
+
+def path_of(*components):
+    """Return one point's path of given components of p."""
+    p = np.zeros((1, len(components[0]), 6))
+    for place, values in enumerate(components):
+        p[0, :, place] = values
+    return p
+
+
+def circle(x):
+    return path_of(x * np.cos(TURN), x * np.sin(TURN))
+
+
+def line(x):
+    return path_of(x * np.cos(TURN))
+
+
+@pytest.mark.parametrize(
+    ("strain", "expected"),
+    [
+        ([0, 0, 0, 0.5, 0, 0], 1.0),  # simple shear
+        ([1, -0.5, -0.5, 0, 0, 0], math.sqrt(3.0)),  # tension of what keeps its volume
+        ([1, 0, 0, 0, 0, 0], 2.0 / math.sqrt(3.0)),  # compression between walls
+    ],
+)
+def test_length_of_a_strain(strain, expected):
+    p = deviatoric_path(np.array(strain, dtype=float))
+    assert np.linalg.norm(p) == pytest.approx(expected, rel=1e-14)
+
+
+def test_amplitude_is_half_of_the_largest_distance():
+    assert half_range(circle(0.3)) == pytest.approx(0.3, rel=1e-12)
+    assert half_range(line(0.3) + 5.0) == pytest.approx(0.3, rel=1e-12)
+    assert half_range(path_of(np.maximum(np.sin(TURN), 0.0))) == pytest.approx(0.5, rel=1e-5)  # pulse 0 … 1, by nodes
+
+
+#: What harmonics lose over π g² N'' in pulses of one component, in closed form; theory.md section 17.
+PULSES = {
+    "parabola": (lambda x: 1.0 - x**2, 16.0 / np.pi**2),
+    "half an ellipse": (lambda x: np.sqrt(1.0 - x**2), 2.0),
+    "(1 - x²)^(3/2)": (lambda x: (1.0 - x**2) ** 1.5, 1.5),
+    "x (1 - x²)": (lambda x: x * (1.0 - x**2), 9.0 / np.pi**2),
+    "triangle": (lambda x: 1.0 - abs(x), 16.0 * math.log(2.0) / np.pi**2),
+}
+
+
+@pytest.mark.parametrize("name", PULSES)
+def test_harmonics_of_a_pulse(name):
+    shape, expected = PULSES[name]
+    x = np.linspace(-1.5, 1.5, 1501)
+    pulse = np.where(abs(x) < 1.0, shape(np.clip(x, -1.0, 1.0)), 0.0)
+    path = StrainPath(
+        layer=0, phi=x, period=200.0, p=path_of(pulse), volumes=np.ones(1), depth=np.zeros(1), theta=np.zeros(1)
+    )
+    squares = harmonic_squares(path)[1].sum()
+    # what ends as a root has harmonics that fall like 1/k^(3/2), of which 1500 nodes leave out 2e-3
+    assert squares / (np.pi * half_range(path.p)[0] ** 2) == pytest.approx(expected, rel=3e-3)
+
+
+@pytest.mark.parametrize(("x", "expected"), [(0.3, 0.0241628073), (1.0, 0.454822556), (3.0, 3.90964511)])
+def test_network_on_a_line_loses_its_loop(x, expected):
+    """π x² N''(x) in closed form, by 30 elements."""
+    assert iwan_loss(line(x), np.array([x])) == pytest.approx(expected, rel=1e-7)
+    assert turning_ratio(0.01 * line(x), np.array([0.01 * x]), 0.01) == pytest.approx(1.0, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("x", "expected"), [(0.01, 3.133262), (0.3, 2.935023), (1.0, 2.648818), (3.0, 2.299736), (100.0, 1.660626)]
+)
+def test_network_on_a_circle(x, expected):
+    """An element that yields at y follows the strain around a circle of radius √(x² - y²), which takes rounds."""
+    loop = np.pi * x**2 * vr.MasingNetwork(storage=1.0, critical_strain=1.0).at(x)[1]
+    angle, weight = np.polynomial.legendre.leggauss(2000)
+    angle, weight = 0.25 * np.pi * (1.0 + angle), 0.25 * np.pi * weight
+    y = x * np.sin(angle)
+    steady = (weight * 2.0 * np.pi * y * (x * np.cos(angle)) ** 2 * 2.0 / (1.0 + y) ** 3).sum()
+    assert steady / loop == pytest.approx(expected, rel=1e-6)
+    found = iwan_loss(circle(x)[:, ::4], np.array([x]), rounds=20)[0]
+    assert found == pytest.approx(steady, rel=2e-4)  # 250 chords: (2π/250)²/6 = 1e-4; 20 rounds leave 1e-5
+
+
+def test_network_at_small_strain_has_the_limit_of_little_yield():
+    assert turning_ratio(circle(1e-6), np.array([1e-6]), math.inf)[0] == pytest.approx(math.pi, rel=0.02)  # two rounds
+
+
+#: Along a half-plane by half-widths, dense where it is loaded.
+WAY = np.unique(
+    np.concatenate([np.linspace(-1.4, 1.4, 561), 40.0 * np.sinh(np.linspace(-6.0, 6.0, 401)) / math.sinh(6.0)])
+)
+
+
+def half_plane(depth, x):
+    """Deviator path under a line load's pressure √(1 - x²), by McEwen, at p₀/G = 1, ν = 1/2, half-width 1."""
+    square = 1.0 - x**2 + depth**2
+    root = np.sqrt(square**2 + 4.0 * x**2 * depth**2)
+    m, n = np.sqrt(0.5 * (root + square)), np.sqrt(0.5 * (root - square)) * np.sign(x)
+    along = -(m * (1.0 + (depth**2 + n**2) / (m**2 + n**2)) - 2.0 * depth)
+    normal = -m * (1.0 - (depth**2 + n**2) / (m**2 + n**2))
+    shear = -n * (m**2 - depth**2) / (m**2 + n**2)
+    # e = s/2G, in plane strain without change of volume half of the difference
+    difference = 0.25 * (normal - along)
+    return path_of(math.sqrt(2.0) * difference, -math.sqrt(2.0) * difference, np.zeros(len(x)), shear)
+
+
+@pytest.mark.parametrize(
+    ("depth", "expected"),
+    [(0.05, 0.12195), (0.2, 0.2124), (0.4, 0.2471), (0.786, 0.2363), (1.0, 0.2180), (1.5, 0.1756), (4.0, 0.0785)],
+)
+def test_amplitude_below_a_line_contact(depth, expected):
+    p = half_plane(depth, WAY)
+    assert half_range(p)[0] == pytest.approx(expected, abs=1e-4)  # nodes between two of the path
+    if depth == 0.786:
+        assert np.linalg.norm(p[0], axis=1).max() == pytest.approx(0.3003, abs=1e-4)  # the known largest shear
+
+
+def test_paths_of_a_half_plane_are_mcewen(inside_half_plane):
+    """A hard roller on an elastic half-plane; what its mesh and the flat contact leave is 1 %."""
+    result, path = inside_half_plane
+    half_width, pressure = result.semi_axis_x, result.max_pressure
+    found = half_range(path.p) * 1e7 / pressure
+    for depth, amplitude in zip(path.depth, found, strict=True):
+        if 0.1 * half_width < depth < 3.0 * half_width:
+            assert amplitude == pytest.approx(half_range(half_plane(depth / half_width, WAY))[0], rel=0.02)
+
+
+@pytest.fixture(scope="module")
+def inside_half_plane():
+    plane = vr.CoatedPlane(base=vr.HalfSpace(shear_modulus=1e7, poisson_ratio=0.5))
+    result = vr.solve(
+        vr.CoatedCylinder(core_radius=0.05),
+        on=plane,
+        load=2e4,
+        angular_speed=1.0,
+        mesh=vr.Mesh(nodes_per_revolution=4000),
+    )
+    return result, strain_paths(inside_of(result), [0], depths=5)[0]
+
+
+BODIES = {
+    "ball": (coated_ball(core_radius=11e-3, thickness=10e-3), 100.0, 1000),
+    "roller": (
+        vr.CoatedCylinder(
+            core_radius=50e-3, layers=[vr.Layer(thickness=1e-2, shear_modulus=RUBBER, poisson_ratio=0.5)]
+        ),
+        5e3,
+        2000,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_paths_lose_what_the_layers_lose(name):
+    """Over a whole revolution, to 1e-3: 6 depths, and `loss` sums orders up to 0.9999 of it."""
+    body, load, nodes = BODIES[name]
+    result = vr.solve(body, load=load, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=nodes))
+    path = strain_paths(inside_of(result), [0], depths=6, reach=1e3)[0]
+    orders, squares = harmonic_squares(path)
+    power = 2.5 * path.volumes @ squares @ RUBBER.complex_modulus(2.5 * orders).imag
+    assert power == pytest.approx(result.loss().attrs["power"], rel=1e-3)

@@ -1,0 +1,86 @@
+"""A roller on columns of filled rubber, exactly: `python -m tests.reference.network_columns` prints the table.
+
+Every column is a spring and a Maxwell arm beside a network of springs and dry sliders, whose first loading is
+E_N ε/(1 + ε/ε_c). It has been rolled over before: what network has broken at the peak stays, and from the free strain
+that it keeps, the set, it is pressed along the roller and let go where it would have to pull. Under such passes the
+network runs between two turning points alone, by Masing's rule, and the arm is an ordinary differential equation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Moduli of compression [Pa], relaxation time [s], strain [-], radius by height [m²], speed [m/s]."""
+
+    spring: float = 3e6
+    arm: float = 1.5e6
+    relaxation_time: float = 10e-3
+    network: float = 6e6
+    critical_strain: float = 0.01
+    radius_by_height: float = 20e-6
+    speed: float = 0.1
+
+    def first_loading(self, strain):
+        """Stress of a network that was never strained before [Pa]."""
+        return self.network * strain / (1.0 + strain / self.critical_strain)
+
+    def network_stress(self, strain, peak, lowest, *, unloading):
+        """Stress of the network between its turning points [Pa]."""
+        top = self.first_loading(peak)
+        if unloading:
+            return top - 2.0 * self.first_loading(0.5 * (peak - strain))
+        bottom = top - 2.0 * self.first_loading(0.5 * (peak - lowest))
+        return bottom + 2.0 * self.first_loading(0.5 * (strain - lowest))
+
+    def free_strain(self, peak):
+        """Strain that is left without any stress, long after a pass [-]."""
+
+        def stress(strain):
+            return self.spring * strain + self.network_stress(strain, peak, strain, unloading=True)
+
+        return brentq(stress, -peak, peak, xtol=1e-15 * peak, rtol=1e-14)
+
+    def pass_of(self, peak, points=20001):
+        """Return load [N/m], moment of the pressure [N], and set over peak [-], of a roller that presses to a peak."""
+        lowest = self.free_strain(peak)
+        entry = np.sqrt(2.0 * self.radius_by_height * (peak - lowest))
+        x = np.linspace(entry, -entry, points)
+        strain = peak - x**2 / (2.0 * self.radius_by_height)
+        stress = (
+            self.spring * strain
+            + self.arm_stress(x)
+            + np.where(
+                x > 0.0,
+                self.network_stress(strain, peak, lowest, unloading=False),
+                self.network_stress(strain, peak, lowest, unloading=True),
+            )
+        )
+        pulls = np.flatnonzero((stress < 0.0) & (x < 0.0))
+        end = pulls[0] if pulls.size else points
+        stress, x = np.maximum(stress[:end], 0.0), x[:end]
+        return -np.trapezoid(stress, x), -np.trapezoid(stress * x, x), lowest / peak
+
+    def arm_stress(self, x):
+        """Stress of the Maxwell arm [Pa]: σ' + σ/τ = E ε', with ε' = V x/(R h), in closed form from x[0] on."""
+        length = self.speed * self.relaxation_time
+        rate = self.arm * length / self.radius_by_height
+        # a particular solution rate (x + length), for d/dt = -V d/dx, and what fades from rest at the entry
+        return rate * (x + length - (x[0] + length) * np.exp((x - x[0]) / length))
+
+
+def main():
+    """Print load, moment and set."""
+    print("   peak [%]     P [N/m]         M [N]      set")
+    for peak in (0.001, 0.003, 0.01, 0.1, 0.2):
+        load, moment, left = Columns().pass_of(peak)
+        print(f"{100 * peak:11g} {load:11.6g} {moment:13.7g} {left:8.4f}")
+
+
+if __name__ == "__main__":
+    main()
