@@ -38,10 +38,10 @@ LayerStack<Scalar> stack_at(const LayeredBody& body, const std::vector<CreepingM
 }
 
 template <class Scalar>
-std::vector<Matrix3<Scalar>> solved(std::span<const OrderInLayers<Scalar>> orders, double crown_radius) {
+std::vector<Matrix3<Scalar>> solved(std::span<const OrderInLayers<Scalar>> orders, const Crown& crown) {
   std::vector<Matrix3<Scalar>> compliances(orders.size());
   surface_compliances<Scalar>(orders, compliances);
-  if (std::isfinite(crown_radius)) add_crown<Scalar>(orders, crown_radius, compliances);
+  if (!crown.is_flat()) add_crown<Scalar>(orders, crown, compliances);
   return compliances;
 }
 
@@ -88,8 +88,8 @@ std::vector<std::vector<Eigen::Matrix3d>> LayerSpectrum::weights_of(std::span<co
   for (const auto& stack : on_contour_) {
     for (const SurfaceOrder& order : orders) creeping.push_back({.layers = stack, .m = order.m, .n = order.n});
   }
-  const auto instantaneous = solved<double>(yielding, body_.crown_radius);
-  const auto compliances = solved<cplx>(creeping, body_.crown_radius);
+  const auto instantaneous = solved<double>(yielding, body_.crown);
+  const auto compliances = solved<cplx>(creeping, body_.crown);
 
   std::vector<std::vector<Eigen::Matrix3d>> weights(orders.size());
   for (std::size_t i = 0; i < orders.size(); ++i) {
@@ -137,7 +137,7 @@ Eigen::Matrix3cd compliance_at(const LayeredBody& body, const SurfaceOrder& orde
   }
   const LayerStack<cplx> stack = body.stack(moduli, 0.0);
   const OrderInLayers<cplx> in_layers{.layers = stack, .m = order.m, .n = order.n};
-  return solved<cplx>(std::span(&in_layers, 1), body.crown_radius).front();
+  return solved<cplx>(std::span(&in_layers, 1), body.crown).front();
 }
 
 }  // namespace viscoroll::detail
