@@ -7,6 +7,7 @@ The same mesh and steps give the same history; limits of fine meshes and their e
 from __future__ import annotations
 
 import copy
+import pickle
 from dataclasses import astuple
 from functools import cache
 from pathlib import Path
@@ -355,6 +356,19 @@ def test_a_copy_tries_a_step():
     tried = twin.advance(time=0.1, angle=0.2, load=110.0)
     assert stepper.now.time == 0.0
     assert astuple(stepper.advance(time=0.1, angle=0.2, load=110.0)) == astuple(tried)
+
+
+def test_a_pickled_history_goes_on():
+    """With the mesh that the first load has chosen, and all options."""
+    mat = vr.CoatedPlane(layers=BALL.layers)
+    first = vr.RollingHistory(vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, lattices=1, steps_per_spacing=2)
+    first.advance(time=0.1, way=4e-3, load=100.0)
+    second = pickle.loads(pickle.dumps(first))
+    assert astuple(second.now)[:3] == astuple(first.now)[:3]
+    assert (second.mesh, second.steps, second.on) == (first.mesh, first.steps, mat)
+    ends = [stepper.advance(time=0.15, way=3e-3, load=90.0) for stepper in (first, second)]
+    np.testing.assert_allclose(astuple(ends[0])[:-1], astuple(ends[1])[:-1], rtol=1e-8, atol=1e-12)
+    assert first.steps == second.steps
 
 
 def test_resume_from_a_file(tmp_path):
