@@ -10,7 +10,6 @@ import copy
 import pickle
 from dataclasses import astuple
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -420,19 +419,3 @@ def test_a_rising_load_widens_the_tables():
     alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
     assert 0.7 < h.penetration[-1] / alone.now.penetration < 1.0
     assert h.energy_balance_error[-1] < 2e-2
-
-
-# --- the worked example ---------------------------------------------------------------------------------------------
-
-
-def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
-    """docs/isolation_platform.py on a coarse mesh: its balance of forces, and break-away that grows with standing."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "docs"))
-    import isolation_platform
-
-    numbers = isolation_platform.main(nodes=80, duration=3.0, picture=str(tmp_path / "loop.png"))
-    assert (tmp_path / "loop.png").stat().st_size > 1000
-    assert "equivalent damping" in capsys.readouterr().out
-    assert 5.0 < numbers["equivalent damping at that amplitude [%]"] < 60.0
-    forces = [numbers[f"break-away force after standing {stand} s [N]"] for stand in ("0", "0.1", "1", "10")]
-    assert forces == sorted(forces)
