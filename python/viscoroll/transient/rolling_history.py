@@ -87,7 +87,9 @@ class Instant:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RollingState:
-    """Everything that a history remembers: forces and retarded forces of every material node.
+    """Everything that a history remembers: forces and displacements, retarded ones too, of every material node.
+
+    What goes on from it is the same to the last bit as what was not interrupted, on one machine and build.
 
     It belongs to a ball, a mesh and the options of the history that it is from.
 
