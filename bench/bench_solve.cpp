@@ -318,6 +318,31 @@ void revolution(benchmark::State& state, int nodes, int lattices, int threads, d
   state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
 }
 
+/// The first `turn` [rad] of a body that has borne its load for ever, on one lattice and one thread; tables are made
+/// before. The error is that of the moment over the last spacing, against the steady one of an independent program.
+void start_rolling(benchmark::State& state, const RollingBody& body, const Counterpart& on, const LoadCase& rolling,
+                   int nodes, double turn, double steady_moment) {
+  const RollingHistory still(body, on, rolling.load, Start::relaxed,
+                             {.mesh = Mesh{nodes}, .lattices = 1, .threads = 1});
+  const Motion motion{
+      .time = {0.0, turn / rolling.angular_speed}, .angle = {0.0, turn}, .load = {rolling.load, rolling.load}};
+  double steps = 0.0;
+  double moment = 0.0;
+  for (auto _ : state) {
+    RollingHistory history(still);
+    const auto instants = roll(history, motion);
+    steps = static_cast<double>(history.steps());
+    moment = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) moment += instants[instants.size() - 1 - i].resisting_torque / 4.0;
+  }
+  state.counters["error"] = relative_error(moment, steady_moment);
+  state.counters["steps"] = steps;
+  state.counters["steps_per_second"] = benchmark::Counter(steps, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+const CoatedSphere kSteel{.core_radius = 21e-3, .layers = {}};
+constexpr double kFiftyMillimeters = 50.0 / 21.0;  // of the steel ball's way [rad]
+
 constexpr auto kUnit = benchmark::kMillisecond;
 
 BENCHMARK(fields_inside)->Unit(kUnit)->UseRealTime();
@@ -405,6 +430,19 @@ BENCHMARK_CAPTURE(revolution, 1000_one_lattice, 1000, 1, 1)->Unit(kUnit)->UseRea
 BENCHMARK_CAPTURE(revolution, 300, 300, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 500, 500, 4, 2)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(revolution, 300_friction_one_lattice, 300, 1, 1, 0.3, 10.099e-3)->Unit(kUnit)->UseRealTime();
+// Q = M / r_o of 532.0 and M of 40.136 mN m are limits of three meshes, 2.4563 N of meshes of 500 to 2000 nodes.
+BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300, kSteel, cases::mat(false), cases::kRolling, 300, kFiftyMillimeters,
+                  532.0e-3 * 21e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(start_rolling, ball_on_unlike_layers_300, kSteel, cases::mat(true), cases::kRolling, 300,
+                  kFiftyMillimeters, 40.136e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(start_rolling, roller_1000, cases::roller(), CoatedPlane{},
+                  LoadCase{.load = 5e3, .angular_speed = 1.0}, 1000, 1.5, 2.4563)
+    ->Unit(kUnit)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(fine_friction, 256, 3650)->Unit(kUnit)->UseRealTime();
 
 }  // namespace

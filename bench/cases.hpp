@@ -79,6 +79,19 @@ inline viscoroll::CoatedWheel crowned_wheel(viscoroll::Sides sides, int number =
           .sides = sides};
 }
 
+/// A mat of the example's rubber on a rigid base, or of it over a softer one that forgets faster, half as thick each.
+inline viscoroll::CoatedPlane mat(bool unlike) {
+  viscoroll::Layer layer = paper_sphere(0.0).layers.front();
+  if (!unlike) return {.layers = {layer}};
+  layer.thickness = 0.5e-3;
+  viscoroll::Layer softer = layer;
+  softer.shear_modulus = viscoroll::standard_linear_solid(4e6, 1e6, 0.02);
+  return {.layers = {softer, layer}};
+}
+
+/// A roller of 50 mm with 10 mm of the same rubber.
+inline viscoroll::CoatedCylinder roller() { return {.core_radius = 50e-3, .layers = paper_sphere(0.0, 10e-3).layers}; }
+
 inline const viscoroll::LoadCase kRolling{.load = 100.0, .angular_speed = 2.5};
 inline const viscoroll::LoadCase kWheelRolling{.load = 500.0, .angular_speed = 2.5};
 

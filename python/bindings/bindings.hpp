@@ -17,6 +17,7 @@ void bind_interior(py::module_& m);
 void bind_modal(py::module_& m);
 void bind_result(py::module_& m);
 void bind_roll(py::module_& m);
+void bind_rolling_resistance(py::module_& m);
 void bind_solve(py::module_& m);
 
 /// One-dimensional C-contiguous array; other types and layouts are refused, not copied.

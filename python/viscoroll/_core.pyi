@@ -609,6 +609,38 @@ class RollingHistory:
     @property
     def steps(self) -> int: ...
 
+class RollingResistance:
+    def __init__(
+        self,
+        *,
+        load: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"],
+        angular_speed: typing.Annotated[
+            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
+        ],
+        radius: typing.SupportsFloat | typing.SupportsIndex,
+        coefficients: collections.abc.Sequence[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]],
+        error: typing.SupportsFloat | typing.SupportsIndex,
+        largest_error: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+    def torques(
+        self,
+        load: numpy.typing.NDArray[numpy.float64],
+        angular_speed: numpy.typing.NDArray[numpy.float64],
+        outside: Extrapolation,
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def angular_speed(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
+    @property
+    def coefficients(self) -> list[list[float]]: ...
+    @property
+    def error(self) -> float: ...
+    @property
+    def largest_error(self) -> float: ...
+    @property
+    def load(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
+    @property
+    def radius(self) -> float: ...
+
 def centrifugal_displacement(
     sphere: CoatedSphere, *, angular_speed: typing.SupportsFloat | typing.SupportsIndex
 ) -> float: ...
@@ -698,6 +730,7 @@ def order_fields(
 def places_at(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
+def read_rolling_resistance(json: str) -> RollingResistance: ...
 def result_scalars() -> list[ScalarDescription]:
     """
     What the scalar results are, in SI units.

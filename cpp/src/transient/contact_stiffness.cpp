@@ -69,4 +69,19 @@ ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, con
   return wide;
 }
 
+void ContactStiffness::write(NumberWriter& numbers) const {
+  numbers.put(inverse_ ? inverse_->nodes : std::vector<Index>{});
+  if (inverse_) numbers.put(inverse_->matrix);
+}
+
+void ContactStiffness::read(NumberReader& numbers, Index last) {
+  inverse_.reset();
+  std::vector<Index> nodes = numbers.indices(last);
+  if (nodes.empty()) return;
+  const auto size = static_cast<Index>(3 * nodes.size());
+  MatrixXd matrix = numbers.matrix();
+  NumberReader::require(matrix.rows() == size && matrix.cols() == size);
+  inverse_ = std::make_shared<const Inverse>(std::move(nodes), std::move(matrix));
+}
+
 }  // namespace viscoroll::detail

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "transient/mirrored_tables.hpp"
+#include "transient/numbers.hpp"
 
 namespace viscoroll::detail {
 
@@ -25,6 +26,11 @@ class ContactStiffness {
 
   /// @return [3 * nodes + component][3 * nodes + component], of r, phi and theta [N/m]
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return inverse_->matrix; }
+
+  void write(NumberWriter& numbers) const;
+  /// @param[in] numbers of what another one has written
+  /// @param[in] last number that a node may have
+  void read(NumberReader& numbers, Eigen::Index last);
 
  private:
   struct Inverse {

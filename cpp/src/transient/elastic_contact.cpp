@@ -1,5 +1,6 @@
 #include "transient/elastic_contact.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -92,7 +93,8 @@ void ContactInverse::follow(const std::vector<Index>& nodes, const Eigen::Matrix
     if (kChanged * changed > nodes.size()) factor_.reset();
   }
   if (!factor_) {
-    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt(), compliance(0, 0));
+    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt().matrixL(),
+                                             compliance(0, 0));
   }
   places_.clear();
   for (const Index node : nodes) {
@@ -107,13 +109,31 @@ VectorXd ContactInverse::times(const VectorXd& displacement) const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i] >= 0) known[places_[i]] = displacement[static_cast<Index>(i)];
   }
-  factor_->cholesky.solveInPlace(known);
+  factor_->lower.triangularView<Eigen::Lower>().solveInPlace(known);
+  factor_->lower.transpose().triangularView<Eigen::Upper>().solveInPlace(known);
   VectorXd forces(displacement.size());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const auto node = static_cast<Index>(i);
     forces[node] = places_[i] >= 0 ? known[places_[i]] : displacement[node] / factor_->own_compliance;
   }
   return forces;
+}
+
+void ContactInverse::write(NumberWriter& numbers) const {
+  numbers.put(factor_ ? factor_->nodes : std::vector<Index>{});
+  if (!factor_) return;
+  numbers.put(factor_->lower);
+  numbers.put(factor_->own_compliance);
+}
+
+void ContactInverse::read(NumberReader& numbers, Index last) {
+  factor_.reset();
+  std::vector<Index> nodes = numbers.indices(last);
+  if (nodes.empty()) return;
+  const auto size = static_cast<Index>(nodes.size());
+  Eigen::MatrixXd lower = numbers.matrix();
+  NumberReader::require(lower.rows() == size && lower.cols() == size && std::ranges::is_sorted(nodes));
+  factor_ = std::make_shared<const Factor>(std::move(nodes), std::move(lower), numbers.get());
 }
 
 PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const ArrayXd& guess,

@@ -3,13 +3,13 @@
 /// 13.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
 #include <memory>
 #include <vector>
 
 #include "contact/active_set.hpp"
+#include "transient/numbers.hpp"
 #include "transient/plane_frame.hpp"
 #include "transient/step_operator.hpp"
 
@@ -27,10 +27,15 @@ class ContactInverse {
   /// @return approximate forces on the nodes of the last `follow` by displacements there
   [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& displacement) const;
 
+  void write(NumberWriter& numbers) const;
+  /// @param[in] numbers of what another one has written
+  /// @param[in] last number that a node may have
+  void read(NumberReader& numbers, Eigen::Index last);
+
  private:
   struct Factor {
     std::vector<Eigen::Index> nodes;
-    Eigen::LLT<Eigen::MatrixXd> cholesky;
+    Eigen::MatrixXd lower;  // of Cholesky
     double own_compliance;
   };
 

@@ -418,6 +418,11 @@ void Lattice::write(NumberWriter& numbers) const {
   numbers.put(static_cast<double>(count_));
   for (const auto& [axis, sign] : kSaved) numbers.put(as_field(sign * force_.col(axis), pair_->half_nodes()));
   for (const RowMemory& memory : memories_) memory.write(numbers);
+  // What is known of the last contact and the last step: the next one is then the same to the last bit.
+  for (std::size_t b = 0; b < memories_.size(); ++b)
+    numbers.put(last_.empty() ? std::vector<double>{} : last_[b].parts);
+  inverse_.write(numbers);
+  stiffness_.write(numbers);
 }
 
 void Lattice::read(NumberReader& numbers) {
@@ -438,7 +443,15 @@ void Lattice::read(NumberReader& numbers) {
     memories_.back().read(numbers, body.tables);
   }
   last_.clear();
-  forget_contact();
+  for (const CreepingBody& body : pair_->bodies) {
+    std::vector<double> parts = numbers.values();
+    if (parts.empty()) continue;
+    NumberReader::require(parts.size() == body.tables.count());
+    last_.push_back(body.tables.yielding(std::move(parts)));
+  }
+  const Index last = pair_->half_nodes() * (2 * half_rows_ + 1) - 1;
+  inverse_.read(numbers, last);
+  stiffness_.read(numbers, last);
 }
 
 ContactField Lattice::field() const {

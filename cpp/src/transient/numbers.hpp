@@ -26,6 +26,11 @@ class NumberWriter {
     put(static_cast<double>(matrix.cols()));
     numbers_.insert(numbers_.end(), matrix.data(), matrix.data() + matrix.size());
   }
+  void put(const std::vector<double>& values) {
+    put(static_cast<double>(values.size()));
+    numbers_.insert(numbers_.end(), values.begin(), values.end());
+  }
+  void put(const std::vector<Eigen::Index>& indices) { put(std::vector<double>(indices.begin(), indices.end())); }
 
  private:
   std::vector<double>& numbers_;
@@ -58,6 +63,23 @@ class NumberReader {
     const Eigen::Index columns = count();
     const auto values = take(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
     return Eigen::Map<const Eigen::MatrixXd>(values.data(), rows, columns);
+  }
+
+  [[nodiscard]] std::vector<double> values() {
+    const auto taken = take(static_cast<std::size_t>(count()));
+    return {taken.begin(), taken.end()};
+  }
+
+  /// @return numbers of things, each at most `most`
+  [[nodiscard]] std::vector<Eigen::Index> indices(Eigen::Index most) {
+    std::vector<Eigen::Index> indices(static_cast<std::size_t>(count()));
+    for (Eigen::Index& index : indices) index = count(static_cast<double>(most));
+    return indices;
+  }
+
+  /// Refuse numbers that do not fit each other.
+  static void require(bool holds) {
+    if (!holds) refuse();
   }
 
   void finish() const {

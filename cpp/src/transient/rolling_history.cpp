@@ -15,6 +15,7 @@
 #include "transient/lattice.hpp"
 #include "transient/spectrum_numbers.hpp"
 #include "transient/step_choice.hpp"
+#include "transient/stretch.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
@@ -67,7 +68,8 @@ struct RollingHistory::Impl {
   std::vector<Lattice> lattices;
   Trial trial;
   RollingInstant now;
-  double last_step = 0.0;  // [s]
+  double last_step = 0.0;                  // [s]
+  std::optional<detail::Stretch> stretch;  // that has begun and not ended
   std::int64_t steps = 0;
 
   [[nodiscard]] std::shared_ptr<const CreepingPair> with(const detail::TableSize& size, detail::Watch& watch) const {
@@ -129,7 +131,7 @@ struct RollingHistory::Impl {
   void restore(const RollingState& state);
   void require_step(const StepEnd& to) const;
   void require_forces(const StepEnd& to) const;
-  [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end) const;
+  [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end);
 };
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
@@ -203,26 +205,37 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
 }
 
-std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) const {
+/// Of a stretch that has begun, the steps that are left.
+std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
+  if (!stretch || stretch->taken == 0 || stretch->end != end) {
+    stretch =
+        detail::Stretch{.begin = {.time = now.time, .angle = now.angle, .load = now.load, .center_way = now.center_way},
+                        .end = end,
+                        .last_step = last_step,
+                        .taken = 0};
+  }
+  const StepEnd& begin = stretch->begin;
   double shortest = std::numeric_limits<double>::infinity();
   for (const detail::BodySpectrum& body : spectra) {
     for (const double time : body.spectrum.retardation_times) shortest = std::min(shortest, time);
   }
   const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
-  const double duration = end.time - now.time;
+  const double duration = end.time - begin.time;
   const auto shares = choice.shares(
-      {.duration = duration, .turn = end.angle - now.angle, .relative_load = relative_change(now.load, end.load)},
-      last_step);
+      {.duration = duration, .turn = end.angle - begin.angle, .relative_load = relative_change(begin.load, end.load)},
+      stretch->last_step);
   std::vector<StepEnd> path;
   path.reserve(shares.size());
   for (const double share : shares) {
-    path.push_back({.time = now.time + share * duration,
-                    .angle = now.angle + share * (end.angle - now.angle),
-                    .load = now.load + share * (end.load - now.load),
+    path.push_back({.time = begin.time + share * duration,
+                    .angle = begin.angle + share * (end.angle - begin.angle),
+                    .load = begin.load + share * (end.load - begin.load),
                     .center_way = {}});
-    if (end.center_way) path.back().center_way = now.center_way + share * (*end.center_way - now.center_way);
+    if (end.center_way) path.back().center_way = *begin.center_way + share * (*end.center_way - *begin.center_way);
   }
   path.back() = end;
+  const std::size_t taken = std::min(stretch->taken, path.size() - 1);
+  path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(taken));
   return path;
 }
 
@@ -252,6 +265,8 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
   last_step = path.back().time - (path.size() > 1 ? path[path.size() - 2].time : now.time);
   steps += static_cast<std::int64_t>(path.size());
   now = means.back();
+  stretch->taken += path.size();
+  if (path.back() == stretch->end) stretch.reset();
   return means;
 }
 
@@ -266,6 +281,7 @@ RollingState RollingHistory::Impl::state() const {
     detail::write(body.spectrum, numbers);
   }
   for (const double number : {now.time, last_step, static_cast<double>(steps)}) numbers.put(number);
+  detail::write(stretch, numbers);
   for (const Lattice& lattice : lattices) lattice.write(numbers);
   return state;
 }
@@ -296,6 +312,7 @@ void RollingHistory::Impl::restore(const RollingState& state) {
   next.now.time = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
+  next.stretch = detail::read_stretch(numbers);
   std::vector<RollingInstant> instants;
   for (std::size_t l = 0; l < lattices.size(); ++l) {
     next.lattices[l] = Lattice(next.pair, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);

@@ -257,23 +257,32 @@ void RowMemory::write(NumberWriter& numbers) const {
   numbers.put(static_cast<double>(first_));
   numbers.put(idle_.matrix());
   numbers.put(now_.force);
-  for (const Retarded& retarded : retarded_) numbers.put(retarded.force);
+  for (const HalfField& displacement : now_.displacements) numbers.put(displacement);
+  for (const Retarded& retarded : retarded_) {
+    numbers.put(retarded.force);
+    numbers.put(retarded.displacement);
+  }
+  numbers.put(stored_);
 }
 
 void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
   first_ = numbers.row();
   idle_ = numbers.matrix().reshaped();
   const Index expected = ring_ ? *ring_ : idle_.size();
-  const auto force = [&] {
-    HalfField field = numbers.matrix();
-    if (field.rows() != tables.height() || field.cols() != expected) {
+  const auto field = [&] {
+    HalfField values = numbers.matrix();
+    if (values.rows() != tables.height() || values.cols() != expected) {
       reject("start", "a state of the same mesh", "one of another mesh");
     }
-    return field;
+    return values;
   };
-  now_.force = force();
-  for (Retarded& retarded : retarded_) retarded.force = force();
-  displace(tables);
+  now_.force = field();
+  for (HalfField& displacement : now_.displacements) displacement = field();
+  for (Retarded& retarded : retarded_) {
+    retarded.force = field();
+    retarded.displacement = field();
+  }
+  stored_ = numbers.get();
 }
 
 RowMemory RowMemory::widened(const CreepingTables& tables) const {

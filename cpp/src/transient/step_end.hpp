@@ -12,6 +12,8 @@ struct StepEnd {
   double angle;                      ///< [rad]
   double load;                       ///< [N]
   std::optional<double> center_way;  ///< since the first instant [m]; none: forces decide
+
+  bool operator==(const StepEnd&) const = default;
 };
 
 }  // namespace viscoroll::detail

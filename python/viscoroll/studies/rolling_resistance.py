@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float_array
+from .. import _core
+from .._core import Extrapolation
+from .._support.arguments import Floats, as_float_array, as_member
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
-from .._support.text import shown
 
 if TYPE_CHECKING:
     import xarray
@@ -28,7 +29,8 @@ _HIGHEST_DEGREE = 10
 class RollingResistance:
     """Torque T(P, Ω) = power lost / Ω, a polynomial of ln P and ln Ω for ln T, with its error.
 
-    From the power lost, not from the pressure's offset: with friction or a force on the center these differ.
+    From the power lost, not from the pressure's offset: with friction or a force on the center these differ. In C++
+    it is ``viscoroll::RollingResistance``, which ``read_rolling_resistance`` reads from the .json file.
 
     Attributes
     ----------
@@ -88,28 +90,49 @@ class RollingResistance:
             largest_error=largest,
         )
 
-    def __call__(self, load: ArrayLike, angular_speed: ArrayLike) -> Floats:
-        """Evaluate the torque.
+    def __call__(
+        self, load: ArrayLike, angular_speed: ArrayLike, *, outside: Extrapolation | str = Extrapolation.ERROR
+    ) -> Floats:
+        """Evaluate the torque against the turning, odd in the speed.
+
+        Below the lowest speed that was fitted, Ω₁, it goes to 0 in proportion to the speed, T(P, Ω₁) Ω/Ω₁: so it does
+        in the end for every material whose relaxation ends.
 
         Parameters
         ----------
         load, angular_speed : array_like
-            P [N] and Ω [rad/s], of shapes that broadcast, within the fitted range.
+            P [N], ≥ 0, and Ω [rad/s], of either sign, of shapes that broadcast.
+        outside : Extrapolation or str, default Extrapolation.ERROR
+            Loads outside the fitted range and speeds above it are refused (ERROR), or have T/P of the nearest load and
+            speed within (HOLD): a lifted ball, P = 0, then has no torque.
 
         Returns
         -------
         ndarray
-            Power lost per speed [N m].
+            Power lost per speed, of the sign of Ω [N m].
 
         Raises
         ------
         ValueError
-            Outside the range.
+            Outside the range, where that is refused.
         """
-        x = _mapped("load", as_float_array("load", load), self.load, "N")
-        y = _mapped("angular_speed", as_float_array("angular_speed", angular_speed), self.angular_speed, "rad/s")
-        x, y = np.broadcast_arrays(x, y)
-        return np.asarray(np.exp(np.polynomial.chebyshev.chebval2d(x, y, self.coefficients)))
+        loads, speeds = np.broadcast_arrays(
+            as_float_array("load", load), as_float_array("angular_speed", angular_speed)
+        )
+        torques = self._to_core().torques(
+            loads.flatten(), speeds.flatten(), as_member("outside", outside, Extrapolation)
+        )
+        return np.asarray(torques.reshape(loads.shape))
+
+    def _to_core(self) -> _core.RollingResistance:
+        return _core.RollingResistance(
+            load=self.load,
+            angular_speed=self.angular_speed,
+            radius=self.radius,
+            coefficients=self.coefficients.tolist(),
+            error=self.error,
+            largest_error=self.largest_error,
+        )
 
     def save(self, path: str | Path) -> None:
         """Write the surface: .json holds all that `load_file` reads, .nc and .csv a table of 41 by 41 torques.
@@ -131,17 +154,18 @@ class RollingResistance:
             Where the file holds something else.
         """
         try:
-            found = json.loads(Path(path).read_text(encoding="utf-8"))
-            return cls(
-                load=(float(found["load"][0]), float(found["load"][1])),
-                angular_speed=(float(found["angular_speed"][0]), float(found["angular_speed"][1])),
-                radius=float(found["radius"]),
-                coefficients=np.array(found["coefficients"], dtype=np.float64),
-                error=float(found["error"]),
-                largest_error=float(found["largest_error"]),
-            )
-        except (KeyError, IndexError, TypeError, ValueError) as error:
+            found = _core.read_rolling_resistance(Path(path).read_text(encoding="utf-8"))
+        except ValueError as error:
             raise ValueError(f"{path} must hold a rolling resistance of viscoroll ({error})") from None
+        values = {field.name: getattr(found, field.name) for field in fields(cls)}
+        return cls(
+            **values
+            | {
+                "load": tuple(found.load),
+                "angular_speed": tuple(found.angular_speed),
+                "coefficients": np.array(found.coefficients),
+            }
+        )
 
     def to_xarray(self, *, count: int = 41) -> xarray.Dataset:
         """Return `count` by `count` torques [N m] over load [N] and angular_speed [rad/s], at equal ratios."""
@@ -158,12 +182,19 @@ class RollingResistance:
         )
 
     def __repr__(self) -> str:
-        """Return ranges and error."""
+        """Return ranges, error, and what happens towards rest."""
         return (
             f"RollingResistance over {self.load[0]:g} to {self.load[1]:g} N and {self.angular_speed[0]:g} to "
             f"{self.angular_speed[1]:g} rad/s, radius {self.radius:g} m: error {self.error:.2%}, "
-            f"{self.largest_error:.2%} at most"
+            f"{self.largest_error:.2%} at most; slower in proportion to the speed, where the fit has its power "
+            f"{self._power_at_lowest_speed():.2f}"
         )
+
+    def _power_at_lowest_speed(self) -> float:
+        """Return d ln T / d ln Ω there, at the middle of the loads: 1 where the torque is in proportion already."""
+        slopes = np.polynomial.chebyshev.chebder(self.coefficients, axis=1)
+        of_mapped = np.polynomial.chebyshev.chebval2d(0.0, -1.0, slopes)
+        return float(of_mapped * 2.0 / np.log(self.angular_speed[1] / self.angular_speed[0]))
 
 
 def _write_json(surface: RollingResistance, path: Path) -> None:
@@ -221,7 +252,7 @@ def _fitted(load: Floats, speed: Floats, values: Floats, rows: int, columns: int
     """Return coefficients, and root mean square and largest of the errors of left-out points."""
     matrices = []
     for points, degree in ((load, rows), (speed, columns)):
-        x = _mapped("points", points, (points[0], points[-1]), "")
+        x = _mapped(points, points[0], points[-1])
         matrices.append(np.polynomial.chebyshev.chebvander(x, degree))
     a, b = matrices
     inverse_a, inverse_b = np.linalg.pinv(a), np.linalg.pinv(b)
@@ -232,12 +263,5 @@ def _fitted(load: Floats, speed: Floats, values: Floats, rows: int, columns: int
     return coefficients, float(np.sqrt(np.mean(left_out**2))), float(np.abs(left_out).max())
 
 
-def _mapped(name: str, values: Floats, limits: tuple[float, float], unit: str) -> Floats:
-    low, high = limits
-    slack = 1e-12
-    outside = values[~((values >= low * (1.0 - slack)) & (values <= high * (1.0 + slack)))]
-    if outside.size:
-        raise ValueError(
-            f"{name} must be in [{low:g}, {high:g}] {unit}, where it was fitted, got {shown(float(outside[0]))}"
-        )
+def _mapped(values: Floats, low: float, high: float) -> Floats:
     return np.asarray(2.0 * np.log(values / low) / np.log(high / low) - 1.0)

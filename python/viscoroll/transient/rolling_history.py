@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -86,7 +87,9 @@ class Instant:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RollingState:
-    """Everything that a history remembers: forces and retarded forces of every material node.
+    """Everything that a history remembers: forces and displacements, retarded ones too, of every material node.
+
+    What goes on from it is the same to the last bit as what was not interrupted, on one machine and build.
 
     It belongs to a ball, a mesh and the options of the history that it is from.
 
@@ -141,8 +144,12 @@ def _npy(path: str | Path) -> Path:
 class RollingHistory:
     """A body on its way, for equations of motion: `advance` takes it from one state to the next.
 
-    ``copy.copy(stepper)`` is another history from here on, at the price of the memory's copy: to try a step and take it
-    back.
+    Its steps are fixed-step steps, as of Newmark's rule: they go forward, each for good. ``copy.copy(stepper)`` is
+    another history from here on, at the price of the memory's copy: to try a step and take it back. Integrators that
+    choose steps, reject some and go back, as `scipy.integrate.solve_ivp`, need a torque of the instant alone:
+    `RollingResistance`.
+
+    A history pickles as its bodies, its options and its `state`; tables are made anew where it is read.
 
     Parameters
     ----------
@@ -202,16 +209,19 @@ class RollingHistory:
         before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
         self.ball = ball
         self.on = on
+        times = {
+            "shortest_time": as_float("shortest_time", shortest_time),
+            "longest_time": as_float("longest_time", longest_time),
+        }
+        self._given = {"load": as_float("load", load), **times}
+        self._options = chosen
         with reporting(progress) as report, si_hints(ball, on):
             self._history = _core.RollingHistory(
                 ball._to_core(),
                 core_counterpart(on),
-                load=as_float("load", load),
+                load=self._given["load"],
                 start=before,
-                options=chosen._to_core(
-                    shortest_time=as_float("shortest_time", shortest_time),
-                    longest_time=as_float("longest_time", longest_time),
-                ),
+                options=chosen._to_core(**times),
                 time=as_float("time", time),
                 angle=first,
                 progress=report,
@@ -302,6 +312,7 @@ class RollingHistory:
         """Return a history that goes on from here by itself."""
         twin = object.__new__(type(self))
         twin.ball, twin.on = self.ball, self.on
+        twin._given, twin._options = self._given, self._options
         twin._lock = threading.Lock()
         with self._lock:
             twin._history = self._history.copy()
@@ -310,6 +321,12 @@ class RollingHistory:
     def __deepcopy__(self, memo: dict[int, Any]) -> RollingHistory:
         """Return the same as of `copy.copy`: nothing that could change is shared."""
         return self.__copy__()
+
+    def __reduce__(self) -> tuple[partial[RollingHistory], tuple[()]]:
+        """Pickle by way of the constructor, which goes on from the state, on the mesh that was chosen."""
+        given: dict[str, Any] = {option.name: getattr(self._options, option.name) for option in fields(self._options)}
+        given |= {**self._given, "mesh": self.mesh}
+        return partial(type(self), self.ball, on=self.on, start=self.state, **given), ()
 
     def __repr__(self) -> str:
         """Return where it is."""

@@ -28,7 +28,7 @@ PUBLIC = {
     "materials": {"materials"},
     "modal": {"cylinder", "inner_boundaries", "plane", "rolling_body", "sphere", "wheel", "modal"},
     "influence": {"formulation", "influence", "mesh"},
-    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "solve"},
+    "rolling": {"drive", "load_case", "options", "result", "result_scalars", "rolling_resistance", "solve"},
     "transient": {"rolling_history"},
     "interior": {"interior"},
 }

@@ -323,11 +323,16 @@ def test_waiting_for_another_threads_tables_can_be_stopped(unlike_ball):
 
 
 SOLVE = "vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution={}, max_order={}){})"
+ROLL = (
+    "vr.roll(vr.CoatedSphere(core_radius=21e-3), on=vr.CoatedPlane(layers=paper.ball().layers), time=[0.0, 1e3],"
+    " way=[0.0, 100.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=400))"
+)
 LONG_CALLS = {  # and after how many seconds they are in what they are named for
     "tables": (SOLVE.format(20000, 30000, ""), 2.0),
     "many orders to a node": (SOLVE.format(64, 200000, ""), 2.0),
     "contact": (SOLVE.format(16000, 8000, ""), 6.0),
     "friction": (SOLVE.format(16000, None, ", friction=0.1"), 2.0),
+    "a history": (ROLL, 2.0),
     "single orders": ("vr.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))", 2.0),
 }
 

@@ -7,9 +7,9 @@ The same mesh and steps give the same history; limits of fine meshes and their e
 from __future__ import annotations
 
 import copy
+import pickle
 from dataclasses import astuple
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -357,6 +357,19 @@ def test_a_copy_tries_a_step():
     assert astuple(stepper.advance(time=0.1, angle=0.2, load=110.0)) == astuple(tried)
 
 
+def test_a_pickled_history_goes_on():
+    """With the mesh that the first load has chosen, and all options."""
+    mat = vr.CoatedPlane(layers=BALL.layers)
+    first = vr.RollingHistory(vr.CoatedSphere(core_radius=21e-3), on=mat, load=80.0, lattices=1, steps_per_spacing=2)
+    first.advance(time=0.1, way=4e-3, load=100.0)
+    second = pickle.loads(pickle.dumps(first))
+    assert astuple(second.now)[:3] == astuple(first.now)[:3]
+    assert (second.mesh, second.steps, second.on) == (first.mesh, first.steps, mat)
+    ends = [stepper.advance(time=0.15, way=3e-3, load=90.0) for stepper in (first, second)]
+    np.testing.assert_array_equal(astuple(ends[0]), astuple(ends[1]))
+    assert first.steps == second.steps
+
+
 def test_resume_from_a_file(tmp_path):
     def motion(**options):
         return vr.roll(BALL, time=[0, 0.1, 0.1, 0.3], angle=[0, 0.2, 0.2, 0.6], load=[100, 100, 120, 140], mesh=COARSE,
@@ -369,8 +382,8 @@ def test_resume_from_a_file(tmp_path):
     stepper.state.save(path)
     rest = motion(start=vr.RollingState.load(path))
     assert rest.time[0] == 0.1
-    assert rest.resisting_torque[-1] == pytest.approx(whole.resisting_torque[-1], rel=1e-9)
-    assert rest.dissipated_energy[-1] == pytest.approx(whole.dissipated_energy[-1], rel=1e-9)
+    assert rest.resisting_torque[-1] == whole.resisting_torque[-1]
+    assert rest.dissipated_energy[-1] == whole.dissipated_energy[-1]
 
 
 def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
@@ -385,7 +398,7 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
     rest = vr.roll(BALL, **given, start=vr.RollingState.load(path))
     whole = vr.roll(BALL, **given)
     assert 0.0 < rest.time[0] < 20.0
-    assert rest.resisting_torque[-1] == pytest.approx(whole.resisting_torque[-1], rel=1e-6)
+    assert rest.resisting_torque[-1] == whole.resisting_torque[-1]
 
 
 def test_a_state_of_another_ball_is_refused():
@@ -406,19 +419,3 @@ def test_a_rising_load_widens_the_tables():
     alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
     assert 0.7 < h.penetration[-1] / alone.now.penetration < 1.0
     assert h.energy_balance_error[-1] < 2e-2
-
-
-# --- the worked example ---------------------------------------------------------------------------------------------
-
-
-def test_the_worked_example_runs(monkeypatch, tmp_path, capsys):
-    """docs/isolation_platform.py on a coarse mesh: its balance of forces, and break-away that grows with standing."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parents[3] / "docs"))
-    import isolation_platform
-
-    numbers = isolation_platform.main(nodes=80, duration=3.0, picture=str(tmp_path / "loop.png"))
-    assert (tmp_path / "loop.png").stat().st_size > 1000
-    assert "equivalent damping" in capsys.readouterr().out
-    assert 5.0 < numbers["equivalent damping at that amplitude [%]"] < 60.0
-    forces = [numbers[f"break-away force after standing {stand} s [N]"] for stand in ("0", "0.1", "1", "10")]
-    assert forces == sorted(forces)

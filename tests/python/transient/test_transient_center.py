@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import astuple
 
 import numpy as np
 import pytest
@@ -268,8 +269,8 @@ def test_a_state_remembers_the_center():
     stepper.advance(time=0.05, angle=0.05, load=LOAD)
     again = vr.RollingHistory(BALL, start=stepper.state, **given)
     ends = [one.advance(time=0.1, angle=0.1, load=LOAD) for one in (stepper, again)]
-    assert ends[0].center_speed == pytest.approx(ends[1].center_speed, rel=1e-6)
-    assert ends[0].center_way == pytest.approx(ends[1].center_way, rel=1e-9)
+    assert ends[0].center_way != 0.0
+    np.testing.assert_array_equal(astuple(ends[0]), astuple(ends[1]))
 
 
 BAD = [

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
 import warnings
+from dataclasses import astuple
 
 import numpy as np
 import pytest
@@ -170,6 +172,40 @@ def test_elastic_moment_has_mean_zero():
     assert abs(np.mean(torque)) < 1e-2 * size  # 32 places alias some of its harmonics
     h = vr.roll(STEEL, on=mat, time=[0.0, 1.0], way=[0.0, 0.05], load=100.0, mesh=mesh)
     assert abs(h.dissipated_energy[-1]) < 1e-12
+
+
+@EVERY
+def test_a_saved_state_goes_on_to_the_last_bit(body, on, load, nodes):
+    options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes // 4), "lattices": 2}
+    whole = vr.RollingHistory(body, **options)
+    whole.advance(time=0.05, way=4e-3, load=load)
+    halves = [pickle.loads(pickle.dumps(whole)), vr.RollingHistory(body, **options, start=whole.state)]
+    motion = [(0.1, 7e-3, 1.1), (0.11, 6e-3, 1.0), (0.11, 6e-3, 0.0), (0.15, 9e-3, 0.9)]
+    for time, way, share in motion:
+        expected = astuple(whole.advance(time=time, way=way, load=share * load))
+        for half in halves:
+            np.testing.assert_array_equal(astuple(half.advance(time=time, way=way, load=share * load)), expected)
+
+
+@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller on roller", "ball of unlike layers"])
+def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
+    """Ctrl-C in the middle of a stretch between knots, whose steps are not to be divided anew."""
+    body, on, load, nodes = PAIRS[pair]
+    options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes), "lattices": 1}
+    motion = {"time": [0.0, 2.4, 2.6, 2.8], "angle": [0.0, 6.0, 6.0, 5.7], "load": [load, load, 0.8 * load, load]}
+    stepper = vr.RollingHistory(body, load=load, **options)
+
+    def stop(stage, fraction):
+        if stepper.steps > 100:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        stepper._history.roll(**motion, center_way=[], progress=stop)
+    rest = vr.roll(body, **motion, **options, start=stepper.state)
+    whole = vr.roll(body, **motion, **options)
+    assert 0.0 < rest.time[0] < 2.4  # no knot
+    for name in ("time", "angle", "resisting_torque", "penetration", "stored_energy", "dissipated_energy", "work"):
+        np.testing.assert_array_equal(getattr(rest, name), getattr(whole, name)[-len(rest.time) :], err_msg=name)
 
 
 def test_steps_follow_a_way_or_an_angle():

@@ -136,13 +136,12 @@ def test_both_soft():
 def test_what_is_forgotten_is_lost():
     """Rows go by age: after more than 14 λ the state grows no more, and what rows still stored opens no balance."""
     sizes = []
-    for way in (0.1, 0.13):
+    for way in (0.02, 0.1, 0.13):
         h = ride([0.0, way / 0.025], [0.0, way])
         sizes.append(h.state.numbers.size)
         assert h.energy_balance_error[-1] < 1e-3
-    assert sizes[1] == pytest.approx(sizes[0], rel=0.02)
-    alone = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=MESH).state.numbers.size
-    assert sizes[0] > 2 * alone  # the track behind is there
+    assert sizes[2] == pytest.approx(sizes[1], rel=0.02)
+    assert sizes[1] > 1.4 * sizes[0]  # the track behind is there
 
 
 def test_a_lifted_ball_leaves_a_dent():
@@ -160,6 +159,4 @@ def test_a_state_goes_on():
     whole = ride([0.0, 0.2, 0.4], [0.0, 10e-3, 0.0], mesh=COARSE)
     half = ride([0.0, 0.2], [0.0, 10e-3], mesh=COARSE)
     rest = ride([0.0, 0.2, 0.4], [0.0, 10e-3, 0.0], mesh=COARSE, start=half.state)
-    # Displacements are those of the saved forces, but for the order of sums; the contact is solved to 1e-11.
-    after = whole.resisting_torque[whole.time >= 0.2]
-    np.testing.assert_allclose(rest.resisting_torque, after, rtol=0, atol=1e-9 * np.abs(after).max())
+    np.testing.assert_array_equal(rest.resisting_torque, whole.resisting_torque[whole.time >= 0.2])

@@ -110,5 +110,4 @@ def test_goes_on_from_a_state():
     first.advance(time=0.1, way=5e-3, load=100.0)
     second = vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=mesh(120), lattices=2, start=first.state)
     ends = [stepper.advance(time=0.15, way=4e-3, load=90.0) for stepper in (first, second)]
-    assert ends[0].resisting_torque == pytest.approx(ends[1].resisting_torque, rel=1e-9)
-    assert ends[0].dissipated_energy == pytest.approx(ends[1].dissipated_energy, rel=1e-9)
+    assert ends[0] == ends[1]

@@ -1,0 +1,105 @@
+#include "viscoroll/rolling_resistance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "rolling/json_tables.hpp"
+#include "validate.hpp"
+
+namespace viscoroll {
+namespace {
+
+using detail::reject;
+using detail::text;
+
+/// Loads and speeds at an end are those of the study, but for round-off.
+constexpr double kSlack = 1e-12;
+
+double mapped(double value, const std::array<double, 2>& range) {
+  return 2.0 * std::log(value / range[0]) / std::log(range[1] / range[0]) - 1.0;
+}
+
+/// Clenshaw's recurrence: sum of coefficient(i) T_i(x).
+template <class Coefficient>
+double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x) {
+  double next = 0.0;
+  double after = 0.0;
+  for (std::size_t i = count; i-- > 1;) {
+    const double here = coefficient(i) + 2.0 * x * next - after;
+    after = next;
+    next = here;
+  }
+  return coefficient(0) + x * next - after;
+}
+
+void require_fitted(std::string_view name, double value, double from, double to, std::string_view unit) {
+  if (value >= from * (1.0 - kSlack) && value <= to * (1.0 + kSlack)) return;
+  reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", where it was fitted", value);
+}
+
+void require_range(const std::string& name, const std::array<double, 2>& range, std::string_view unit) {
+  detail::require_positive(name + "[0]", range[0], unit);
+  if (!(std::isfinite(range[1]) && range[1] > range[0])) {
+    reject(name + "[1]", "> " + name + "[0] = " + text(range[0]) + " " + std::string(unit), range[1]);
+  }
+}
+
+std::array<double, 2> pair_of(const detail::JsonTables& tables, const std::string& name) {
+  const std::vector<double>& row = detail::row_of(tables, name, 2);
+  return {row[0], row[1]};
+}
+
+}  // namespace
+
+void validate(const RollingResistance& surface) {
+  require_range("load", surface.load, "N");
+  require_range("angular_speed", surface.angular_speed, "rad/s");
+  detail::require_positive("radius", surface.radius, "m");
+  const auto& rows = surface.coefficients;
+  if (rows.empty() || rows.front().empty()) reject("coefficients", "of one row and column at least", "none");
+  for (const std::vector<double>& row : rows) {
+    if (row.size() != rows.front().size())
+      reject("coefficients", "of rows as long as the first", std::to_string(row.size()));
+    for (const double coefficient : row) detail::require_finite("coefficients", coefficient);
+  }
+  detail::require_nonnegative("error", surface.error, "");
+  detail::require_nonnegative("largest_error", surface.largest_error, "");
+}
+
+double resisting_torque(const RollingResistance& surface, double load, double angular_speed, Extrapolation outside) {
+  validate(surface);
+  detail::require_nonnegative("load", load, "N");
+  detail::require_finite("angular_speed", angular_speed);
+  const double speed = std::abs(angular_speed);
+  if (outside == Extrapolation::error) {
+    require_fitted("load", load, surface.load[0], surface.load[1], "N");
+    require_fitted("angular_speed", speed, 0.0, surface.angular_speed[1], "rad/s in size");
+  }
+  const double fitted_load = std::clamp(load, surface.load[0], surface.load[1]);
+  const double fitted_speed = std::clamp(speed, surface.angular_speed[0], surface.angular_speed[1]);
+  const double x = mapped(fitted_load, surface.load);
+  const double y = mapped(fitted_speed, surface.angular_speed);
+  const auto& rows = surface.coefficients;
+  const auto of_row = [&](std::size_t i) {
+    return chebyshev_sum(rows[i].size(), [&](std::size_t j) { return rows[i][j]; }, y);
+  };
+  const double towards_rest = std::min(speed / surface.angular_speed[0], 1.0);
+  const double torque = load / fitted_load * towards_rest * std::exp(chebyshev_sum(rows.size(), of_row, x));
+  return std::copysign(torque, angular_speed);
+}
+
+RollingResistance read_rolling_resistance(std::istream& json) {
+  const detail::JsonTables tables = detail::read_json_tables(json);
+  RollingResistance surface{.load = pair_of(tables, "load"),
+                            .angular_speed = pair_of(tables, "angular_speed"),
+                            .radius = detail::row_of(tables, "radius", 1).front(),
+                            .coefficients = detail::table_of(tables, "coefficients"),
+                            .error = detail::row_of(tables, "error", 1).front(),
+                            .largest_error = detail::row_of(tables, "largest_error", 1).front()};
+  validate(surface);
+  return surface;
+}
+
+}  // namespace viscoroll

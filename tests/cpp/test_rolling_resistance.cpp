@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "viscoroll/rolling_resistance.hpp"
+
+namespace viscoroll {
+namespace {
+
+/// ln T = -4 + x + y / 2 + x (2 y^2 - 1) / 4, x and y from -1 at 10 N and 1 rad/s to 1 at 1000 N and 100 rad/s.
+constexpr const char* kFile = R"({
+ "what": "ln T = sum c_ij T_i(x) T_j(y), \"x\" [and] y",
+ "load": [10.0, 1e3], "angular_speed": [1, 100.0], "radius": 2.1e-2,
+ "coefficients": [[-4.0, 0.5, 0], [1.0, 0, 0.25]],
+ "error": 0.001,
+ "largest_error": 3e-3
+})";
+
+RollingResistance read(const std::string& text) {
+  std::istringstream stream(text);
+  return read_rolling_resistance(stream);
+}
+
+std::string message(const std::string& text) {
+  try {
+    std::ignore = read(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(RollingResistance, IsReadFromItsFile) {
+  const RollingResistance surface = read(kFile);
+  EXPECT_EQ(surface.radius, 0.021);
+  EXPECT_EQ(surface.largest_error, 3e-3);
+  EXPECT_NEAR(resisting_torque(surface, 100.0, 10.0), std::exp(-4.0), 1e-15);
+  EXPECT_NEAR(resisting_torque(surface, 1000.0, 1.0), std::exp(-4.0 + 1.0 - 0.5 + 0.25), 1e-15);
+  EXPECT_NEAR(resisting_torque(surface, 10.0, 10.0 * std::sqrt(10.0)), std::exp(-4.0 - 1.0 + 0.25 + 0.125), 1e-15);
+}
+
+TEST(RollingResistance, IsOddAndGoesToRestInProportion) {
+  const RollingResistance surface = read(kFile);
+  const double lowest = resisting_torque(surface, 100.0, 1.0);
+  EXPECT_EQ(resisting_torque(surface, 100.0, 0.0), 0.0);
+  EXPECT_NEAR(resisting_torque(surface, 100.0, 0.25), 0.25 * lowest, 1e-16);
+  EXPECT_EQ(resisting_torque(surface, 100.0, -7.0), -resisting_torque(surface, 100.0, 7.0));
+}
+
+TEST(RollingResistance, HoldsTheTorquePerLoadOutside) {
+  const RollingResistance surface = read(kFile);
+  EXPECT_THROW(std::ignore = resisting_torque(surface, 5.0, 10.0), std::invalid_argument);
+  EXPECT_THROW(std::ignore = resisting_torque(surface, 100.0, -101.0), std::invalid_argument);
+  EXPECT_THROW(std::ignore = resisting_torque(surface, -1.0, 1.0, Extrapolation::hold), std::invalid_argument);
+  const double least = resisting_torque(surface, 10.0, 10.0);
+  EXPECT_NEAR(resisting_torque(surface, 5.0, 10.0, Extrapolation::hold), 0.5 * least, 1e-16);
+  EXPECT_EQ(resisting_torque(surface, 0.0, 10.0, Extrapolation::hold), 0.0);
+  EXPECT_EQ(resisting_torque(surface, 100.0, 1e9, Extrapolation::hold), resisting_torque(surface, 100.0, 100.0));
+}
+
+TEST(RollingResistance, RefusesOtherFiles) {
+  const std::string file = kFile;
+  EXPECT_NE(message("").find("an end before its end"), std::string::npos);
+  EXPECT_NE(message("{}").find("a value of \"load\", got none"), std::string::npos);
+  EXPECT_NE(message("[1]").find("JSON with '{' here, got ["), std::string::npos);
+  EXPECT_NE(message(file.substr(0, 150)).find("file must be JSON"), std::string::npos);
+  EXPECT_NE(message(R"({"load": null})").find("got another value"), std::string::npos);
+  EXPECT_NE(message(R"({"load": [[1], 2]})").find("got one of both"), std::string::npos);
+  const auto changed = [&](const std::string& what, const std::string& to) {
+    return std::string(file).replace(file.find(what), what.size(), to);
+  };
+  EXPECT_EQ(message(changed("[10.0, 1e3]", "[10.0, 1.0]")), "load[1] must be > load[0] = 10 N, got 1");
+  EXPECT_EQ(message(changed("[1.0, 0, 0.25]", "[1.0]")), "coefficients must be of rows as long as the first, got 1");
+}
+
+}  // namespace
+}  // namespace viscoroll

@@ -1,0 +1,69 @@
+"""The fitted surface of rolling resistance: NumPy's polynomials, and what lies beside the fit."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from numpy.polynomial.chebyshev import chebval2d
+
+LOAD, SPEED = (20.0, 200.0), (0.5, 8.0)
+
+
+@pytest.fixture
+def surface():
+    coefficients = np.random.default_rng(3).normal(size=(4, 3)) * 0.1 + [[-4.0, 0.5, 0.0]] + [[0.0]] * 4
+    return vr.RollingResistance(
+        load=LOAD, angular_speed=SPEED, radius=0.021, coefficients=coefficients, error=1e-3, largest_error=2e-3
+    )
+
+
+def test_is_the_polynomial_of_logarithms(surface):
+    load, speed = np.geomspace(*LOAD, 7)[:, None], np.geomspace(*SPEED, 5)
+    x, y = (2.0 * np.log(v / a) / np.log(b / a) - 1.0 for v, (a, b) in ((load, LOAD), (speed, SPEED)))
+    found = surface(load, speed)
+    assert found.shape == (7, 5)
+    np.testing.assert_allclose(found, np.exp(chebval2d(*np.broadcast_arrays(x, y), surface.coefficients)), rtol=1e-13)
+
+
+def test_is_odd_and_defined_at_rest(surface):
+    speed = np.array([0.0, 0.1, 0.5, 3.0])
+    torque = surface(50.0, speed)
+    np.testing.assert_array_equal(surface(50.0, -speed), -torque)
+    assert torque[0] == 0.0
+    assert torque[1] == pytest.approx(0.2 * torque[2], rel=1e-14)
+    assert "slower in proportion to the speed, where the fit has its power" in repr(surface)
+
+
+def test_its_power_at_the_lowest_speed_is_that_of_neighbors(surface):
+    load, step = np.sqrt(LOAD[0] * LOAD[1]), 1e-4
+    ratio = surface(load, SPEED[0] * (1.0 + step)) / surface(load, SPEED[0])
+    assert f"{np.log(ratio) / np.log1p(step):.2f}" in repr(surface)
+
+
+def test_outside_decides(surface):
+    with pytest.raises(ValueError, match=r"load must be in \[20, 200\] N, where it was fitted, got 0"):
+        surface(0.0, 1.0)
+    with pytest.raises(ValueError, match=r"angular_speed must be in \[0, 8\] rad/s in size, where it was fitted"):
+        surface(50.0, [1.0, -9.0])
+    with pytest.raises(ValueError, match="outside must be one of error, hold, got 'guess'"):
+        surface(50.0, 1.0, outside="guess")
+    held = surface([0.0, 10.0, 400.0], 100.0, outside="hold")
+    np.testing.assert_allclose(held, [0.0, *(surface([20.0, 200.0], 8.0) * [0.5, 2.0])], rtol=1e-14)
+    with pytest.raises(ValueError, match="load must be >= 0 N, got -1"):
+        surface(-1.0, 1.0, outside=vr.Extrapolation.HOLD)
+
+
+def test_a_file_gives_the_same_numbers(surface, tmp_path):
+    surface.save(tmp_path / "torque.json")
+    again = vr.RollingResistance.load_file(tmp_path / "torque.json")
+    np.testing.assert_array_equal(again.coefficients, surface.coefficients)
+    assert repr(again) == repr(surface)
+    document = json.loads((tmp_path / "torque.json").read_text())
+    for key in document.keys() - {"what"}:
+        less = {name: value for name, value in document.items() if name != key}
+        (tmp_path / "less.json").write_text(json.dumps(less))
+        with pytest.raises(ValueError, match=f'must hold a rolling resistance of viscoroll .*a value of "{key}"'):
+            vr.RollingResistance.load_file(tmp_path / "less.json")
