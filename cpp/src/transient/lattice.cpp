@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -74,6 +75,7 @@ Lattice::Touch Lattice::touch(const PairStep* step, const Yielding& yielding, co
     if (end.load == 0.0) {
       touch.contact = lifted(touch, center);
     } else {
+      require_open_track(touch.place);
       touch.contact =
           has_friction() ? touch_with_friction(touch, end, center) : touch_smooth(touch, yielding.sum * end.load);
       if (!fits(touch, end.load)) continue;
@@ -92,6 +94,23 @@ void Lattice::require_reach(const ContactPlace& place) const {
     if (!alive || tables.dies_out()) continue;
     const Index farthest = std::max(place.first + place.count - 1 - alive->first, alive->last - place.first);
     if (farthest > tables.reach()) throw TrackTooLong();
+  }
+}
+
+/// A dish or a ring closes on itself, which the rows of a track do not know: what it remembers is not met from behind.
+void Lattice::require_open_track(const ContactPlace& place) const {
+  const double turning = std::abs(pair_->pair.on.curvatures.along);
+  if (turning == 0.0) return;
+  const double spacing = pair_->nodes.grid.radius * pair_->nodes.grid.phi_spacing;
+  const double around = 2.0 * std::numbers::pi / turning;
+  for (const RowMemory& memory : memories_) {
+    const auto alive = memory.living();
+    if (!alive) continue;
+    const Index rows = std::max(place.first + place.count - 1, alive->last) - std::min(place.first, alive->first) + 1;
+    const double way = spacing * static_cast<double>(rows);
+    if (way <= around) continue;
+    reject("way", "less than once around what it rolls on, " + rounded(around) + " m, while its track remembers",
+           rounded(way) + " m");
   }
 }
 

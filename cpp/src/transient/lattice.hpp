@@ -111,6 +111,7 @@ class Lattice {
   void find_displacements(Touch& touch) const;
   [[nodiscard]] HalfField known_gap(const Touch& touch) const;
   void require_reach(const ContactPlace& place) const;
+  void require_open_track(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const Touch& touch, double load);
   [[nodiscard]] LastForces last_forces() const { return {.force = force_, .count = count_, .lowest = lowest_}; }
   [[nodiscard]] HalfField by_components(const VectorField& force, const ContactPlace& place) const;

@@ -208,6 +208,35 @@ def test_an_interrupted_motion_goes_on_to_the_last_bit(pair):
         np.testing.assert_array_equal(getattr(rest, name), getattr(whole, name)[-len(rest.time) :], err_msg=name)
 
 
+def test_a_dish_is_rolled_around_no_faster_than_it_forgets():
+    """Its track closes on itself 1.26 m on, and remembers for 14 retardation times of 0.08 s."""
+    body, on, load, _ = PAIRS["soft ball in dish"]
+    options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
+    with pytest.raises(
+        ValueError, match=r"way must be less than once around what it rolls on, 1\.26 m, while its track"
+    ):
+        vr.roll(body, time=[0.0, 0.7], way=[0.0, 1.4], **options)
+    slowly = vr.roll(body, time=[0.0, 2.8], way=[0.0, 1.4], **options)
+    assert slowly.energy_balance_error[-1] < 1e-2  # a coarse mesh
+    rigid = vr.Groove(radius=on.radius, path_radius=on.path_radius)  # remembers nothing
+    vr.roll(body, time=[0.0, 0.7], way=[0.0, 1.4], **options | {"on": rigid})
+
+
+def test_a_ball_lifts_off_in_one_dish_place_and_lands_in_another():
+    """At load 0 there is no moment, and in the new place the dish is as good as new."""
+    dish = vr.Groove(radius=0.2, path_radius=0.2, layers=MAT.layers)
+    options = {"on": dish, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1}
+    stepper = vr.RollingHistory(STEEL, load=100.0, **options)
+    stepper.advance(time=0.1, way=5e-3, load=100.0)
+    stepper.advance(time=0.1, way=5e-3, load=0.0)
+    flying = stepper.advance(time=0.2, way=-45e-3, load=0.0)
+    assert (flying.resisting_torque, flying.driving_force, flying.contact_area) == (0.0, 0.0, 0.0)
+    landed = stepper.advance(time=0.2, way=-45e-3, load=100.0)
+    fresh = vr.RollingHistory(STEEL, load=100.0, start="fresh", way=-45e-3, **options).now
+    assert landed.penetration == pytest.approx(fresh.penetration, rel=1e-9)
+    assert landed.resisting_torque == pytest.approx(fresh.resisting_torque, abs=1e-9)
+
+
 def test_steps_follow_a_way_or_an_angle():
     a, b = (vr.RollingHistory(STEEL, on=MAT, load=100.0, mesh=vr.Mesh(nodes_per_revolution=100)) for _ in range(2))
     assert a.advance(time=0.1, way=5e-3, load=100.0) == b.advance(time=0.1, angle=5e-3 / 21e-3, load=100.0)
