@@ -131,15 +131,14 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
   const GivenMotion given = given_motion(load_case.drive);
   if (given.creepage) return;
   const Body& body = assembly.pair().body;
-  // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
-  // counterpart times it.
-  const double largest_force = (load_case.friction + 2.0) * load_case.load;
-  const double largest_moment = largest_force * body.radius;
-  std::array<Sliding, 2> limits{Sliding{-largest_force, -largest_moment}, Sliding{largest_force, largest_moment}};
+  std::array<Sliding, 2> limits{};
   try {
     limits = sliding(assembly, problem);
   } catch (const ConvergenceError&) {
-    // The wider limits stay.
+    // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
+    // counterpart times it.
+    const double largest = (load_case.friction + 2.0) * load_case.load;
+    limits = {Sliding{-largest, -largest * body.radius}, Sliding{largest, largest * body.radius}};
   }
   const auto& [skidding, spinning] = limits;
   if (given.force) {
