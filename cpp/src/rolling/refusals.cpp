@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "contact/multilevel.hpp"
 #include "rolling/contact_estimate.hpp"
@@ -55,12 +57,13 @@ std::array<Sliding, 2> sliding(const Assembly& assembly, ContactProblem problem)
 
 /// @param[in] least,most between which something rolls without sliding for ever
 void require_between(const std::string& name, double given, double least, double most, const Body& body,
-                     const std::string& unit) {
+                     std::string_view unit) {
   if (given > least && given < most) return;
+  const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
   reject(name,
-         "between " + rounded(least) + unit + " and " + rounded(most) + unit + ", else the " + std::string(body.name) +
-             " slides without end",
-         text(given) + unit);
+         "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", else the " +
+             std::string(body.name) + " slides without end",
+         in_units(text(given)));
 }
 
 }  // namespace
@@ -143,11 +146,11 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
   const auto& [skidding, spinning] = limits;
   if (given.force) {
     const auto [least, most] = std::minmax(skidding.force, spinning.force);
-    require_between("drive.force", *given.force, least, most, body, " " + std::string(body.form.load_unit));
+    require_between("drive.force", *given.force, least, most, body, body.form.load_unit);
   }
   if (given.torque) {
     const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
-    require_between("drive.torque", *given.torque, least, most, body, " " + std::string(body.form.torque_unit));
+    require_between("drive.torque", *given.torque, least, most, body, body.form.torque_unit);
   }
 }
 

@@ -149,7 +149,8 @@ class RollingHistory:
     choose steps, reject some and go back, as `scipy.integrate.solve_ivp`, need a torque of the instant alone:
     `RollingResistance`.
 
-    A history pickles as its bodies, its options and its `state`; tables are made anew where it is read.
+    A history pickles as its bodies, what it was told of how to compute, and its `state`; tables are made anew where
+    it is read.
 
     Parameters
     ----------
