@@ -120,8 +120,8 @@ TEST(WheelOrders, ATightCrownCountsInProportion) {
 
 /// The proportion multiplies it, and no panel however narrow would resolve it.
 TEST(WheelOrders, RoundOffOfATightCrownIsNotTakenForAFunction) {
-  std::vector<double> orders;
-  for (int i = 0; i < 60; ++i) orders.push_back(2.0 * std::pow(8.0, i / 59.0));  // as close as are solved together
+  std::vector<double> orders(60);  // as close as are solved together
+  for (std::size_t i = 0; i < orders.size(); ++i) orders[i] = 2.0 * std::pow(8.0, static_cast<double>(i) / 59.0);
   const auto panels = [&](double crown_radius) {
     CoatedWheel wheel = crowned(crown_radius, 0.01);
     wheel.hub = Hub::crowned;
