@@ -31,11 +31,14 @@ __all__ = [
     "as_int",
     "as_kelvin",
     "as_member",
+    "as_not_negative",
     "as_orders",
+    "as_positive",
     "kind_names",
     "require_callable",
     "require_type",
     "store_floats",
+    "store_positive",
 ]
 
 
@@ -95,6 +98,22 @@ def as_float(name: str, value: object) -> float:
         return float(value)
     except OverflowError:
         raise ValueError(f"{name} must be <= {sys.float_info.max:.2g} in size, got {shown(value)}") from None
+
+
+def as_positive(name: str, value: object, unit: str = "") -> float:
+    """Return a finite number > 0, or raise a TypeError or ValueError."""
+    number = as_float(name, value)
+    if not 0.0 < number < float("inf"):
+        raise ValueError(f"{name} must be finite and > {f'0 {unit}'.strip()}, got {number!r}")
+    return number
+
+
+def as_not_negative(name: str, value: object, unit: str = "") -> float:
+    """Return a finite number >= 0, or raise a TypeError or ValueError."""
+    number = as_float(name, value)
+    if not 0.0 <= number < float("inf"):
+        raise ValueError(f"{name} must be finite and >= {f'0 {unit}'.strip()}, got {number!r}")
+    return number
 
 
 def as_kelvin(name: str, value: object) -> float:
@@ -189,6 +208,12 @@ def store_floats(target: object, names: Sequence[str], *, optional: Sequence[str
     given = [name for name in optional if getattr(target, name) is not None]
     for name in (*names, *given):
         object.__setattr__(target, name, as_float(f"{prefix}{name}", getattr(target, name)))
+
+
+def store_positive(target: object, units: dict[str, str]) -> None:
+    """Replace fields of a frozen dataclass, by their names with units, by finite floats > 0."""
+    for name, unit in units.items():
+        object.__setattr__(target, name, as_positive(name, getattr(target, name), unit))
 
 
 def _as_array(name: str, values: ArrayLike, *, wanted: str = "an array") -> NDArray[Any]:

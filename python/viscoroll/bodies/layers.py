@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from .. import _core
-from .._support.arguments import require_type, store_floats
+from .._support.arguments import as_positive, require_type, store_floats
 from .._support.tables import ParameterTable
 from .._support.text import shown
 from ..materials import ShearModulusLike, SofteningModulus
@@ -59,8 +58,8 @@ density=0.0, conductivity=None)
         """Store the numbers as floats and check the parameters."""
         store_floats(self, ("thickness", "density"), optional=("poisson_ratio", "bulk_modulus", "conductivity"))
         object.__setattr__(self, "shear_modulus", as_modulus(self.shear_modulus))
-        if self.conductivity is not None and not 0.0 < self.conductivity < math.inf:
-            raise ValueError(f"layer.conductivity must be finite and > 0 W/(m K), got {self.conductivity!r}")
+        if self.conductivity is not None:
+            as_positive("layer.conductivity", self.conductivity, "W/(m K)")
         at_rest(self)._to_core()
 
     def _to_core(self) -> _core.Layer:

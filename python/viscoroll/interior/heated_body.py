@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import InnerBoundary
+from .._support.arguments import as_not_negative, as_positive
 from .._support.text import shown
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from ..solution.inside import Inside, boundaries_of
@@ -30,8 +31,6 @@ from .surroundings import (
     even_film,
     held_rise,
     inner_coefficients,
-    not_negative,
-    positive,
     refuse,
     require_sink,
 )
@@ -156,7 +155,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
         inner = None if given.core is Core.ISOTHERMAL else np.zeros(degrees)
     else:
         inner = (
-            positive("core", given.core, "W/(m K), or a viscoroll.Core")
+            as_positive("core", given.core, "W/(m K), or a viscoroll.Core")
             * np.arange(degrees, dtype=np.float64)
             / ball.core_radius
         )
@@ -183,7 +182,7 @@ def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
 
 def _roller(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:
     refuse(given, ("base_convection", "period"), "a roller")
-    width = None if given.width is None else positive("width", given.width, "m")
+    width = None if given.width is None else as_positive("width", given.width, "m")
     for name in ("side_convection", "hub_conductance"):
         if width is None and getattr(given, name) is not None:
             raise ValueError(f"width must be given with {name}, got none")
@@ -213,7 +212,7 @@ def _wheel(inside: Inside, given: Surroundings, conductivities: list[float]) -> 
         refuse(given, ("base_convection", "period"), "a roller")
         if given.width is None:
             raise ValueError("width must be given with a roller under a wheel: that of the roller [m]")
-        width = positive("width", given.width, "m")
+        width = as_positive("width", given.width, "m")
     else:
         refuse(given, ("width", "base_convection", "period"), "a wheel")
         width = inside.body.width
@@ -255,7 +254,7 @@ def _across(width: float, modes: HeatModes) -> NDArray[np.float64]:
 
 def _side(given: Surroundings, conductivities: list[float]) -> float:
     """Coefficient at side faces."""
-    side = not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
+    side = as_not_negative("side_convection", given.side_convection or 0.0, "W/(m^2 K)")
     if side > 0.0 and len(set(conductivities)) > 1:
         raise ValueError(
             f"conductivity must be the same in all layers where side faces take heat, got {conductivities}"
@@ -267,13 +266,15 @@ def _slab(inside: Inside, given: Surroundings, conductivities: list[float]) -> H
     refuse(given, ("width", "side_convection", "hub_conductance"), "a plane")
     if given.period is None:
         raise ValueError("period must be given with a plane: the time from one pass to the next [s]")
-    period = positive("period", given.period, "s")
+    period = as_positive("period", given.period, "s")
     result = inside.result
     track = None if inside.line_contact else _between_tracks(inside)
     degrees = min(int(_DEGREES_PER_CONTACT * inside.radius / contact_size(result)) + 2, _MOST_DEGREES)
     modes = modes_of_slab(track, degrees)
     base = (
-        None if given.base_convection is None else not_negative("base_convection", given.base_convection, "W/(m^2 K)")
+        None
+        if given.base_convection is None
+        else as_not_negative("base_convection", given.base_convection, "W/(m^2 K)")
     )
     if base is not None and given.core is not Core.INSULATED:
         raise ValueError(f"core must be INSULATED with base_convection, got {shown(given.core)}")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float
+from .._support.arguments import as_not_negative, as_positive
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -25,8 +25,6 @@ __all__ = [
     "even_film",
     "held_rise",
     "inner_coefficients",
-    "not_negative",
-    "positive",
     "refuse",
     "require_sink",
 ]
@@ -73,7 +71,7 @@ def inner_coefficients(given: Surroundings, modes: HeatModes, area: Callable[[],
         if given.hub_conductance is not None:
             raise ValueError("hub_conductance must be left out with an ISOTHERMAL core")
         return None
-    conductance = not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
+    conductance = as_not_negative("hub_conductance", given.hub_conductance or 0.0, "W/K")
     return np.full(modes.count, conductance / area())
 
 
@@ -93,7 +91,7 @@ def held_rise(given: Surroundings) -> float:
     return (
         0.0
         if given.core_temperature is None
-        else positive("core_temperature", given.core_temperature, "K") - given.ambient
+        else as_positive("core_temperature", given.core_temperature, "K") - given.ambient
     )
 
 
@@ -107,8 +105,8 @@ def even_film(given: Surroundings) -> float:
     """
     if callable(given.convection):
         values = np.atleast_1d(np.asarray(given.convection(np.array([0.5 * np.pi])), dtype=np.float64))
-        return not_negative("convection", float(values[0]), "W/(m^2 K)")
-    return not_negative("convection", given.convection, "W/(m^2 K)")
+        return as_not_negative("convection", float(values[0]), "W/(m^2 K)")
+    return as_not_negative("convection", given.convection, "W/(m^2 K)")
 
 
 def require_sink(inside: Inside, film: float | NDArray[np.float64], other: bool) -> None:
@@ -151,36 +149,8 @@ def conductivities_of(inside: Inside, given: float | Sequence[float] | None) -> 
             raise ValueError(f"conductivity must be given here or in every layer, got layers with {values}")
         return [value for value in values if value is not None]
     if np.ndim(given) == 0:
-        return [positive("conductivity", given, "W/(m K)")] * len(layers)
-    several = [positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
+        return [as_positive("conductivity", given, "W/(m K)")] * len(layers)
+    several = [as_positive(f"conductivity[{j}]", value, "W/(m K)") for j, value in enumerate(given)]  # type: ignore[arg-type]
     if len(several) != len(layers):
         raise ValueError(f"conductivity must be one for each of {len(layers)} layers, got {len(several)}")
     return several
-
-
-def positive(name: str, value: object, unit: str) -> float:
-    """Return a finite number > 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name} must be finite and > 0 {unit}, got {number!r}")
-    return number
-
-
-def not_negative(name: str, value: object, unit: str) -> float:
-    """Return a finite number >= 0.
-
-    Raises
-    ------
-    TypeError, ValueError
-        For anything else.
-    """
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number >= 0.0):
-        raise ValueError(f"{name} must be finite and >= 0 {unit}, got {number!r}")
-    return number

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float, as_kelvin, require_type
+from .._support.arguments import as_float, as_kelvin, as_not_negative, as_positive, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike
@@ -16,7 +16,7 @@ from .._support.tables import html_table, number_text
 from ..rolling import Result
 from ..solution.inside import Of, finite_line, inside_of
 from .heated_body import HeatedBody, heated_body
-from .surroundings import Core, Surroundings, not_negative, positive
+from .surroundings import Core, Surroundings
 
 if TYPE_CHECKING:
     import xarray
@@ -203,7 +203,7 @@ def temperature(
         import xarray
 
     require_type("result", result, Result)
-    capacity = positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+    capacity = as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     require_type("start", start, Temperature, optional=True)
     if start is not None and time is None:
         raise ValueError("start must be left out without time: the steady state does not know it")
@@ -354,9 +354,9 @@ def plane_cooling(
     """
     require_type("result", result, Result)
     inside = inside_of(result, "ball")
-    base = not_negative("convection", convection, "W/(m^2 K)")
+    base = as_not_negative("convection", convection, "W/(m^2 K)")
     effusivity = np.sqrt(
-        positive("conductivity", conductivity, "W/(m K)") * positive("heat_capacity", heat_capacity, "J/(m^3 K)")
+        as_positive("conductivity", conductivity, "W/(m K)") * as_positive("heat_capacity", heat_capacity, "J/(m^3 K)")
     )
     plane = as_float("plane_effusivity", plane_effusivity)
     if not plane > 0.0:

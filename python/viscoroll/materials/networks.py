@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float_array, store_floats
+from .._support.arguments import as_float_array, as_not_negative, store_floats, store_positive
 from .._support.tables import ParameterTable
 
 if TYPE_CHECKING:
@@ -104,9 +104,8 @@ class KrausNetwork(Network):
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
         store_floats(self, [field.name for field in fields(self)])
-        _require_positive(self, {"storage": " Pa", "critical_strain": ""})
-        if not 0.0 <= self.loss < math.inf:
-            raise ValueError(f"loss must be finite and >= 0 Pa, got {self.loss!r}")
+        store_positive(self, {"storage": "Pa", "critical_strain": ""})
+        as_not_negative("loss", self.loss, "Pa")
         if not 0.0 < self.exponent <= 1.0:
             raise ValueError(f"exponent must be in (0, 1], got {self.exponent!r}")
 
@@ -151,7 +150,7 @@ class MasingNetwork(Network):
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
         store_floats(self, [field.name for field in fields(self)])
-        _require_positive(self, {"storage": " Pa", "critical_strain": ""})
+        store_positive(self, {"storage": "Pa", "critical_strain": ""})
 
     @property
     def yield_strain(self) -> float:
@@ -177,10 +176,3 @@ def hyperbolic_moduli(x: Floats) -> tuple[Floats, Floats]:
     powers = np.arange(1, _SERIES_TERMS + 1)
     series = ((-np.where(small, x, 0.0)[..., None]) ** powers * (8.0 / (powers + 2.0) - 4.0)).sum(axis=-1)
     return storage, np.where(small, series, closed) / math.pi
-
-
-def _require_positive(network: object, units: dict[str, str]) -> None:
-    for name, unit in units.items():
-        value = getattr(network, name)
-        if not 0.0 < value < math.inf:
-            raise ValueError(f"{name} must be finite and > 0{unit}, got {value!r}")

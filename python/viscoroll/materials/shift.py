@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from .._support.arguments import as_float, as_kelvin, store_floats
+from .._support.arguments import as_float, as_kelvin, store_positive
 from .._support.text import shown
 from .moduli import (
     Elastic,
@@ -61,7 +61,7 @@ class WilliamsLandelFerry:
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
-        _store_positive(self, {"c1": "", "c2": " K", "reference_temperature": " K"})
+        store_positive(self, {"c1": "", "c2": "K", "reference_temperature": "K"})
         as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
@@ -95,7 +95,7 @@ class Arrhenius:
 
     def __post_init__(self) -> None:
         """Store the numbers as floats and check them."""
-        _store_positive(self, {"activation_energy": " J/mol", "reference_temperature": " K"})
+        store_positive(self, {"activation_energy": "J/mol", "reference_temperature": "K"})
         as_kelvin("reference_temperature", self.reference_temperature)
 
     def __call__(self, temperature: float) -> float:
@@ -205,11 +205,3 @@ def scaled(modulus: ShearModulusLike, factor: float) -> ShearModulusLike:
             return lambda omega: factor * evaluate(omega)
         case _:
             return lambda omega: factor * known(omega)
-
-
-def _store_positive(target: object, units: dict[str, str]) -> None:
-    store_floats(target, tuple(units))
-    for name, unit in units.items():
-        value = getattr(target, name)
-        if not (np.isfinite(value) and value > 0.0):
-            raise ValueError(f"{name} must be finite and > 0{unit}, got {value!r}")

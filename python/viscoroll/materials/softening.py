@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, require_type
+from .._support.arguments import as_float, as_positive, require_type
 from .loss_factor import LossFactor
 from .moduli import Elastic, ShearModulus, ShearModulusLike, as_modulus, to_core
 from .networks import Network
@@ -84,9 +83,7 @@ class SofteningModulus(ShearModulus):
         SoftenedModulus
             A function of frequency alone, as any other modulus.
         """
-        scale = as_float("loss_scale", loss_scale)
-        if not 0.0 < scale < math.inf:
-            raise ValueError(f"loss_scale must be finite and > 0, got {scale!r}")
+        scale = as_positive("loss_scale", loss_scale)
         storage, loss = (float(part) for part in self.network.at(as_float("amplitude", amplitude)))
         return SoftenedModulus(matrix=self.matrix, network=_causal(storage, scale * loss, reference_frequency))
 

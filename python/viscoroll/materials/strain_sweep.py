@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _core
-from .._support.arguments import as_float, as_floats, as_member
+from .._support.arguments import as_floats, as_member, as_positive
 from .moduli import ShearModulusLike, as_modulus, to_core
 from .networks import Network
 
@@ -83,9 +83,7 @@ class StrainSweep(Network):
             raise ValueError("frequency must be given with matrix, and with matrix alone")
         if self.matrix is not None and self.frequency is not None:
             object.__setattr__(self, "matrix", as_modulus(self.matrix))
-            object.__setattr__(self, "frequency", as_float("frequency", self.frequency))
-            if not 0.0 < self.frequency < math.inf:
-                raise ValueError(f"frequency must be finite and > 0 rad/s, got {self.frequency!r}")
+            object.__setattr__(self, "frequency", as_positive("frequency", self.frequency, "rad/s"))
         self._require_table()
         self._moduli(np.asarray(self.strain))
 
