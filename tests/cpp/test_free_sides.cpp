@@ -8,6 +8,9 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "cases.hpp"
@@ -143,6 +146,32 @@ TEST(Section, ConvergesWithItsElements) {
   const double fine = std::abs(middle(0.5) - middle(0.25));
   EXPECT_LT(fine, 0.5 * coarse);
   EXPECT_LT(fine, 3e-4 * middle(0.25));
+}
+
+/// All of a crowned tread is cut, for it is nowhere as thick as in its middle; but it changes over its width alone.
+TEST(Section, WideTreadsNeedNoMoreElements) {
+  const SectionFineness everywhere{.widest = 0.0};
+  const auto wheel = [](double width) {
+    return tread(500.0, width, plain_tread(1.0, 1.0).layers, width * width / 6.0);
+  };
+  const auto compliance = [](const CoatedWheel& cut, SectionEnd end, const SectionFineness& fineness) {
+    const SectionCompliance section(SectionMesh(cut, end, fineness), false);
+    const Eigen::VectorXd load = uniform_load(section.mesh(), 501.0);
+    const Eigen::MatrixXd even = section.at(100.0, Media{{.shear = 1.0, .lame = kIncompressible}})[kEvenPart];
+    return load.dot(even * load);
+  };
+  const auto difference = [&](const SectionFineness& fineness) {
+    CoatedWheel flat = wheel(36.0);
+    flat.crown_radius = INFINITY;
+    return compliance(wheel(36.0), SectionEnd::face, fineness) - compliance(flat, SectionEnd::endless, fineness);
+  };
+  const double fine = difference(everywhere);
+  EXPECT_NEAR(difference({}), fine, 1e-3 * std::abs(fine));
+  const auto lines = [&](double width, const SectionFineness& fineness) {
+    return SectionMesh(wheel(width), SectionEnd::face, fineness).lines();
+  };
+  EXPECT_LT(lines(36.0, {}), 0.6 * static_cast<double>(lines(36.0, everywhere)));
+  EXPECT_LT(lines(1000.0, {}), 1.3 * static_cast<double>(lines(36.0, {})));
 }
 
 TEST(Section, ProfilesLeaveTheTreadAsThickAsTheyAre) {
@@ -389,6 +418,26 @@ TEST(FreeSides, WideTreadsAreCutNoWider) {
     const double step = narrow[of] - middle[of];  // what the faces do falls like 1/w, here by 1e-3 of all
     EXPECT_GT(step, 3e-4 * middle[of]);
     EXPECT_NEAR(middle[of] - wide[of], step, 1e-4 * middle[of]);
+  }
+}
+
+/// To the first order in its curvature a crown much rounder than the tread is thick leaves endless sides no compliance.
+TEST(FreeSides, KnowCrownsThatEndlessSidesRefuse) {
+  const auto pressed = [](Sides sides) {
+    const CoatedWheel wheel = tread(2.2e-3, 30e-6,
+                                    {{.thickness = 120e-6, .shear_modulus = Elastic{1e4}, .poisson_ratio = 0.43},
+                                     {.thickness = 170e-6, .shear_modulus = Elastic{4e8}, .poisson_ratio = 0.1}},
+                                    20e-6);
+    CoatedWheel with_sides = wheel;
+    with_sides.sides = sides;
+    return solve(with_sides, {.load = 1e-8, .angular_speed = 0.1}, {.mesh = Mesh{.nodes_per_revolution = 2500}});
+  };
+  EXPECT_GT(*pressed(Sides::free).penetration, 0.0);
+  try {
+    std::ignore = pressed(Sides::endless);
+    ADD_FAILURE() << "a crown that rises where it is pressed was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("crown_radius must be at least the 0.00029 m", 0), 0U) << error.what();
   }
 }
 

@@ -15,10 +15,13 @@ constexpr double kEndlessReach = 6.0;
 
 /// Edges of elements of about a given size, from `first` to `last`.
 std::vector<double> edges(double first, double last, const Size& size) {
-  constexpr int kSamples = 400;  // of the size, so many that their sum is that of a smooth function
-  const double step = (last - first) / kSamples;
+  // Samples of the size, so many that their sum is that of a smooth function, fine ends included.
+  constexpr double kFewestSamples = 400.0;
+  const double in_ends = 4.0 * (last - first) / std::min(size(first), size(last));
+  const int samples = static_cast<int>(std::max(kFewestSamples, in_ends));
+  const double step = (last - first) / samples;
   std::vector<double> elements{0.0};
-  for (int i = 0; i < kSamples; ++i) elements.push_back(elements.back() + step / size(first + (i + 0.5) * step));
+  for (int i = 0; i < samples; ++i) elements.push_back(elements.back() + step / size(first + (i + 0.5) * step));
   const int count = std::max(1, static_cast<int>(std::ceil(elements.back() - 1e-9)));
   std::vector<double> result{first};
   std::size_t place = 0;
@@ -58,9 +61,9 @@ SectionMesh::SectionMesh(const CoatedWheel& wheel, SectionEnd end, const Section
   const double unit = std::min(thickness, wheel.width);
   const auto away = [&](double distance) { return unit * (fineness.finest + fineness.growth * distance / unit); };
   const double largest = fineness.largest * thickness;
+  const double widest = std::min(std::max(largest, fineness.widest * wheel.width), 0.25 * half);
 
-  std::vector<double> across =
-      edges(0.0, half, [&](double z) { return std::min({away(half - z), largest, 0.25 * half}); });
+  std::vector<double> across = edges(0.0, half, [&](double z) { return std::min(away(half - z), widest); });
   loaded_lines_ = 2 * across.size() - 1;
   if (end == SectionEnd::endless) {
     const std::vector<double> beyond =
