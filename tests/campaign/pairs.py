@@ -39,6 +39,9 @@ def on_a_ball(
     nodes = 1000 if mesh is None else mesh.nodes_per_revolution
     wanted = 1.0 if kind == "alike" else 10.0 ** rng.uniform(-0.5, 1.0)
     ratio = min(max(16, round(nodes * wanted)), 1_000_000) / nodes
+    # Of whole numbers on the first one some are not whole on the other.
+    if mesh and mesh.theta_nodes_per_revolution and (ratio * mesh.theta_nodes_per_revolution) % 1.0 > 0.0:
+        arguments = arguments | {"mesh": replace(mesh, theta_nodes_per_revolution=None)}
     other = _other(rng, kind, ball, ratio * radius, time, arguments["angular_speed"])
     share = ratio / (1.0 + ratio)  # of the relative radius in the first one's
     drive = arguments["drive"]

@@ -155,7 +155,7 @@ def _solve(case: Case, outcome: Outcome) -> vr.Result | None:
 def _is_proper(message: str, case: Case) -> bool:
     """Whether a message names an argument that was given, and speaks of nothing else."""
     name = re.match(r"([a-z_]+)[\w.\[\]]* must be ", message)
-    given = case.arguments.keys() | {"layers", "core_radius", "width", "sides"}
+    given = case.arguments.keys() | {"layers", "core_radius", "width", "crown_radius", "sides"}
     return name is not None and name[1] in given and not _INTERNAL.search(message)
 
 

@@ -98,6 +98,9 @@ struct Body {
     return std::vector<Warning>{};
   };
 
+  /// Refuses what its equations lift where it is pressed.
+  std::function<void()> require_stiffness = [] {};
+
   // The rest of what rolls alone.
   std::string_view name = {};                       ///< in messages
   std::vector<std::string_view> counterparts = {};  ///< types of what it may roll on

@@ -105,27 +105,24 @@ void require_few_nodes(const Window& window, const Mesh& mesh) {
                     text(nodes) + " nodes");
 }
 
-void require_clear_of_core(const Assembly& assembly, double penetration) {
-  const double depth = penetration - assembly.model.centrifugal;
-  if (!std::isfinite(depth)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
-  const double most = thickness(assembly.pair());
-  if (depth < most) return;
-  reject_load(assembly.pair(), assembly.load_case.load,
-              "is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
-}
-
-void require_contact(const Assembly& assembly, double penetration) {
+void require_contact(const Assembly& assembly, double friction, double penetration) {
+  if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
+  const auto reject = [&](const std::string& reason) { reject_load(assembly.pair(), assembly.load_case.load, reason); };
   if (assembly.approach_exists() && !(penetration > 0.0)) {
-    // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
-    if (assembly.load_case.friction == 0.0) {
-      reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
+    if (friction == 0.0) {
+      assembly.pair().body.require_stiffness();
+      assembly.pair().on.require_stiffness();
+      // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
+      reject("would be pressed through it");
     }
-    reject("friction",
-           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body.name) +
-               " out of its own contact",
-           text(assembly.load_case.friction));
+    detail::reject("friction",
+                   "so small that the forces along the plane do not lift the " +
+                       std::string(assembly.pair().body.name) + " out of its own contact",
+                   text(friction));
   }
-  require_clear_of_core(assembly, penetration);
+  const double depth = penetration - assembly.model.centrifugal;
+  const double most = thickness(assembly.pair());
+  if (!(depth < most)) reject("is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
 }
 
 void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem) {

@@ -22,12 +22,10 @@ void require_lasting_stiffness(const Assembly& assembly);
 /// @throws MeshTooFine
 void require_few_nodes(const Window& window, const Mesh& mesh);
 
-/// @brief A penetration [m] through to the core.
-/// @throws ConvergenceError where it is no number
-void require_clear_of_core(const Assembly& assembly, double penetration);
-
-/// @brief The same, and forces of friction that lift what rolls out of its own contact.
-void require_contact(const Assembly& assembly, double penetration);
+/// @brief A penetration [m] through to the core, none at all, and forces of friction that lift what rolls out of its own contact.
+/// @param[in] friction with which the contact was solved
+/// @throws ConvergenceError where the penetration is no number
+void require_contact(const Assembly& assembly, double friction, double penetration);
 
 /// @brief Where no state was found: a driving force or torque out of reach of what slides as a whole.
 void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem);

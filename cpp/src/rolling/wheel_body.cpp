@@ -135,6 +135,16 @@ std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& c
   return cautions;
 }
 
+void require_gentle_crown(const CoatedWheel& wheel) {
+  const double thickness = coating_thickness(wheel);
+  if (wheel.sides == Sides::free || wheel.crown_radius >= thickness) return;
+  reject("crown_radius",
+         "at least the " + rounded(thickness) +
+             " m that the tread is thick: to first order, which is all that sides = ENDLESS knows of a crown, this one "
+             "rises where it is pressed (sides = FREE knows it whole)",
+         text(wheel.crown_radius) + " m");
+}
+
 }  // namespace
 
 Body make_body(const CoatedWheel& wheel) {
@@ -148,6 +158,7 @@ Body make_body(const CoatedWheel& wheel) {
           .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },
           .cautions = [wheel](const ContactReach& contact,
                               bool other_deforms) { return cautions_of(wheel, contact, other_deforms); },
+          .require_stiffness = [wheel] { require_gentle_crown(wheel); },
           .name = "wheel",
           .counterparts = {"CoatedPlane", "Groove", "CoatedCylinder", "CoatedWheel"},
           .radius = outer_radius(wheel),

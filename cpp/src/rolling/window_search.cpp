@@ -46,7 +46,7 @@ bool holds_pressed_contact(const Assembly& assembly, ContactProblem problem, Eig
   while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
   const LocatedContact pressed = solve_multilevel(problem, assembly.estimated_depth, assembly.limits);
   if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
-  require_clear_of_core(assembly, pressed.contact.penetration);
+  require_contact(assembly, 0.0, pressed.contact.penetration);
   return true;
 }
 
@@ -80,7 +80,7 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
     const bool overclosed = least_gap_outside(located.window(), whole.gap, window) < -kOverclosure * whole.penetration;
     if (!boxed || !(at_edge || overclosed)) {
       const Losses losses = located.problem.surface->dissipation(located.contact.force);
-      require_contact(assembly, whole.penetration);
+      require_contact(assembly, assembly.load_case.friction, whole.penetration);
       return HeldContact{.nodes = nodes, .problem = problem, .contact = std::move(whole), .losses = losses};
     }
     // The box that was thought to hold the contact does not.
