@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
-APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev python3-dev python3-venv
+APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohmann-json3-dev python3-dev python3-venv
 # The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev

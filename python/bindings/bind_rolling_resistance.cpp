@@ -1,8 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <sstream>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,11 +42,4 @@ void bind_rolling_resistance(py::module_& m) {
       .def_readonly("error", &RollingResistance::error)
       .def_readonly("largest_error", &RollingResistance::largest_error)
       .def("torques", &torques, py::arg("load").noconvert(), py::arg("angular_speed").noconvert(), py::arg("outside"));
-  m.def(
-      "read_rolling_resistance",
-      [](const std::string& json) {
-        std::istringstream stream(json);
-        return read_rolling_resistance(stream);
-      },
-      py::arg("json"));
 }

@@ -730,7 +730,6 @@ def order_fields(
 def places_at(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel, position: numpy.typing.NDArray[numpy.float64]
 ) -> tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.int32]]: ...
-def read_rolling_resistance(json: str) -> RollingResistance: ...
 def result_scalars() -> list[ScalarDescription]:
     """
     What the scalar results are, in SI units.

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -20,10 +20,7 @@ constexpr const char* kFile = R"({
  "largest_error": 3e-3
 })";
 
-RollingResistance read(const std::string& text) {
-  std::istringstream stream(text);
-  return read_rolling_resistance(stream);
-}
+RollingResistance read(const std::string& text) { return nlohmann::json::parse(text).get<RollingResistance>(); }
 
 std::string message(const std::string& text) {
   try {
@@ -64,12 +61,8 @@ TEST(RollingResistance, HoldsTheTorquePerLoadOutside) {
 
 TEST(RollingResistance, RefusesOtherFiles) {
   const std::string file = kFile;
-  EXPECT_NE(message("").find("an end before its end"), std::string::npos);
-  EXPECT_NE(message("{}").find("a value of \"load\", got none"), std::string::npos);
-  EXPECT_NE(message("[1]").find("JSON with '{' here, got ["), std::string::npos);
-  EXPECT_NE(message(file.substr(0, 150)).find("file must be JSON"), std::string::npos);
-  EXPECT_NE(message(R"({"load": null})").find("got another value"), std::string::npos);
-  EXPECT_NE(message(R"({"load": [[1], 2]})").find("got one of both"), std::string::npos);
+  EXPECT_THROW(std::ignore = read("{}"), nlohmann::json::out_of_range);
+  EXPECT_THROW(std::ignore = read(R"({"load": null})"), nlohmann::json::type_error);
   const auto changed = [&](const std::string& what, const std::string& to) {
     return std::string(file).replace(file.find(what), what.size(), to);
   };

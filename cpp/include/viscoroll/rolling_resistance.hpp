@@ -1,11 +1,10 @@
 /// @file
 /// @brief Rolling resistance as a fitted surface over load and speed, for equations of motion that cannot solve for it.
 ///
-/// Python's `RollingResistance.from_study` fits it, and `save("torque.json")` writes what is read here.
+/// Python's `RollingResistance.from_study` fits it, and `save("torque.json")` writes it for `from_json`.
 #pragma once
 
 #include <array>
-#include <iosfwd>
 #include <vector>
 
 #include "viscoroll/materials.hpp"
@@ -40,9 +39,21 @@ struct RollingResistance {
 /// @throws std::invalid_argument naming parameter, value, unit and range
 void validate(const RollingResistance& surface);
 
-/// @param[in] json what `save("torque.json")` wrote, as an open file
-/// @return the surface
-/// @throws std::invalid_argument where it is something else
-[[nodiscard]] RollingResistance read_rolling_resistance(std::istream& json);
+/// @brief Take a surface from JSON, by nlohmann/json, which finds this by itself:
+/// `nlohmann::json::parse(file).get<viscoroll::RollingResistance>()`.
+/// @param[in] json what `save("torque.json")` wrote
+/// @param[out] surface as it was fitted
+/// @throws Json::exception where a value is missing or of another type
+/// @throws std::invalid_argument naming parameter, value, unit and range
+template <class Json>
+void from_json(const Json& json, RollingResistance& surface) {
+  json.at("load").get_to(surface.load);
+  json.at("angular_speed").get_to(surface.angular_speed);
+  json.at("radius").get_to(surface.radius);
+  json.at("coefficients").get_to(surface.coefficients);
+  json.at("error").get_to(surface.error);
+  json.at("largest_error").get_to(surface.largest_error);
+  validate(surface);
+}
 
 }  // namespace viscoroll

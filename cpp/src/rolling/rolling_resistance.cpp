@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "rolling/json_tables.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -46,11 +45,6 @@ void require_range(const std::string& name, const std::array<double, 2>& range, 
   }
 }
 
-std::array<double, 2> pair_of(const detail::JsonTables& tables, const std::string& name) {
-  const std::vector<double>& row = detail::row_of(tables, name, 2);
-  return {row[0], row[1]};
-}
-
 }  // namespace
 
 void validate(const RollingResistance& surface) {
@@ -88,18 +82,6 @@ double resisting_torque(const RollingResistance& surface, double load, double an
   const double towards_rest = std::min(speed / surface.angular_speed[0], 1.0);
   const double torque = load / fitted_load * towards_rest * std::exp(chebyshev_sum(rows.size(), of_row, x));
   return std::copysign(torque, angular_speed);
-}
-
-RollingResistance read_rolling_resistance(std::istream& json) {
-  const detail::JsonTables tables = detail::read_json_tables(json);
-  RollingResistance surface{.load = pair_of(tables, "load"),
-                            .angular_speed = pair_of(tables, "angular_speed"),
-                            .radius = detail::row_of(tables, "radius", 1).front(),
-                            .coefficients = detail::table_of(tables, "coefficients"),
-                            .error = detail::row_of(tables, "error", 1).front(),
-                            .largest_error = detail::row_of(tables, "largest_error", 1).front()};
-  validate(surface);
-  return surface;
 }
 
 }  // namespace viscoroll

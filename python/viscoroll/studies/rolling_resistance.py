@@ -30,7 +30,7 @@ class RollingResistance:
     """Torque T(P, Ω) = power lost / Ω, a polynomial of ln P and ln Ω for ln T, with its error.
 
     From the power lost, not from the pressure's offset: with friction or a force on the center these differ. In C++
-    it is ``viscoroll::RollingResistance``, which ``read_rolling_resistance`` reads from the .json file.
+    it is ``viscoroll::RollingResistance``, which nlohmann/json gets from the .json file.
 
     Attributes
     ----------
@@ -153,18 +153,23 @@ class RollingResistance:
         ValueError
             Where the file holds something else.
         """
+        wanted = f"{path} must hold a rolling resistance of viscoroll"
         try:
-            found = _core.read_rolling_resistance(Path(path).read_text(encoding="utf-8"))
+            document = json.loads(Path(path).read_text(encoding="utf-8"))
+            found = _core.RollingResistance(**{field.name: document[field.name] for field in fields(cls)})
+        except KeyError as error:
+            raise ValueError(f"{wanted} (without a value of {error})") from None
+        except TypeError:
+            raise ValueError(f"{wanted} (numbers and lists of them)") from None
         except ValueError as error:
-            raise ValueError(f"{path} must hold a rolling resistance of viscoroll ({error})") from None
-        values = {field.name: getattr(found, field.name) for field in fields(cls)}
+            raise ValueError(f"{wanted} ({error})") from None
         return cls(
-            **values
-            | {
-                "load": tuple(found.load),
-                "angular_speed": tuple(found.angular_speed),
-                "coefficients": np.array(found.coefficients),
-            }
+            load=tuple(found.load),
+            angular_speed=tuple(found.angular_speed),
+            radius=found.radius,
+            coefficients=np.array(found.coefficients),
+            error=found.error,
+            largest_error=found.largest_error,
         )
 
     def to_xarray(self, *, count: int = 41) -> xarray.Dataset:

@@ -65,5 +65,9 @@ def test_a_file_gives_the_same_numbers(surface, tmp_path):
     for key in document.keys() - {"what"}:
         less = {name: value for name, value in document.items() if name != key}
         (tmp_path / "less.json").write_text(json.dumps(less))
-        with pytest.raises(ValueError, match=f'must hold a rolling resistance of viscoroll .*a value of "{key}"'):
+        with pytest.raises(ValueError, match=f"must hold a rolling resistance of viscoroll .*a value of '{key}'"):
             vr.RollingResistance.load_file(tmp_path / "less.json")
+    for other in ("[1]", json.dumps(document | {"load": None}), "{", json.dumps(document | {"radius": -1.0})):
+        (tmp_path / "other.json").write_text(other)
+        with pytest.raises(ValueError, match="must hold a rolling resistance of viscoroll"):
+            vr.RollingResistance.load_file(tmp_path / "other.json")
