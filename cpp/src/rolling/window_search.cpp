@@ -108,22 +108,25 @@ bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Cur
 /// estimate, or absurd, fine meshes on window after window would take long.
 bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool is_widest) {
   if (half.phi < 3 * kRoughNodes) return true;
-  // A larger window costs little where the torus says that it is needed and the sphere does not; a refused load does.
-  const bool torus_will_do = assembly.model.curvature == Curvature::exact && !is_widest;
-  const Curvature curvature = torus_will_do ? Curvature::sphere : assembly.model.curvature;
+  const SurfaceGrid& grid = assembly.nodes.grid;
+  const double angle = std::min(half.phi * grid.phi_spacing, half.theta * grid.theta_spacing);
+  const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
   const double bearable_depth = kPressedThrough * thickness(assembly.pair());
   const auto reject_if_beyond = [&](double depth) {
     if (depth > bearable_depth) reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
   };
+  // Where the torus says that a larger window is needed and the sphere does not, it costs little; unless there is none,
+  // and the load would be refused that the sphere might bear.
+  const bool is_decisive = is_widest && depth_at_edge <= bearable_depth;
+  const bool torus_will_do = assembly.model.curvature == Curvature::exact && !is_decisive;
+  const Curvature curvature = torus_will_do ? Curvature::sphere : assembly.model.curvature;
   try {
     if (holds_contact_roughly(assembly, half, curvature)) return true;
   } catch (const ConvergenceError&) {
     reject_if_beyond(assembly.estimated_depth);  // estimates are from above, if not by so much
     throw;
   }
-  const SurfaceGrid& grid = assembly.nodes.grid;
-  const double angle = std::min(half.phi * grid.phi_spacing, half.theta * grid.theta_spacing);
-  reject_if_beyond(grid.radius * (1.0 - std::cos(angle)));
+  reject_if_beyond(depth_at_edge);
   return false;
 }
 
