@@ -22,7 +22,8 @@ void require_lasting_stiffness(const Assembly& assembly);
 /// @throws MeshTooFine
 void require_few_nodes(const Window& window, const Mesh& mesh);
 
-/// @brief A penetration [m] through to the core, none at all, and forces of friction that lift what rolls out of its own contact.
+/// @brief A penetration [m] through to the core, none at all, and forces of friction that lift what rolls out of its
+/// own contact.
 /// @param[in] friction with which the contact was solved
 /// @throws ConvergenceError where the penetration is no number
 void require_contact(const Assembly& assembly, double friction, double penetration);

@@ -1,16 +1,14 @@
 // A ball, or another one that it rolls on, touching in a spot: translation-invariant tables of the orders (m, n), or
 // those of the exact sphere.
 #include <cmath>
+#include <memory>
 #include <string>
-#include <utility>
 
-#include "influence/order_bands.hpp"
 #include "modal/centrifugal.hpp"
 #include "modal/harmonic_body.hpp"
 #include "rolling/body.hpp"
 #include "rolling/sphere_tables.hpp"
 #include "rolling/spot_surface.hpp"
-#include "rolling/table_store.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -34,30 +32,22 @@ CoatedSphere without_inertia(CoatedSphere sphere, double angular_speed) {
   return sphere;
 }
 
-BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
-  BodySurface surface;
-  if (sphere.layers.empty()) return surface;
+/// With inertia in what it is displaced by alone.
+BodySurface surface_of_exact_sphere(const CoatedSphere& sphere, const Crossing& crossing) {
   const double radius = outer_radius(sphere);
   const double speed = crossing.angular_speed_at(radius);
   const MeshOnBody mesh = crossing.mesh_at(radius);
-  const Mesh& around = mesh.rounded();
-  const bool exact = crossing.curvature == Curvature::exact;
-  const LayeredBody layers =
-      layered_body(exact ? without_inertia(sphere, speed) : sphere, exact ? Curvature::sphere : crossing.curvature);
-  const HarmonicBody harmonics(layers, speed, all_orders(phi_bands(layers, speed, around)), measured_order(around));
-  surface.stiffest_modulus = harmonics.stiffest_modulus();
-  if (exact) {
-    surface.tables = std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), around);
-  } else {
-    surface.tables = std::make_unique<const TableStore>(sum_under_spot(layers, crossing), around);
-  }
+  const LayeredBody layers = layered_body(without_inertia(sphere, speed));
+  BodySurface surface = surface_under_spot(
+      layers, crossing, std::make_unique<const SphereTables>(SphereSum(layers, speed, mesh), mesh.rounded()));
   surface.centrifugal = centrifugal_displacement(layered_body(sphere, layers.metric.curvature), speed);
-  const int highest_order = around.nodes_per_revolution / 2;
-  const HarmonicBody alternating(layers, speed, {static_cast<double>(highest_order)});
-  const Eigen::Matrix3cd compliance = alternating.compliance({.i = 0, .n = 0.0});
-  surface.normal = compliance(0, 0);
-  surface.along = compliance(1, 1);
   return surface;
+}
+
+BodySurface surface_of(const CoatedSphere& sphere, const Crossing& crossing) {
+  if (sphere.layers.empty()) return {};
+  if (crossing.curvature == Curvature::exact) return surface_of_exact_sphere(sphere, crossing);
+  return surface_under_spot(layered_body(sphere, crossing.curvature), crossing);
 }
 
 /// The height of what rolls on it, so many times: the gap's slope along the nodes is x over the relative radius.

@@ -1,6 +1,7 @@
 #include "rolling/spot_surface.hpp"
 
 #include <numbers>
+#include <utility>
 
 #include "influence/coating_sum.hpp"
 #include "modal/centrifugal.hpp"
@@ -17,11 +18,18 @@ std::unique_ptr<const TableSum> sum_under_spot(const LayeredBody& layers, const 
 }
 
 BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing) {
+  const Mesh around = crossing.mesh_at(layers.metric.radius).rounded();
+  return surface_under_spot(layers, crossing,
+                            std::make_unique<const TableStore>(sum_under_spot(layers, crossing), around));
+}
+
+BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing,
+                               std::unique_ptr<const SurfaceTables> tables) {
   const double radius = layers.metric.radius;
   const MeshOnBody mesh = crossing.mesh_at(radius);
   const double angular_speed = crossing.angular_speed_at(radius);
   BodySurface surface;
-  surface.tables = std::make_unique<const TableStore>(sum_under_spot(layers, crossing), mesh.rounded());
+  surface.tables = std::move(tables);
   const double highest = std::numbers::pi / mesh.phi_spacing();
   const HarmonicBody harmonics(layers, angular_speed, {highest, 16.0 * highest}, measured_order(mesh.rounded()));
   const Eigen::Matrix3cd compliance = harmonics.compliance({.i = 0, .n = 0.0});

@@ -1,6 +1,8 @@
 /// @file
-/// @brief What a layered body does under a spot: its tables, and all of it for the bodies that are straight across.
+/// @brief What a layered body does under a spot.
 #pragma once
+
+#include <memory>
 
 #include "modal/layered_body.hpp"
 #include "rolling/body.hpp"
@@ -11,8 +13,12 @@ namespace viscoroll::detail {
 /// @param[in] crossing how its material crosses the contact
 [[nodiscard]] std::unique_ptr<const TableSum> sum_under_spot(const LayeredBody& layers, const Crossing& crossing);
 
-/// @param[in] layers of a plane, with the radius of what rolls, or as of a wheel; at least one
+/// @param[in] layers as for `sum_under_spot`
 /// @param[in] crossing how its material crosses the contact
 [[nodiscard]] BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing);
+
+/// @brief The same with other tables than those of that sum.
+[[nodiscard]] BodySurface surface_under_spot(const LayeredBody& layers, const Crossing& crossing,
+                                             std::unique_ptr<const SurfaceTables> tables);
 
 }  // namespace viscoroll::detail

@@ -27,10 +27,10 @@ from .solution import Solution, node_angles, node_spacings
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Inside", "LayeredBody", "Of", "boundaries_of", "finite_line", "inside_of", "places_of"]
+__all__ = ["BodyInside", "Inside", "Of", "boundaries_of", "finite_line", "inside_of", "places_of"]
 
 #: What has an inside.
-LayeredBody: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
+BodyInside: TypeAlias = CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel
 
 #: What rolls, a roller, too, or what it rolls on.
 Of = Literal["ball", "counterpart"]
@@ -52,7 +52,7 @@ class Inside:
 
     result: Solution
     of: Of
-    body: LayeredBody
+    body: BodyInside
     radius: float
 
     @property
@@ -198,7 +198,7 @@ def inside_of(result: Solution, of: Of | None = None) -> Inside:
 
 
 def places_of(
-    body: LayeredBody, depth: ArrayLike | None, radius: ArrayLike | None = None
+    body: BodyInside, depth: ArrayLike | None, radius: ArrayLike | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     """Return positions and layers of places given by depth or radius: two where layers meet.
 
@@ -227,7 +227,7 @@ def places_of(
     return _core.places_at(shape, np.clip(positions, innermost, None))
 
 
-def boundaries_of(body: LayeredBody) -> NDArray[np.float64]:
+def boundaries_of(body: BodyInside) -> NDArray[np.float64]:
     """Return the positions where layers begin and end [m], outwards."""
     if not isinstance(body, CoatedPlane):
         return body.core_radius + np.cumsum([0.0, *(layer.thickness for layer in body.layers)])
@@ -235,11 +235,11 @@ def boundaries_of(body: LayeredBody) -> NDArray[np.float64]:
     return heights if body.base is None else np.concatenate([[-np.inf], heights])
 
 
-def _thickness(body: LayeredBody) -> float:
+def _thickness(body: BodyInside) -> float:
     return np.inf if isinstance(body, CoatedPlane) and body.base is not None else body.thickness
 
 
-def _surface(body: LayeredBody) -> float:
+def _surface(body: BodyInside) -> float:
     return 0.0 if isinstance(body, CoatedPlane) else body.outer_radius
 
 

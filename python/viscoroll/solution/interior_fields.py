@@ -13,7 +13,7 @@ from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
-from .inside import Inside, LayeredBody, Of, finite_line, inside_of, places_of
+from .inside import BodyInside, Inside, Of, finite_line, inside_of, places_of
 from .solution import Solution, described, given_of
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ _TEXT = {
 
 
 def order_fields(
-    body: LayeredBody,
+    body: BodyInside,
     angular_speed: float,
     m: ArrayLike,
     n: ArrayLike,
