@@ -109,7 +109,9 @@ bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Cur
 bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool is_widest) {
   if (half.phi < 3 * kRoughNodes) return true;
   const SurfaceGrid& grid = assembly.nodes.grid;
-  const double angle = std::min(half.phi * grid.phi_spacing, half.theta * grid.theta_spacing);
+  const bool to_sides = assembly.has_sides() && half.theta == assembly.nodes.widest.theta.last;
+  const double along = half.phi * grid.phi_spacing;
+  const double angle = to_sides ? along : std::min(along, half.theta * grid.theta_spacing);
   const double depth_at_edge = grid.radius * (1.0 - std::cos(angle));
   const double bearable_depth = kPressedThrough * thickness(assembly.pair());
   const auto reject_if_beyond = [&](double depth) {
