@@ -133,17 +133,17 @@ class Refiner {
       note(solve_load_case(model, load_case_, options_, watch_, seen));
     } catch (const MeshTooFine&) {
       failure_ = std::current_exception();
-      return !best_ && restart_from(mesh_.nodes_per_revolution / 4.0);
+      return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
     } catch (const std::bad_alloc&) {
       failure_ = std::current_exception();
-      return !best_ && restart_from(mesh_.nodes_per_revolution / 4.0);
+      return !best_ && go_on_with(mesh_.nodes_per_revolution / 4.0);
     } catch (const ConvergenceError&) {
       const bool first_failure = !failure_;
       failure_ = std::current_exception();
-      return !best_ && first_failure && restart_from(2.0 * mesh_.nodes_per_revolution);
+      return !best_ && first_failure && go_on_with(2.0 * mesh_.nodes_per_revolution);
     }
     if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
-    return !is_finest() && restart_from(2.0 * mesh_.nodes_per_revolution);
+    return !is_finest() && go_on_with(2.0 * mesh_.nodes_per_revolution);
   }
 
   /// Whether the next mesh would ask for more than is at hand.
@@ -165,8 +165,8 @@ class Refiner {
     }
   }
 
-  /// @return whether that is another mesh
-  bool restart_from(double nodes_per_revolution) {
+  /// @return whether that is another mesh than the last
+  bool go_on_with(double nodes_per_revolution) {
     return mesh_ != std::exchange(mesh_, make_mesh(nodes_per_revolution));
   }
 

@@ -104,7 +104,7 @@ def as_positive(name: str, value: object, unit: str = "") -> float:
     """Return a finite number > 0, or raise a TypeError or ValueError."""
     number = as_float(name, value)
     if not 0.0 < number < float("inf"):
-        raise ValueError(f"{name} must be finite and > {f'0 {unit}'.strip()}, got {number!r}")
+        raise ValueError(f"{name} must be > {f'0 {unit}'.strip()}, got {number:g}")
     return number
 
 
@@ -112,7 +112,7 @@ def as_not_negative(name: str, value: object, unit: str = "") -> float:
     """Return a finite number >= 0, or raise a TypeError or ValueError."""
     number = as_float(name, value)
     if not 0.0 <= number < float("inf"):
-        raise ValueError(f"{name} must be finite and >= {f'0 {unit}'.strip()}, got {number!r}")
+        raise ValueError(f"{name} must be >= {f'0 {unit}'.strip()}, got {number:g}")
     return number
 
 
@@ -120,7 +120,7 @@ def as_kelvin(name: str, value: object) -> float:
     """Return a temperature [K], which is refused below 100 K, where no rubber is rubber: most likely degrees C."""
     temperature = as_float(name, value)
     if not 100.0 <= temperature < float("inf"):
-        raise ValueError(f"{name} must be finite and >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
+        raise ValueError(f"{name} must be >= 100 K (20 °C are 293.15 K), got {temperature:g} K")
     return temperature
 
 

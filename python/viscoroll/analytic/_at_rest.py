@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 import numpy as np
 
+from .._support.arguments import as_positive
 from ._closed_form import at_rest
-from ._inputs import Floats, plain, positive, positives
+from ._inputs import Floats, plain, positives
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -99,4 +100,4 @@ def load_and_sizes(
     load: ArrayLike, unit: str, radius: float, thickness: float
 ) -> tuple[NDArray[np.float64], float, float]:
     """Return load, radius and thickness of a thin layer, checked."""
-    return positives("load", load, unit), positive("radius", radius, "m"), positive("thickness", thickness, "m")
+    return positives("load", load, unit), as_positive("radius", radius, "m"), as_positive("thickness", thickness, "m")

@@ -18,11 +18,9 @@ __all__ = [
     "Floats",
     "complex_modulus",
     "fraction",
-    "nonnegative",
     "one_volume",
     "plain",
     "poisson",
-    "positive",
     "positives",
 ]
 
@@ -37,19 +35,6 @@ def positives(name: str, values: ArrayLike, unit: str) -> NDArray[np.float64]:
     if bad.size:
         raise ValueError(f"{name} must be > 0 {unit}, got {bad[0]:g}")
     return array
-
-
-def positive(name: str, value: object, unit: str) -> float:
-    """Return one number > 0."""
-    return float(positives(name, as_float(name, value), unit))
-
-
-def nonnegative(name: str, value: object, unit: str = "") -> float:
-    """Return one finite number ≥ 0."""
-    number = as_float(name, value)
-    if not (np.isfinite(number) and number >= 0.0):
-        raise ValueError(f"{name} must be >= {f'0 {unit}'.strip()}, got {number:g}")
-    return number
 
 
 def fraction(name: str, value: object) -> float:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._support.arguments import as_positive
 from ._at_rest import PressureBell, load_and_sizes
-from ._inputs import Floats, plain, poisson, positive, positives
+from ._inputs import Floats, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -82,8 +83,8 @@ def hertz(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_ratio
     >>> f"{contact.radius * 1e3:.3f} mm"
     '5.000 mm'
     """
-    force, size = positives("load", load, "N"), positive("radius", radius, "m")
-    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    force, size = positives("load", load, "N"), as_positive("radius", radius, "m")
+    stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = np.cbrt(3.0 * (1.0 - poisson(poisson_ratio)) * force * size / (8.0 * stiffness))
     return _on_disk(force, a, approach=a**2 / size, exponent=0.5)
 
@@ -141,7 +142,7 @@ def thin_compressible_layer(
     """
     force, size, h = load_and_sizes(load, "N", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
-    confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    confined = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     a = (4.0 * force * size * h / (np.pi * confined)) ** 0.25
     return _on_disk(force, a, approach=a**2 / (2.0 * size), exponent=1.0)
 
@@ -189,7 +190,7 @@ def thin_incompressible_layer(
     '13.8 thicknesses'
     """
     force, size, h = load_and_sizes(load, "N", radius, thickness)
-    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = (32.0 * force * size * h**3 / (np.pi * stiffness)) ** (1.0 / 6.0)
     return _on_disk(force, a, approach=a**2 / (4.0 * size), exponent=2.0)
 

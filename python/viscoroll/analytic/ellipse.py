@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._inputs import Floats, plain, poisson, positive, positives
+from .._support.arguments import as_positive
+from ._inputs import Floats, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -104,8 +105,8 @@ def hertz_ellipse(
     >>> f"{contact.semi_axis_x * 1e3:.3f} and {contact.semi_axis_z * 1e3:.3f} mm"
     '2.643 and 8.592 mm'
     """
-    force, stiffness = positives("load", load, "N"), positive("shear_modulus", shear_modulus, "Pa")
-    radii = positive("radius", radius, "m"), positive("crown_radius", crown_radius, "m")
+    force, stiffness = positives("load", load, "N"), as_positive("shear_modulus", shear_modulus, "Pa")
+    radii = as_positive("radius", radius, "m"), as_positive("crown_radius", crown_radius, "m")
     wide = max(radii)
     modulus = 2.0 * stiffness / (1.0 - poisson(poisson_ratio))  # E* of one elastic body
     ratio = axis_ratio(min(radii) / wide)

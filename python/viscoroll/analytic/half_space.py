@@ -7,17 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._inputs import (
-    Floats,
-    complex_modulus,
-    fraction,
-    nonnegative,
-    one_volume,
-    plain,
-    poisson,
-    positive,
-    positives,
-)
+from .._support.arguments import as_not_negative, as_positive
+from ._inputs import Floats, complex_modulus, fraction, one_volume, plain, poisson, positives
 from .ellipse import hertz_ellipse
 
 if TYPE_CHECKING:
@@ -168,8 +159,8 @@ def persson_torque(
     >>> f"{torque * 1e3:.2f} mN m"
     '2.86 mN m'
     """
-    size, factor = positive("radius", radius, "m"), nonnegative("frequency_factor", frequency_factor)
-    across = size if crown_radius is None else positive("crown_radius", crown_radius, "m")
+    size, factor = as_positive("radius", radius, "m"), as_not_negative("frequency_factor", frequency_factor)
+    across = size if crown_radius is None else as_positive("crown_radius", crown_radius, "m")
     compliance = _half_space_compliance(shear_modulus, poisson_ratio, bulk_modulus)
     # Of one G, for a unit load on a unit 1/E*: all others have the same shape.
     unit = hertz_ellipse(load=1.0, radius=size, crown_radius=across, shear_modulus=1.0, poisson_ratio=0.5)
@@ -193,7 +184,7 @@ def _half_space_compliance(
     if bulk_modulus is None:
         nu = poisson(poisson_ratio)
         return lambda omega: (1.0 - nu) / complex_modulus(shear_modulus, omega)
-    bulk = positive("bulk_modulus", bulk_modulus, "Pa")
+    bulk = as_positive("bulk_modulus", bulk_modulus, "Pa")
 
     def compliance(omega: ArrayLike) -> NDArray[np.complex128]:
         g = complex_modulus(shear_modulus, omega)

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import require_type
+from .._support.arguments import as_positive, require_type
 from .._support.extras import extra
 from ..materials import StandardLinearSolid
-from ._inputs import Floats, plain, poisson, positive, positives
+from ._inputs import Floats, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -102,7 +102,7 @@ def hunter(
     '4.267 N, 3.791 mm'
     """
     force, velocity = np.broadcast_arrays(positives("load", load, "N/m"), positives("speed", speed, "m/s"))
-    size, nu = positive("radius", radius, "m"), poisson(poisson_ratio)
+    size, nu = as_positive("radius", radius, "m"), poisson(poisson_ratio)
     require_type("shear_modulus", shear_modulus, StandardLinearSolid)
     solid = _Solid(
         stiffness=np.pi * shear_modulus.relaxed_modulus / ((1.0 - nu) * size),

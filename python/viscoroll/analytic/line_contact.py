@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_float_array
+from .._support.arguments import as_float_array, as_positive
 from ._at_rest import PressureBell, load_and_sizes
-from ._inputs import Floats, plain, poisson, positive, positives
+from ._inputs import Floats, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -89,8 +89,8 @@ def hertz_line(*, load: ArrayLike, radius: float, shear_modulus: float, poisson_
     >>> f"{contact.half_width * 1e3:.3f} mm"
     '5.150 mm'
     """
-    force, size = positives("load", load, "N/m"), positive("radius", radius, "m")
-    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    force, size = positives("load", load, "N/m"), as_positive("radius", radius, "m")
+    stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = np.sqrt(2.0 * (1.0 - poisson(poisson_ratio)) * force * size / (np.pi * stiffness))
     return LineContact(half_width=plain(a), approach=None, max_pressure=plain(2.0 * force / (np.pi * a)), exponent=0.5)
 
@@ -139,7 +139,7 @@ def thin_compressible_layer_line(
     """
     force, size, h = load_and_sizes(load, "N/m", radius, thickness)
     nu = poisson(poisson_ratio, compressible=True)
-    confined = positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
+    confined = as_positive("shear_modulus", shear_modulus, "Pa") * 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     a = np.cbrt(1.5 * force * size * h / confined)
     return LineContact(
         half_width=plain(a), approach=plain(a**2 / (2.0 * size)), max_pressure=plain(0.75 * force / a), exponent=1.0
@@ -186,7 +186,7 @@ def thin_incompressible_layer_line(
     '2.391 mm'
     """
     force, size, h = load_and_sizes(load, "N/m", radius, thickness)
-    stiffness = positive("shear_modulus", shear_modulus, "Pa")
+    stiffness = as_positive("shear_modulus", shear_modulus, "Pa")
     a = (7.5 * force * size * h**3 / stiffness) ** 0.2
     return LineContact(
         half_width=plain(a),
@@ -243,7 +243,7 @@ def carter_force(
     >>> f"{carter_force(creepage=1e-4, **steel):.0f} N/m"
     '18231 N/m'
     """
-    coefficient = positive("friction", friction, "")
+    coefficient = as_positive("friction", friction, "")
     contact = hertz_line(load=load, radius=radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio)
     creep = as_float_array("creepage", creepage)
     if not np.isfinite(creep).all():

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._inputs import Floats, complex_modulus, nonnegative, plain, poisson, positive, positives
+from .._support.arguments import as_not_negative, as_positive
+from ._inputs import Floats, complex_modulus, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -62,7 +63,7 @@ def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float
     array([0.0002625, 0.000525 ])
     """
     force, speed = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
-    return plain(force * speed * positive("radius", radius, "m") * nonnegative("loss_time", loss_time, "s"))
+    return plain(force * speed * as_positive("radius", radius, "m") * as_not_negative("loss_time", loss_time, "s"))
 
 
 def loss_time(shear_modulus: ShearModulusLike) -> float:
@@ -155,9 +156,9 @@ def sphere_loss_time(
     >>> sphere_loss_time(shear_modulus=1e6, poisson_ratio=0.5, shear_viscosity=1e3)
     0.001
     """
-    modulus, nu = positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
-    shear = 4.0 / 3.0 * (1.0 - nu + nu**2) * nonnegative("shear_viscosity", shear_viscosity, "Pa s")
-    bulk = (1.0 - 2.0 * nu) ** 2 * nonnegative("bulk_viscosity", bulk_viscosity, "Pa s")
+    modulus, nu = as_positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
+    shear = 4.0 / 3.0 * (1.0 - nu + nu**2) * as_not_negative("shear_viscosity", shear_viscosity, "Pa s")
+    bulk = (1.0 - 2.0 * nu) ** 2 * as_not_negative("bulk_viscosity", bulk_viscosity, "Pa s")
     return (shear + bulk) / (2.0 * modulus * (1.0 - nu))
 
 
@@ -203,10 +204,10 @@ def brilliantov_poschel_time(
     >>> brilliantov_poschel_time(shear_modulus=1e6, poisson_ratio=0.5, shear_viscosity=1e3)
     0.0
     """
-    modulus, nu = positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
+    modulus, nu = as_positive("shear_modulus", shear_modulus, "Pa"), poisson(poisson_ratio)
     if nu == 0.0:
         raise ValueError("poisson_ratio must be in (-1, 0.5] and not 0, where the coefficient is infinite, got 0")
-    eta1 = 2.0 * positive("shear_viscosity", shear_viscosity, "Pa s")
-    eta2 = nonnegative("bulk_viscosity", bulk_viscosity, "Pa s")
+    eta1 = 2.0 * as_positive("shear_viscosity", shear_viscosity, "Pa s")
+    eta2 = as_not_negative("bulk_viscosity", bulk_viscosity, "Pa s")
     viscosity = (3.0 * eta2 - eta1) ** 2 / (3.0 * eta2 + 2.0 * eta1)
     return viscosity * (1.0 - nu) * (1.0 - 2.0 * nu) / (6.0 * modulus * nu**2)

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import require_type
+from .._support.arguments import as_positive, require_type
 from .._support.text import shown
 from ..materials import Elastic, KelvinVoigt, Prony, ShearModulus, StandardLinearSolid
-from ._inputs import Floats, one_volume, plain, poisson, positive, positives
+from ._inputs import Floats, one_volume, plain, poisson, positives
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -91,7 +91,7 @@ def winkler_torque(
     >>> f"{torque * 1e3:.2f} mN m"
     '5.07 mN m'
     """
-    size, h = positive("radius", radius, "m"), positive("thickness", thickness, "m")
+    size, h = as_positive("radius", radius, "m"), as_positive("thickness", thickness, "m")
     springs = _springs(shear_modulus, poisson_ratio, bulk_modulus)
     forces, speeds = positives("load", load, "N"), positives("angular_speed", angular_speed, "rad/s")
 
@@ -149,7 +149,7 @@ def winkler_torque_line(
     >>> f"{torque:.3f} N"
     '0.466 N'
     """
-    size, h = positive("radius", radius, "m"), positive("thickness", thickness, "m")
+    size, h = as_positive("radius", radius, "m"), as_positive("thickness", thickness, "m")
     springs = _springs(shear_modulus, poisson_ratio, bulk_modulus)
     forces, speeds = positives("load", load, "N/m"), positives("angular_speed", angular_speed, "rad/s")
 
@@ -234,7 +234,7 @@ def _springs(shear_modulus: ShearModulus, poisson_ratio: float | None, bulk_modu
         nu = poisson(poisson_ratio, compressible=True)
         factor = 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu)
     else:
-        bulk = positive("bulk_modulus", bulk_modulus, "Pa")
+        bulk = as_positive("bulk_modulus", bulk_modulus, "Pa")
     moduli = factor * shear.moduli
     moduli[-1] += bulk
     return _Springs(moduli, shear.times, factor * shear.viscosity)

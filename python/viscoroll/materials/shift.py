@@ -128,7 +128,7 @@ def shift_factor(shift: Shift, temperature: float, name: str = "shift") -> float
         )
     factor = as_float(f"{name}(temperature)", shift(temperature))
     if not (np.isfinite(factor) and factor > 0.0):
-        raise ValueError(f"{name}(temperature) must be finite and > 0, got {factor!r} at {temperature:g} K")
+        raise ValueError(f"{name}(temperature) must be > 0, got {factor!r} at {temperature:g} K")
     return factor
 
 

@@ -99,7 +99,7 @@ class StrainSweep(Network):
         for name in ("storage", "loss"):
             values = np.asarray(getattr(self, name))
             if not (np.isfinite(values).all() and (values > 0.0).all()):
-                raise ValueError(f"{name} must be finite and > 0 Pa, got {values.min():g}")
+                raise ValueError(f"{name} must be > 0 Pa, got {values.min():g}")
 
     @property
     def amplitudes(self) -> Floats:

@@ -164,8 +164,8 @@ class RollingResistance:
         except ValueError as error:
             raise ValueError(f"{wanted} ({error})") from None
         return cls(
-            load=tuple(found.load),
-            angular_speed=tuple(found.angular_speed),
+            load=(found.load[0], found.load[1]),
+            angular_speed=(found.angular_speed[0], found.angular_speed[1]),
             radius=found.radius,
             coefficients=np.array(found.coefficients),
             error=found.error,

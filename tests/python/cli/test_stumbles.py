@@ -43,7 +43,7 @@ def test_measurements_are_no_moduli_yet(data):
 )
 @pytest.mark.parametrize("temperature", [20.0, np.nan, np.inf])
 def test_degrees_celsius_are_told(make, temperature):
-    with pytest.raises(ValueError, match="reference_temperature must be finite and >"):
+    with pytest.raises(ValueError, match="reference_temperature must be >"):
         make(temperature)
     with pytest.raises(ValueError, match=r"reference_temperature must be .* \(20 °C are 293.15 K\), got 20 K"):
         make(20)

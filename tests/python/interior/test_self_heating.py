@@ -230,7 +230,7 @@ def test_shift_factors():
         wlf(148.0)
     arrhenius = vr.Arrhenius(activation_energy=8.314462618e3, reference_temperature=300.0)
     assert math.log(arrhenius(500.0)) == pytest.approx(1e3 * (1 / 500 - 1 / 300))
-    with pytest.raises(ValueError, match="c2 must be finite and > 0 K"):
+    with pytest.raises(ValueError, match="c2 must be > 0 K"):
         vr.WilliamsLandelFerry(c1=1.0, c2=0.0, reference_temperature=300.0)
 
     class Fitted:
@@ -244,7 +244,7 @@ def test_shift_factors():
         shift_factor(Fitted(), 300.0)
     with pytest.raises(TypeError, match="shift must be a function"):
         shift_factor(1.0, 300.0)
-    with pytest.raises(ValueError, match="must be finite and > 0"):
+    with pytest.raises(ValueError, match="must be > 0"):
         shift_factor(lambda temperature: -1.0, 300.0)
 
 
