@@ -134,18 +134,22 @@ def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     if case.on is None:
         return
     spacing = result.mesh.spacing * result.ball.outer_radius
-    unknown = result.load * spacing * result.angular_speed
-    unknown += result.dissipated_power * min(spacing / _arm(result), 1.0)
     rolling = result.angular_speed * result.ball.outer_radius
     speed = rolling if result.linear_speed is None else result.linear_speed
+    turning = abs(speed) / case.on.outer_radius
+    levers = result.load * spacing * np.array([result.angular_speed, turning])
+    losses = np.array([result.rolling_bulk_power, result.counterpart_bulk_power])
+    share = min(spacing / _arm(result), 1.0)
     distance = result.center_height + case.on.outer_radius
     own = result.driving_torque * result.angular_speed
     others = (result.driving_torque + result.driving_force * distance) * speed / case.on.outer_radius
     guided = result.lateral_force * result.drive.lateral_creepage * rolling
+    unknown = float(levers.sum()) + share * result.dissipated_power
     yield "power of a pair", TOLERANCE * abs(own + others - guided - result.dissipated_power) / unknown
     if not case.has_friction:
-        yield "power of the first of a pair", TOLERANCE * abs(own - result.rolling_bulk_power) / unknown
-        yield "power of the other of a pair", TOLERANCE * abs(others - result.counterpart_bulk_power) / unknown
+        first, other = levers + share * losses.sum()
+        yield "power of the first of a pair", TOLERANCE * abs(own - losses[0]) / first
+        yield "power of the other of a pair", TOLERANCE * abs(others - losses[1]) / other
 
 
 def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
