@@ -753,6 +753,27 @@ def solve(
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> Result: ...
+def solve_kept(
+    body: CoatedSphere | CoatedCylinder | CoatedWheel,
+    on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+    *,
+    load: typing.SupportsFloat | typing.SupportsIndex,
+    angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    mesh: Mesh,
+    friction: typing.SupportsFloat | typing.SupportsIndex,
+    drive: DriveForce | DriveTorque | DriveCreepage,
+    compliance: Compliance,
+    curvature: Curvature,
+    patch_load: PatchLoad,
+    contact: numpy.typing.NDArray[numpy.uint8],
+    stick: numpy.typing.NDArray[numpy.uint8],
+    pressure: numpy.typing.NDArray[numpy.float64],
+    shear_traction: numpy.typing.NDArray[numpy.float64],
+    penetration: typing.SupportsFloat | typing.SupportsIndex,
+    creepage: typing.SupportsFloat | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+    progress: typing.Any,
+) -> Result: ...
 def standard_linear_solid(
     *,
     instantaneous_modulus: typing.SupportsFloat | typing.SupportsIndex,

@@ -23,6 +23,44 @@ TEST(Solve, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.resisting_torque, three.resisting_torque);
 }
 
+KeptContact kept_of(const Result& result) {
+  return {.phi_nodes = result.phi_nodes,
+          .theta_nodes = result.theta_nodes,
+          .contact = result.contact,
+          .stick = result.stick,
+          .pressure = result.pressure,
+          .shear_traction = result.shear_traction,
+          .penetration = *result.penetration,
+          .creepage = result.creepage.value_or(0.0)};
+}
+
+TEST(SolveKept, ComesBackToTheSameState) {
+  for (const double friction : {0.0, 0.3}) {
+    const LoadCase load_case{.load = 100.0, .angular_speed = 2.5, .friction = friction};
+    const Result result = solve(cases::paper_sphere(), load_case, kCoarse);
+    const Result again = solve_kept(cases::paper_sphere(), CoatedPlane{}, load_case, kept_of(result), kCoarse);
+    EXPECT_NEAR(again.resisting_torque / result.resisting_torque, 1.0, 1e-9) << friction;
+    EXPECT_EQ(again.contact, result.contact);
+    EXPECT_EQ(again.stick, result.stick);
+  }
+}
+
+TEST(SolveKept, RefusesAStateOfAnotherMesh) {
+  const LoadCase load_case{.load = 100.0, .angular_speed = 2.5};
+  const KeptContact kept = kept_of(solve(cases::paper_sphere(), load_case, kCoarse));
+  const auto refused = [&](auto change, const Options& options = kCoarse) {
+    KeptContact other = kept;
+    change(other);
+    EXPECT_THROW(std::ignore = solve_kept(cases::paper_sphere(), CoatedPlane{}, load_case, other, options),
+                 std::invalid_argument);
+  };
+  refused([](KeptContact& other) { other.phi_nodes = 4; });
+  refused([](KeptContact& other) { other.theta_nodes = 1001; });
+  refused([](KeptContact& other) { other.pressure.pop_back(); });
+  refused([](KeptContact& other) { other.contact.assign(other.contact.size(), 0); });
+  refused([](KeptContact&) {}, Options{});
+}
+
 TEST(Solve, ManyThreadsSolveAtOnce) {
   const auto torque = [] {
     return solve(cases::unlike_layers(), {.load = 50.0, .angular_speed = 2.5}, kCoarse).resisting_torque;

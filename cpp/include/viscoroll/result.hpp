@@ -80,4 +80,16 @@ struct Result : ResultScalars {
   std::vector<Warning> warnings;        ///< what to know before relying on this
 };
 
+/// @brief Who touches, sticks and slips on a window, and under what: of a result, to be kept in others.
+struct KeptContact {
+  int phi_nodes = 0;                   ///< rows of the fields, odd: the middle one is the lowest
+  int theta_nodes = 0;                 ///< columns, likewise
+  std::vector<unsigned char> contact;  ///< 1 where the node is in contact, [phi][theta]
+  std::vector<unsigned char> stick;    ///< 1 where it sticks
+  std::vector<double> pressure;        ///< [Pa]
+  std::vector<double> shear_traction;  ///< [Pa], [2][phi][theta]
+  double penetration = 0.0;            ///< [m], 0 where it is undetermined
+  double creepage = 0.0;               ///< [-], 0 where it is undetermined
+};
+
 }  // namespace viscoroll

@@ -35,6 +35,17 @@ namespace viscoroll {
 [[nodiscard]] Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
                            const Options& options = {});
 
+/// @brief Solve anew with who touches, sticks and slips as it was: nodes neither join nor leave, so that quotients of
+/// small differences are derivatives (theory.md section 18).
+/// @param[in] body,on,load_case as of `solve`, a little different from what the state was solved for
+/// @param[in] state of a result
+/// @param[in] options how to solve, on the mesh of that result
+/// @throws std::invalid_argument for bad input, and a state that is not of that mesh
+/// @throws ConvergenceError where there is no solution near the state
+/// @throws Cancelled where the observer stopped the solve
+[[nodiscard]] Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case,
+                                const KeptContact& state, const Options& options);
+
 /// @brief A body at one speed on one mesh, for many load cases: its spectrum and its influence tables are
 /// computed once. Threads may solve on it at the same time.
 class RollingModel {

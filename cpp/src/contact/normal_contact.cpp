@@ -161,6 +161,20 @@ double largest_violation(const PressedNodes& contact) {
   return std::max(overclosure, opening) / *contact.penetration;
 }
 
+ContactSolution solution_of(PressedNodes contact, int products) {
+  ContactSolution solution;
+  solution.force = VectorField::Zero(contact.pressing.size(), 3);
+  solution.force.col(kDown) = -contact.pressing;
+  solution.residual = largest_violation(contact);
+  solution.gap = std::move(contact.gap);
+  solution.contact = std::move(contact.nodes);
+  solution.penetration = *contact.penetration;
+  solution.iterations = contact.passes;
+  solution.operator_applications = products;
+  solution.converged = contact.converged;
+  return solution;
+}
+
 }  // namespace
 
 ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
@@ -177,17 +191,20 @@ ContactSolution solve_normal_contact(const ContactProblem& problem, const Normal
     contact.pressing = contact.pressing.max(0.0);
     contact.gap = surface.height(contact) - *contact.penetration;
   }
-  ContactSolution solution;
-  solution.force = VectorField::Zero(problem.initial_gap.size(), 3);
-  solution.force.col(kDown) = -contact.pressing;
-  solution.residual = largest_violation(contact);
-  solution.gap = std::move(contact.gap);
-  solution.contact = std::move(contact.nodes);
-  solution.penetration = *contact.penetration;
-  solution.iterations = contact.passes;
-  solution.operator_applications = surface.products();
-  solution.converged = contact.converged;
-  return solution;
+  return solution_of(std::move(contact), surface.products());
+}
+
+ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
+                                 const ContactOptions& options) {
+  SurfaceOfProducts surface(problem);
+  PressedNodes contact{.pressing = guess.pressing,
+                       .nodes = guess.contact,
+                       .penetration = guess.penetration,
+                       .passes = 1,
+                       .converged = true};
+  surface.press(contact, options.tolerance);
+  contact.gap = surface.height(contact) - *contact.penetration;
+  return solution_of(std::move(contact), surface.products());
 }
 
 }  // namespace viscoroll::detail

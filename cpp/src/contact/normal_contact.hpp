@@ -26,4 +26,11 @@ struct NormalContactGuess {
 [[nodiscard]] ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                                    const ContactOptions& options);
 
+/// @brief The forces on given nodes, which stay in contact whatever comes of it: tension, too, and overclosure beside.
+/// @param[in] problem surface, initial gap and normal force; friction is left out
+/// @param[in] guess the nodes, and forces to start from
+/// @param[in] options limits
+[[nodiscard]] ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
+                                               const ContactOptions& options);
+
 }  // namespace viscoroll::detail

@@ -11,7 +11,22 @@ using Eigen::Index;
 
 constexpr double kLeastKept = 0.97;  // of a coarse mesh's contact
 
+/// The traction that a node would have if all of its slip were undone.
+Eigen::Array2d trial_traction(const StickSlipSystem& system, const ContactSolution& state, Index node) {
+  const Eigen::Array2d traction(state.force(node, kForward), state.force(node, kSideways));
+  return traction - system.scales().tangential * state.slip.row(node).transpose();
+}
+
 }  // namespace
+
+TangentialState sticking() { return {.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0}; }
+
+TangentialState slipping(const StickSlipSystem& system, double friction, const ContactSolution& state, Index node) {
+  const Eigen::Array2d trial = trial_traction(system, state, node);
+  const double size = trial.matrix().norm();
+  const double rigidity = friction * std::max(-state.force(node, kDown), 0.0) / size;
+  return {.stick = false, .direction = trial / size, .rigidity = std::min(rigidity, 1.0)};
+}
 
 ContactSets find_sets(const StickSlipSystem& system, double friction, ContactSolution& state) {
   const ConditionScales scales = system.scales();
@@ -28,19 +43,14 @@ ContactSets find_sets(const StickSlipSystem& system, double friction, ContactSol
       violation += traction.square().sum();
       continue;
     }
-    const Eigen::Array2d slip = state.slip.row(node).transpose();
-    const Eigen::Array2d trial = traction - scales.tangential * slip;
-    const double size = trial.matrix().norm();
     const double limit = friction * predicted;
     sets.contact.push_back(node);
-    if (size <= limit) {
-      sets.states.push_back({.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0});
-      violation += (scales.tangential * slip).square().sum();
+    if (trial_traction(system, state, node).matrix().norm() <= limit) {
+      sets.states.push_back(sticking());
+      violation += (scales.tangential * state.slip.row(node)).square().sum();
     } else {
-      const Eigen::Array2d direction = trial / size;
-      const double rigidity = friction * std::max(pressing, 0.0) / size;
-      sets.states.push_back({.stick = false, .direction = direction, .rigidity = std::min(rigidity, 1.0)});
-      violation += (traction - limit * direction).square().sum();
+      sets.states.push_back(slipping(system, friction, state, node));
+      violation += (traction - limit * sets.states.back().direction).square().sum();
     }
   }
   state.residual = std::sqrt(violation) / system.load();

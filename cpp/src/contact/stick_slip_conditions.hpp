@@ -6,6 +6,13 @@
 
 namespace viscoroll::detail {
 
+/// @return what a node does that sticks
+[[nodiscard]] TangentialState sticking();
+
+/// @return what a node does that slips, whose direction is that of its traction less what its slip is worth
+[[nodiscard]] TangentialState slipping(const StickSlipSystem& system, double friction, const ContactSolution& state,
+                                       Eigen::Index node);
+
 /// @brief Who touches, sticks and slips after a state with its gaps and slips; its residual is noted.
 /// @param[in] system whose state it is
 /// @param[in] friction coefficient

@@ -58,6 +58,18 @@ Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& loa
   return with_warnings(detail::solve_load_case(model, load_case, options, watch), options, true);
 }
 
+Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const KeptContact& state,
+                  const Options& options) {
+  const detail::RollingPair pair = detail::rolling_pair(body, on);
+  validate(load_case, pair.body);
+  validate(options);
+  if (!options.mesh) detail::reject("mesh", "that of the state", "none");
+  detail::Watch watch(options.observer);
+  const detail::MeshModel model =
+      detail::make_model(pair, load_case.angular_speed, *options.mesh, options.curvature, {options.threads, watch});
+  return with_warnings(detail::solve_kept_case(model, load_case, options, watch, state), options, true);
+}
+
 struct RollingModel::Impl {
   detail::MeshModel model;
 };

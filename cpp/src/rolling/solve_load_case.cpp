@@ -2,11 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "contact/kept_contact.hpp"
 #include "rolling/refusals.hpp"
 #include "rolling/result.hpp"
+#include "validate.hpp"
 
 namespace viscoroll::detail {
+namespace {
+
+/// Of as many rows and columns, around the lowest node.
+Window window_of(const KeptContact& state, const Window& widest) {
+  const auto range = [](const std::string& name, int nodes, const NodeRange& most) {
+    const int to_edge = nodes / 2;
+    if (nodes % 2 == 1 && nodes > 0 && to_edge <= most.last) return NodeRange{-to_edge, to_edge};
+    reject("state." + name, "an odd number up to the " + std::to_string(2 * most.last + 1) + " of the mesh",
+           std::to_string(nodes));
+  };
+  return {range("phi_nodes", state.phi_nodes, widest.phi), range("theta_nodes", state.theta_nodes, widest.theta)};
+}
+
+std::vector<Eigen::Index> marked(const std::vector<unsigned char>& mask) {
+  std::vector<Eigen::Index> nodes;
+  for (std::size_t node = 0; node < mask.size(); ++node) {
+    if (mask[node] != 0) nodes.push_back(static_cast<Eigen::Index>(node));
+  }
+  return nodes;
+}
+
+ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, double centrifugal) {
+  const Eigen::Index size = nodes.shape().size();
+  const auto count = static_cast<std::size_t>(size);
+  if (state.contact.size() != count || state.stick.size() != count || state.pressure.size() != count ||
+      state.shear_traction.size() != 2 * count) {
+    reject("state", "fields of " + std::to_string(count) + " nodes", "others");
+  }
+  ContactSolution start;
+  start.contact = marked(state.contact);
+  if (start.contact.empty()) reject("state.contact", "at least one node", "none");
+  start.stick = marked(state.stick);
+  const Eigen::ArrayXd area = nodes.patch_area();
+  const Eigen::Map<const Eigen::ArrayXd> pressure(state.pressure.data(), size);
+  const Eigen::Map<const Eigen::ArrayX2d> shear(state.shear_traction.data(), size, 2);
+  start.force = VectorField::Zero(size, 3);
+  start.force.col(kDown) = -pressure * area;
+  start.force.col(kForward) = shear.col(0) * area;
+  start.force.col(kSideways) = shear.col(1) * area;
+  start.penetration = state.penetration + centrifugal;
+  start.creepage = state.creepage;
+  return start;
+}
+
+}  // namespace
 
 ContactReach contact_reach(const Result& result) {
   ContactReach reach{.along = 0.0, .across = 0.0};
@@ -25,6 +76,18 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
   const Assembly assembly = assemble(model, load_case, options, watch);
   require_lasting_stiffness(assembly);
   return make_result(assembly, find_window(assembly, seen));
+}
+
+Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
+                       const KeptContact& state) {
+  require_formulation(model, options);
+  const Assembly assembly = assemble(model, load_case, options, watch);
+  const SurfaceWindow nodes(assembly.nodes.grid, window_of(state, assembly.nodes.widest));
+  const ContactProblem problem = assembly.problem(nodes);
+  ContactSolution contact = solve_kept_contact(problem, start_of(state, nodes, model.centrifugal), assembly.limits);
+  find_displacements(*problem.surface, contact);
+  const Losses losses = problem.surface->dissipation(contact.force);
+  return make_result(assembly, {.nodes = nodes, .problem = problem, .contact = std::move(contact), .losses = losses});
 }
 
 }  // namespace viscoroll::detail

@@ -27,4 +27,10 @@ namespace viscoroll::detail {
 [[nodiscard]] Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const std::optional<ContactReach>& seen = std::nullopt);
 
+/// @brief The same with who touches, sticks and slips kept as in a state on that mesh.
+/// @throws std::invalid_argument for a state that is not of that mesh
+/// @throws ConvergenceError where there is no solution near the state
+[[nodiscard]] Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
+                                     Watch& watch, const KeptContact& state);
+
 }  // namespace viscoroll::detail
