@@ -73,7 +73,7 @@ from .rheology import (
     save_material,
     superpose,
 )
-from .rolling import Result, RollingModel, solve
+from .rolling import ModulusSensitivity, Result, RollingModel, Sensitivity, solve
 from .solution import LossSpectrum, Refinement, loss_spectrum
 from .studies import Fit, Parameter, fit_friction_law, fit_power_law, fit_thickness_law, sweep
 from .studies.rolling_resistance import RollingResistance
@@ -107,6 +107,7 @@ __all__ = [
     "MasingNetwork",
     "MasterCurve",
     "Mesh",
+    "ModulusSensitivity",
     "Parameter",
     "PatchLoad",
     "Prony",
@@ -117,6 +118,7 @@ __all__ = [
     "RollingModel",
     "RollingResistance",
     "RollingState",
+    "Sensitivity",
     "ShearModulus",
     "ShiftFactors",
     "Sides",

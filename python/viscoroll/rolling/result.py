@@ -11,6 +11,7 @@ from ..solution import Solution, interior_fields, text
 from ..solution import loss as losses
 from ..solution.files import FORMATS
 from ..solution.loss_spectrum import extrapolated_loss as _extrapolated_loss
+from . import sensitivity as sensitivities
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,6 +30,7 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
     interior = interior_fields.interior
     bonds = interior_fields.bonds
     loss = losses.loss
+    sensitivity = sensitivities.sensitivity
 
     def save(self, path: str | Path) -> None:
         """Write the fields to a file, in the format of its suffix.

@@ -1,0 +1,293 @@
+"""What each number that was put in does to a result: derivatives, with who touches and who sticks as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import _core
+from .._support.arguments import Floats, as_int
+from .._support.extras import extra
+from .._support.files import save, write_csv, write_netcdf
+from .._support.progress import ProgressLike, counted
+from .._support.text import shown
+from ..bodies import core_counterpart
+from ..solution import Solution
+from .perturbed import Bands, Change, Given, Part, Place, bands_of, change_of_modulus, numbers_of, places_of
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["ModulusSensitivity", "Sensitivity", "sensitivity"]
+
+#: Of a parameter, in a difference quotient: what is left out is its square, and round-off of solutions 1e-6 of it.
+_STEP = 1e-4
+
+#: Numbers of a result that are asked for unless told otherwise.
+_ANSWERS = ("resisting_torque", "penetration", "max_pressure")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ModulusSensitivity:
+    """What the modulus of a material does, by frequency.
+
+    Attributes
+    ----------
+    name : str
+        Whose: ``"layers[0].shear_modulus"``, of a counterpart ``"on.layers[0].shear_modulus"``.
+    frequency : ndarray, shape (bands,)
+        Middles of bands that overlap, and add up to 1 at every frequency [rad/s]. The lowest holds all that is below,
+        rest among it, the highest all that is above.
+    storage, loss : ndarray, shape (answers, bands)
+        Relative change of each answer by that of G' or G'' around a frequency [-].
+    """
+
+    name: str
+    frequency: Floats
+    storage: Floats
+    loss: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Sensitivity:
+    """Relative changes of answers by those of what was put in: -0.8 is 0.8 % less for 1 % more.
+
+    Attributes
+    ----------
+    answers : tuple of str
+        Scalars of the result.
+    parameters : tuple of str
+        What was changed, by its name in the input.
+    values : ndarray, shape (parameters, answers)
+        d ln(answer) / d ln(parameter) [-].
+    moduli : tuple of ModulusSensitivity
+        The same by moduli and frequencies.
+    """
+
+    answers: tuple[str, ...]
+    parameters: tuple[str, ...]
+    values: Floats
+    moduli: tuple[ModulusSensitivity, ...]
+
+    def __getitem__(self, parameter: str) -> dict[str, float]:
+        """Return what one parameter does to all answers; of a modulus as a whole, at all frequencies alike."""
+        return dict(zip(self.answers, map(float, self._rows()[parameter]), strict=True))
+
+    def _rows(self) -> dict[str, Floats]:
+        rows = dict(zip(self.parameters, self.values, strict=True))
+        for modulus in self.moduli:
+            rows[modulus.name] = modulus.storage.sum(axis=1) + modulus.loss.sum(axis=1)
+        return rows
+
+    def __repr__(self) -> str:
+        """Return a table of what does most first."""
+        rows = sorted(self._rows().items(), key=lambda row: -abs(row[1][0]))
+        width = max(len(name) for name, _ in rows)
+        head = " " * width + "".join(f"  {answer}" for answer in self.answers)
+        widths = [len(answer) for answer in self.answers]
+        lines = (
+            f"{name:<{width}}" + "".join(f"  {value:+{wide}.3f}" for wide, value in zip(widths, row, strict=True))
+            for name, row in rows
+        )
+        return "\n".join(["relative change of the column by that of the row", head, *lines])
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return all of it over parameter and answer; moduli over material, frequency [rad/s] and answer."""
+        with extra("studies"):
+            import xarray
+
+        coordinates: dict[str, Any] = {"answer": list(self.answers), "parameter": list(self.parameters)}
+        data: dict[str, Any] = {"sensitivity": (("parameter", "answer"), self.values)}
+        for i, modulus in enumerate(self.moduli):
+            along = f"frequency_{i}"
+            coordinates[along] = (along, modulus.frequency, {"units": "rad/s", "long_name": modulus.name})
+            for kind, values in (("storage", modulus.storage), ("loss", modulus.loss)):
+                name = f"{kind} of {modulus.name}"
+                data[f"{kind}_{i}"] = ((along, "answer"), values.T, {"units": "1", "long_name": name})
+        return xarray.Dataset(data, coordinates)
+
+    def save(self, path: str | Path) -> None:
+        """Write a file: .csv with a row for each parameter and band, or .nc as of `to_xarray`.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        """
+        save(self, path, _FORMATS)
+
+    def plot(self, ax: Axes | None = None, *, answer: str | None = None) -> Figure | Axes:
+        """Draw what moduli do to an answer over frequency.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where; else in a figure of its own.
+        answer : str, optional
+            Which one, by default the first.
+        """
+        from .sensitivity_picture import plot_sensitivity
+
+        return plot_sensitivity(self, ax, answer=self.answers[0] if answer is None else answer)
+
+
+def sensitivity(
+    self: Solution,
+    *,
+    answers: Sequence[str] | None = None,
+    bands_per_decade: int = 1,
+    threads: int = 0,
+    progress: ProgressLike = None,
+) -> Sensitivity:
+    """Find what each parameter does to torque, penetration and pressure.
+
+    Who touches, sticks and slips is kept, and what is left has smooth equations, a solve of which takes a fraction of
+    the first one's time: derivatives are those of the whole problem on this mesh, of which joining nodes change the
+    second ones alone (`docs/theory.md`, section 18). By lengths, on which nodes depend, they are as coarse as it is.
+
+    Parameters
+    ----------
+    answers : sequence of str, optional
+        Scalars of the result; by default resisting torque, largest pressure and, where it is determined, penetration.
+    bands_per_decade : int, default 1
+        Of frequencies, by which moduli are changed.
+    threads : int, default 0
+        Number of threads; 0 for all cores.
+    progress : bool or callable, optional
+        True shows a bar; or called as progress(stage, fraction).
+
+    Returns
+    -------
+    Sensitivity
+        Of load, angular_speed, friction if there is any, and thickness, Poisson's ratio or bulk modulus, density and
+        modulus of all materials.
+
+    Raises
+    ------
+    ValueError
+        For an answer that is no scalar, or none of this result.
+    ConvergenceError
+        Where the contact is not that of a solution: after `Status.MAX_ITERATIONS`.
+
+    Examples
+    --------
+    >>> from viscoroll import Mesh, paper, solve
+    >>> r = solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=Mesh(nodes_per_revolution=500))
+    >>> print(f"{r.sensitivity()['angular_speed']['resisting_torque']:.2f}")
+    -0.85
+    """
+    answers = _answers(self, answers)
+    per_decade = as_int("bands_per_decade", bands_per_decade)
+    if per_decade < 1:
+        raise ValueError(f"bands_per_decade must be >= 1, got {per_decade}")
+    given = Given(self.ball, self.on, self.load, self.angular_speed, self.friction)
+    quotients = _Quotients(self, answers, threads)
+    numbers = list(numbers_of(given))
+    moduli = [(place, bands_of(place.rolling_speed(self), self.mesh, per_decade)) for place in places_of(given)]
+    total = len(numbers) + sum(2 * bands.middles.size for _, bands in moduli)
+    with counted(progress, total=total, unit="parameter") as one_more:
+
+        def each(change: Change, *, downwards: bool = False) -> Floats:
+            found = quotients(change, downwards=downwards)
+            one_more()
+            return found
+
+        def by_band(place: Place, bands: Bands, part: Part) -> Floats:
+            changes = (change_of_modulus(given, place, bands, band, part) for band in range(bands.middles.size))
+            return np.array([each(change) for change in changes]).T
+
+        values = [each(number.change, downwards=number.downwards) for number in numbers]
+        found = tuple(
+            ModulusSensitivity(
+                name=f"{place.name}.shear_modulus",
+                frequency=bands.middles,
+                storage=by_band(place, bands, "storage"),
+                loss=by_band(place, bands, "loss"),
+            )
+            for place, bands in moduli
+        )
+    return Sensitivity(
+        answers=answers,
+        parameters=tuple(number.name for number in numbers),
+        values=np.array(values),
+        moduli=found,
+    )
+
+
+def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
+    """Return the names of numbers of a result; refuse what is none."""
+    scalars = result.scalars()
+    if wanted is None:
+        return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
+    for answer in wanted:
+        if not isinstance(scalars.get(answer), float):
+            raise ValueError(f"answers must be scalars that this result has, got {shown(answer)}")
+    return tuple(wanted)
+
+
+class _Quotients:
+    """Difference quotients of solutions with the same nodes in contact."""
+
+    def __init__(self, result: Solution, answers: tuple[str, ...], threads: int) -> None:
+        self._result, self._answers, self._threads = result, answers, threads
+        self._here = np.array([getattr(result, answer) for answer in answers])
+
+    def __call__(self, change: Change, *, downwards: bool) -> Floats:
+        """Return relative changes of the answers by a parameter that is changed to both sides, or downwards alone."""
+        below = self._answers_of(change(-_STEP))
+        if downwards:
+            quotient = (3.0 * self._here - 4.0 * below + self._answers_of(change(-2.0 * _STEP))) / (2.0 * _STEP)
+        else:
+            quotient = (self._answers_of(change(_STEP)) - below) / (2.0 * _STEP)
+        relative: Floats = np.divide(quotient, self._here, out=np.zeros_like(quotient), where=self._here != 0.0)
+        return relative
+
+    def _answers_of(self, given: Given) -> Floats:
+        result = self._result
+        solution = _core.solve_kept(
+            given.ball._to_core(),
+            core_counterpart(given.on),
+            load=given.load,
+            angular_speed=given.angular_speed,
+            mesh=result.mesh._to_core(),
+            friction=given.friction,
+            drive=result.drive._to_core(),
+            compliance=result.compliance,
+            curvature=result.curvature,
+            patch_load=result.patch_load,
+            contact=result.contact.astype(np.uint8),
+            stick=result.stick.astype(np.uint8),
+            pressure=np.ascontiguousarray(result.pressure),
+            shear_traction=np.ascontiguousarray(result.shear_traction),
+            penetration=result.penetration or 0.0,
+            creepage=result.creepage or 0.0,
+            threads=self._threads,
+            progress=None,
+        )
+        return np.array([getattr(solution, answer) for answer in self._answers])
+
+
+def _write_csv(found: Sensitivity, path: Path) -> None:
+    rows = [(name, "", row) for name, row in zip(found.parameters, found.values, strict=True)]
+    for modulus in found.moduli:
+        for part, values in (("storage", modulus.storage), ("loss", modulus.loss)):
+            rows += [(f"{modulus.name} {part}", w, row) for w, row in zip(modulus.frequency, values.T, strict=True)]
+    columns: dict[str, Sequence[Any]] = {
+        "parameter": [name for name, _, _ in rows],
+        "frequency [rad/s]": [frequency for _, frequency, _ in rows],
+    }
+    columns |= {answer: [row[i] for _, _, row in rows] for i, answer in enumerate(found.answers)}
+    write_csv(columns, path)
+
+
+def _write_netcdf(found: Sensitivity, path: Path) -> None:
+    write_netcdf(found.to_xarray(), path)
+
+
+_FORMATS = {".csv": _write_csv, ".nc": _write_netcdf}

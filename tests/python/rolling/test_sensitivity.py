@@ -1,0 +1,143 @@
+"""Derivatives of results by what was put in: against whole solves, scaling laws, and a whole modulus."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import viscoroll as vr
+
+RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.05)
+STIFF = vr.Prony(instantaneous_modulus=2e7, weights=[0.3, 0.2], relaxation_times=[0.02, 0.4])
+SOFT = vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)
+HARD = vr.Layer(thickness=0.5e-3, shear_modulus=STIFF, poisson_ratio=0.45)
+BALL = vr.CoatedSphere(core_radius=20e-3, layers=[SOFT])
+MESH = vr.Mesh(nodes_per_revolution=400)
+LINE = vr.Mesh(nodes_per_revolution=2000)
+WHEEL = vr.CoatedWheel(core_radius=20e-3, layers=[SOFT], width=3e-3, sides=vr.Sides.FREE)
+
+CASES = {
+    "ball": (BALL, {"load": 50.0}),
+    "two layers": (replace(BALL, layers=[HARD, SOFT]), {"load": 50.0}),
+    "vertical": (BALL, {"load": 50.0, "compliance": vr.Compliance.VERTICAL}),
+    "exact": (BALL, {"load": 50.0, "curvature": vr.Curvature.EXACT}),
+    "friction": (BALL, {"load": 50.0, "friction": 0.3}),
+    "creepage": (BALL, {"load": 50.0, "friction": 0.3, "drive": vr.Drive(creepage=2e-3, lateral_creepage=1e-3)}),
+    "full stick": (BALL, {"load": 50.0, "friction": math.inf}),
+    "roller": (vr.CoatedCylinder(core_radius=20e-3, layers=[HARD, SOFT]), {"load": 2e3, "mesh": LINE}),
+    "roller with friction": (
+        vr.CoatedCylinder(core_radius=20e-3, layers=[SOFT]),
+        {"load": 2e3, "mesh": LINE, "friction": 0.5, "drive": vr.Drive(torque=2.0)},
+    ),
+    "ball on a mat": (vr.CoatedSphere(core_radius=20e-3), {"load": 50.0, "on": vr.CoatedPlane(layers=[HARD])}),
+    "two balls": (BALL, {"load": 50.0, "on": vr.CoatedSphere(core_radius=30e-3, layers=[HARD])}),
+    "wheel": (WHEEL, {"load": 50.0, "mesh": vr.Mesh(nodes_per_revolution=400)}),
+}
+
+#: So little that hardly any node joins.
+STEP = 1e-5
+
+
+@pytest.fixture(scope="module", params=CASES)
+def solved(request):
+    ball, given = CASES[request.param]
+    given = {"angular_speed": 5.0, "mesh": MESH} | given
+    result = vr.solve(ball, **given)
+    return ball, given, result, result.sensitivity()
+
+
+def whole(result, ball, given, change):
+    """Return central difference quotients of whole solves."""
+    answers = ("resisting_torque", "penetration", "max_pressure")
+    more, less = (vr.solve(b, **g) for b, g in (change(ball, given, STEP), change(ball, given, -STEP)))
+    return np.array([(getattr(more, a) - getattr(less, a)) / (2.0 * STEP * getattr(result, a)) for a in answers])
+
+
+def more_load(ball, given, share):
+    return ball, given | {"load": given["load"] * (1.0 + share)}
+
+
+def more_speed(ball, given, share):
+    return ball, given | {"angular_speed": given["angular_speed"] * (1.0 + share)}
+
+
+def thicker(ball, given, share):
+    body = ball if ball.layers else given["on"]
+    layers = [*body.layers[:-1], replace(body.layers[-1], thickness=body.layers[-1].thickness * (1.0 + share))]
+    changed = replace(body, layers=layers)
+    return (changed, given) if ball.layers else (ball, given | {"on": changed})
+
+
+@pytest.mark.parametrize("change", [more_load, more_speed, thicker])
+def test_derivatives_are_those_of_whole_solves(solved, change):
+    ball, given, result, found = solved
+    body, prefix = (ball, "") if ball.layers else (given["on"], "on.")
+    name = {
+        more_load: "load",
+        more_speed: "angular_speed",
+        thicker: f"{prefix}layers[{len(body.layers) - 1}].thickness",
+    }[change]
+    np.testing.assert_allclose(list(found[name].values()), whole(result, ball, given, change), atol=1e-3)
+
+
+def test_forces_and_moduli_have_one_unit(solved):
+    """Torque and pressure are of the first degree in load and all moduli together, the penetration of degree 0."""
+    _, given, _, found = solved
+    if given.get("drive") and given["drive"].torque:
+        pytest.skip("the torque that drives it is a load, too, and no parameter")
+    total = np.array(list(found["load"].values()))
+    for modulus in found.moduli:
+        total += np.array(list(found[modulus.name].values()))
+    np.testing.assert_allclose(total, [1.0, 0.0, 1.0], atol=2e-5)
+
+
+def test_a_whole_modulus_is_the_sum_of_its_bands():
+    def torque(share):
+        modulus = replace(RUBBER, instantaneous_modulus=6e6 * (1.0 + share), relaxed_modulus=3e6 * (1.0 + share))
+        ball = replace(BALL, layers=[replace(SOFT, shear_modulus=modulus)])
+        return vr.solve(ball, load=50.0, angular_speed=5.0, mesh=MESH).resisting_torque
+
+    result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
+    coarse, fine = result.sensitivity(), result.sensitivity(bands_per_decade=3)
+    expected = (torque(STEP) - torque(-STEP)) / (2.0 * STEP * torque(0.0))
+    for found in (coarse, fine):
+        assert found["layers[0].shear_modulus"]["resisting_torque"] == pytest.approx(expected, abs=1e-3)
+    assert fine.moduli[0].loss[0].sum() == pytest.approx(coarse.moduli[0].loss[0].sum(), abs=1e-4)
+
+
+def test_a_small_loss_pays_for_the_torque():
+    """Where little is lost the torque is in proportion to it, at whatever frequencies."""
+    modulus = replace(RUBBER, instantaneous_modulus=3.003e6)
+    ball = replace(BALL, layers=[replace(SOFT, shear_modulus=modulus)])
+    found = vr.solve(ball, load=50.0, angular_speed=5.0, mesh=MESH).sensitivity()
+    assert found.moduli[0].loss[0].sum() == pytest.approx(1.0, abs=2e-3)
+
+
+def test_what_it_tells(tmp_path):
+    result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
+    calls = []
+    found = result.sensitivity(answers=["dissipated_power"], progress=lambda stage, share: calls.append((stage, share)))
+    assert calls[-1] == ("parameters", 1.0)
+    assert repr(found).splitlines()[1].split() == ["dissipated_power"]
+    assert repr(found).splitlines()[2].startswith("layers[0].poisson_ratio")
+    found.save(tmp_path / "s.csv")
+    rows = (tmp_path / "s.csv").read_text().splitlines()
+    assert rows[0] == "parameter,frequency [rad/s],dissipated_power"
+    assert len(rows) == 1 + len(found.parameters) + 2 * found.moduli[0].frequency.size
+    found.save(tmp_path / "s.nc")
+    dataset = found.to_xarray()
+    assert dataset["loss_0"].sizes == {"frequency_0": found.moduli[0].frequency.size, "answer": 1}
+    picture = found.plot()
+    assert picture.axes[0].get_xlabel() == "frequency [rad/s]"
+
+
+def test_bad_questions():
+    result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
+    with pytest.raises(ValueError, match="answers must be scalars that this result has, got 'status'"):
+        result.sensitivity(answers=["status"])
+    with pytest.raises(ValueError, match="bands_per_decade must be >= 1, got 0"):
+        result.sensitivity(bands_per_decade=0)
+    with pytest.raises(ValueError, match="answer must be one of resisting_torque, penetration, max_pressure"):
+        result.sensitivity().plot(answer="load")
