@@ -38,6 +38,13 @@ def test_sticking_share(judge):
     )
 
 
+def test_largest_pressure(judge):
+    # Traction presses the middle by 0.7 % more where all sticks.
+    model = source.on_half_plane(scale=FLAT)
+    found = {case: source.roll(model, case, slip_kinematics="flat").max_pressure for case in source.CASES}
+    judge({f"largest pressure [MPa], flat half-plane: {case}": 1e-6 * FLAT**0.5 * p for case, p in found.items()})
+
+
 def test_half_plane_at_the_printed_size(judge):
     judge(creepages(source.on_half_plane(), "half-plane, printed size"))
 

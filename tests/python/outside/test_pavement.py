@@ -26,6 +26,7 @@ def test_disc_at_rest(judge):
 
 
 def test_moving_disc(judge):
+    # 75 000 waves of a modulus that Python evaluates: some seconds.
     found = zip(PLACES, source.moving(PLACES), strict=True)
     judge({f"deflection [mm], moving disc {name_of(place)}": 1e3 * deflection for place, deflection in found})
 
