@@ -12,7 +12,7 @@ DOCS = Path(__file__).parent
 ROOT = DOCS.parent
 sys.path.insert(0, str(DOCS))
 
-from tables import benchmark_table, scalar_table, validation_table  # noqa: E402  (beside this file)
+from tables import benchmark_table, outside_tables, scalar_table, validation_table  # noqa: E402  (beside this file)
 
 project = "viscoroll"
 author = "The viscoroll developers"
@@ -100,5 +100,6 @@ for name, text in {
     "validation": validation_table(DOCS / "validation.toml"),
     "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
     "scalars": scalar_table(),
+    **{f"outside_{benchmark}": text for benchmark, text in outside_tables(DOCS / "judged-from-outside.toml").items()},
 }.items():
     (_generated / f"{name}.md").write_text(text, encoding="utf-8")

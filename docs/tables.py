@@ -28,6 +28,24 @@ def validation_table(path: Path) -> str:
     )
 
 
+def outside_tables(path: Path) -> dict[str, str]:
+    """Return a table for each benchmark of others: their number, ours, the difference, and the test that holds both."""
+
+    def difference(row: dict[str, str]) -> str:
+        return f"{100.0 * (float(row['ours']) / float(row['theirs']) - 1.0):+.2f} %"
+
+    return {
+        name: table(
+            ("what", "theirs", "ours", "difference", "test"),
+            [
+                (row["what"], row["theirs"], row["ours"], difference(row), f"`{row['test']}`")
+                for row in benchmark["row"]
+            ],
+        )
+        for name, benchmark in tomllib.loads(path.read_text(encoding="utf-8")).items()
+    }
+
+
 def benchmark_table(path: Path) -> str:
     """Return the latest run of every benchmark."""
     with path.open(encoding="utf-8", newline="") as file:

@@ -395,6 +395,7 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     )
 
 
-def example_text(name: Literal["case", "sweep", "motion"] = "case") -> str:
-    """Return the commented example of a case file, of a motion, or of the table that makes a study of a case."""
-    return resources.files("viscoroll").joinpath(f"examples/{name}.toml").read_text(encoding="utf-8")
+def example_text(name: Literal["case", "sweep", "motion", "measured"] = "case") -> str:
+    """Return the example of a case file, a motion, the table that makes a study of a case, or of measurements."""
+    file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
+    return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

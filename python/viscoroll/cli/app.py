@@ -16,7 +16,7 @@ from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __
 from .._support.cautions import ResultWarning
 from .._support.extras import extra
 from .._support.tables import handy
-from ..case import example_text, load_case
+from ..case import Case, example_text, load_case
 from ..interior.temperature import QUANTITIES
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
@@ -227,8 +227,16 @@ def plot(
 def example(
     with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
     motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
+    measured: Annotated[
+        bool, typer.Option("--measured", help="Print measurements for `viscoroll compare` instead, invented ones.")
+    ] = False,
 ) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
+    if measured:
+        if with_sweep or motion:
+            raise ValueError("--sweep and --motion must be left out with --measured: it is a file of its own")
+        typer.echo(example_text("measured"), nl=False)
+        return
     if motion:
         if with_sweep:
             raise ValueError("--sweep must be left out with --motion: studies are of steady rolling")
@@ -280,12 +288,27 @@ def compare(
         "compare.png"
     ),
     points: Annotated[int, typer.Option(help="Number of speeds.", min=2)] = 25,
+    measured: Annotated[
+        Path | None,
+        typer.Option(
+            help="Measurements (.csv: angular_speed or load, a scalar result, its error): draw these beside the "
+            "case, whose friction and compliance count, in place of closed forms."
+        ),
+    ] = None,
 ) -> None:
-    """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has."""
+    """Draw torque against speed: the solver, with the radial compliance, and every closed form that the ball has.
+
+    Or any result as it was measured, with both bands.
+    """
     from ..case.compare import compare_torques, parse_speeds
 
     check_target("--output", output, PICTURES)
     loaded = load_case(case)
+    if measured is not None:
+        if speeds is not None:
+            raise ValueError("--speeds must be left out with --measured: the case is solved where it was measured")
+        _compare_measured(loaded, measured, output)
+        return
     with progress_bar() as report:
         wanted = None if speeds is None else parse_speeds(speeds)
         comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
@@ -295,6 +318,20 @@ def compare(
         write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
     names = ", ".join(comparison.forms) or "no closed form suits this ball"
     write_line(f"torque of the solver beside {names}: {output}, {output.with_suffix('.csv')}")
+
+
+def _compare_measured(case: Case, path: Path, output: Path) -> None:
+    """Draw a case and measurements of it, and say how many agree."""
+    from ..case.measured import compare_measured, read_measurements
+
+    measurements = read_measurements(path)
+    with progress_bar() as report:
+        trial = compare_measured(case, measurements, progress=report)
+    trial.draw().savefig(output, dpi=150)
+    trial.write_csv(output.with_suffix(".csv"))
+    for status in sorted(set(trial.statuses) - {Status.CONVERGED}, key=str):
+        write_message(f"warning: {trial.statuses.count(status)} solves: {_STATUS_TEXT[status]}")
+    write_line(f"{trial.verdict()}: {output}, {output.with_suffix('.csv')}")
 
 
 @app.command()

@@ -1,0 +1,60 @@
+"""Two viscoelastic rollers with traction: G. Wang and K. Knothe, J. Appl. Mech. 60 (1993) 310-317.
+
+PA6 on PA6, as the example `visc_cylindr` of CONTACT (revision d431cdb, user guide, section 5.4) has them: half-planes
+of a standard linear solid, on elements of 0.16 mm, which are 80 across the widest contact.
+"""
+
+from __future__ import annotations
+
+import math
+
+import viscoroll as vr
+
+RADIUS = 0.1  # of each roller [m]
+LOAD = 600e3  # [N/m]
+FRICTION, SHARE = 0.3, 0.6  # traction per friction times load
+SPEED = 1.0  # [m/s]
+INSTANTANEOUS, RELAXED, POISSON_RATIO = 1143e6, 571.5e6, 0.4
+ELEMENT = 0.16e-3  # of the source [m]
+
+#: Creep times [s].
+CREEP_TIMES = {
+    "creep time 0 (relaxed throughout)": 0.0,
+    "creep time 9 ms": 9e-3,
+    "creep time 45 ms": 45e-3,
+    "creep time 2 s": 2.0,
+    "endless creep time (as stiff as it gets)": None,
+}
+
+
+def modulus(creep_time: float | None):
+    """Return PA6 by its creep time [s]: 0 is relaxed throughout, None is as stiff as it gets."""
+    if not creep_time:
+        return vr.Elastic(modulus=INSTANTANEOUS if creep_time is None else RELAXED)
+    time = creep_time * RELAXED / INSTANTANEOUS  # stress relaxes sooner than strain creeps
+    return vr.StandardLinearSolid(instantaneous_modulus=INSTANTANEOUS, relaxed_modulus=RELAXED, relaxation_time=time)
+
+
+def roll(creep_time: float | None, *, scale: float = 100.0, finer: float = 1.0) -> tuple[float, float]:
+    """Return creepage [-] and largest pressure [Pa], as at the printed size.
+
+    Radii are `scale` times as large under loads as much smaller: the contact stays as wide, pressure and creepage fall
+    alike, and the bodies are as flat as half-planes. Of the printed size a/R is 0.063.
+    """
+    radius = RADIUS * scale
+    thickness = min(0.98 * radius, 2.0)  # a hundred times and more the contact's width
+    layer = vr.Layer(thickness=thickness, shear_modulus=modulus(creep_time), poisson_ratio=POISSON_RATIO)
+    roller = vr.CoatedCylinder(core_radius=radius - thickness, layers=[layer])
+    mesh = vr.Mesh(nodes_per_revolution=round(2.0 * math.pi * radius / ELEMENT * finer))
+    load = LOAD / scale
+    drive = vr.Drive(force=SHARE * FRICTION * load)
+    r = vr.solve(roller, on=roller, load=load, angular_speed=SPEED / radius, friction=FRICTION, drive=drive, mesh=mesh)
+    return r.creepage * scale, r.max_pressure * scale
+
+
+def carter(shear_modulus: float) -> tuple[float, float]:
+    """Return creepage and largest pressure of elastic rollers, F. W. Carter (1926) and Hertz."""
+    relative = 0.5 * RADIUS
+    half_width = math.sqrt(4.0 * relative * LOAD * (1.0 - POISSON_RATIO) / (math.pi * shear_modulus))
+    creepage = FRICTION * half_width / relative * (1.0 - math.sqrt(1.0 - SHARE))
+    return creepage, 2.0 * LOAD / (math.pi * half_width)
