@@ -1,7 +1,8 @@
 """Steady rolling: solve, and what that returns."""
 
+from .modulus_sensitivity import ModulusSensitivity
 from .result import Result
-from .sensitivity import ModulusSensitivity, Sensitivity
+from .sensitivity import Sensitivity
 from .steady import RollingModel, solve
 
 __all__ = ["ModulusSensitivity", "Result", "RollingModel", "Sensitivity", "solve"]

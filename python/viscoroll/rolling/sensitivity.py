@@ -17,6 +17,7 @@ from .._support.progress import ProgressLike, counted
 from .._support.text import shown
 from ..bodies import core_counterpart
 from ..solution import Solution
+from .modulus_sensitivity import ModulusSensitivity
 from .perturbed import Bands, Change, Given, Part, Place, bands_of, change_of_modulus, numbers_of, places_of
 
 if TYPE_CHECKING:
@@ -24,34 +25,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["ModulusSensitivity", "Sensitivity", "sensitivity"]
+__all__ = ["Sensitivity", "sensitivity"]
 
 #: Of a parameter, in a difference quotient: what is left out is its square, and round-off of solutions 1e-6 of it.
 _STEP = 1e-4
 
 #: Numbers of a result that are asked for unless told otherwise.
 _ANSWERS = ("resisting_torque", "penetration", "max_pressure")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class ModulusSensitivity:
-    """What the modulus of a material does, by frequency.
-
-    Attributes
-    ----------
-    name : str
-        Whose: ``"layers[0].shear_modulus"``, of a counterpart ``"on.layers[0].shear_modulus"``.
-    frequency : ndarray, shape (bands,)
-        Middles of bands that overlap, and add up to 1 at every frequency [rad/s]. The lowest holds all that is below,
-        rest among it, the highest all that is above.
-    storage, loss : ndarray, shape (answers, bands)
-        Relative change of each answer by that of G' or G'' around a frequency [-].
-    """
-
-    name: str
-    frequency: Floats
-    storage: Floats
-    loss: Floats
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -132,9 +112,12 @@ class Sensitivity:
         answer : str, optional
             Which one, by default the first.
         """
-        from .sensitivity_picture import plot_sensitivity
+        from .sensitivity_picture import plot_moduli
 
-        return plot_sensitivity(self, ax, answer=self.answers[0] if answer is None else answer)
+        answer = self.answers[0] if answer is None else answer
+        if answer not in self.answers:
+            raise ValueError(f"answer must be one of {', '.join(self.answers)}, got {shown(answer)}")
+        return plot_moduli(self.moduli, self.answers.index(answer), answer, ax)
 
 
 def sensitivity(

@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from .._support.pictures import Picture, drawn
-from .._support.text import shown
+from .modulus_sensitivity import ModulusSensitivity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .sensitivity import Sensitivity
-
-__all__ = ["plot_sensitivity"]
+__all__ = ["plot_moduli"]
 
 
-def plot_sensitivity(found: Sensitivity, ax: Axes | None, *, answer: str) -> Picture | Axes:
-    """Draw what storage and loss modulus of each material do to an answer, by frequency."""
-    if answer not in found.answers:
-        raise ValueError(f"answer must be one of {', '.join(found.answers)}, got {shown(answer)}")
-    which = found.answers.index(answer)
+def plot_moduli(moduli: Sequence[ModulusSensitivity], which: int, answer: str, ax: Axes | None) -> Picture | Axes:
+    """Draw what storage and loss modulus of each material do to one of the answers, by frequency."""
 
     def draw(axes: Axes) -> None:
-        for i, modulus in enumerate(found.moduli):
-            color = f"C{i}"
+        for i, modulus in enumerate(moduli):
             for values, line, part in ((modulus.storage, "-", "G'"), (modulus.loss, "--", "G''")):
                 label = f"{modulus.name}, {part}"
-                axes.step(modulus.frequency, values[which], line, where="mid", color=color, label=label)
+                axes.step(modulus.frequency, values[which], line, where="mid", color=f"C{i}", label=label)
         axes.axhline(0.0, color="0.6", linewidth=0.8)
         axes.set_xscale("log")
         axes.set_xlabel("frequency [rad/s]")
