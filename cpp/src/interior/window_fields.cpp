@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -123,8 +125,9 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
 class WindowSum {
  public:
   WindowSum(const Inside& inside, const Tractions& tractions, std::span<const Place> places,
-            std::span<const double> phi, std::span<const double> theta)
+            std::span<const double> phi, std::span<const double> theta, std::optional<double> max_order)
       : places_(places),
+        max_order_(max_order.value_or(std::numeric_limits<double>::infinity())),
         cuts_(inside.body, places),
         limit_(inside.body, inside.angular_speed),
         phi_(from_lowest_point("phi", phi, Extent::along(inside.body.metric.along))),
@@ -157,7 +160,7 @@ class WindowSum {
   [[nodiscard]] double highest_order() const {
     double highest = 0.0;
     for (const Place& place : places_) highest = std::max(highest, limit_(place.position, kEnd));
-    return highest;
+    return std::min(highest, max_order_);
   }
 
   [[nodiscard]] std::vector<OrderBand> bands(double spacing, double largest, double rough, const Mesh& mesh) const {
@@ -361,6 +364,7 @@ class WindowSum {
   }
 
   std::span<const Place> places_;
+  double max_order_;
   LayerCuts cuts_;
   DepthLimit limit_;
   std::vector<double> phi_;
@@ -378,8 +382,10 @@ class WindowSum {
 
 InteriorFields interior_fields(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                std::span<const Place> places, std::span<const double> phi,
-                               std::span<const double> theta, int threads, const Observer& observer) {
+                               std::span<const double> theta, std::optional<double> max_order, int threads,
+                               const Observer& observer) {
   const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
+  if (max_order) detail::require_positive("max_order", *max_order, "");
   detail::require_thread_count(threads);
   InteriorFields fields{.places = {places.begin(), places.end()},
                         .phi = {phi.begin(), phi.end()},
@@ -387,7 +393,7 @@ InteriorFields interior_fields(const LayeredShape& shape, double angular_speed, 
                         .values = std::vector<double>(places.size() * kFieldComponents * phi.size() * theta.size())};
   if (fields.values.empty()) return fields;
   detail::Watch watch(observer);
-  detail::WindowSum(inside, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
+  detail::WindowSum(inside, tractions, places, phi, theta, max_order).sum(fields.values.data(), threads, watch);
   return fields;
 }
 
