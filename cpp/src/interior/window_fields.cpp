@@ -229,9 +229,18 @@ class WindowSum {
     const DepthTransfers transfers(body_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
     const RowMajor phase = n_.orders.matrix() * across_.magnitudes.matrix().transpose();
     const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
-    parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
+    const auto count = static_cast<std::size_t>(m_.count_up_to(highest));
+    const std::size_t group = transfers.at_once();
+    parallel_for((count + group - 1) / group, threads, watch, "fields inside",
                  [&](std::size_t i, const Worker& worker) {
-                   add_order(static_cast<Index>(i), first, highest, transfers, waves, sums, worker);
+                   const std::size_t begin = i * group;
+                   const double m = m_.orders[static_cast<Index>(begin)];
+                   const ArrayXd n = n_.orders.head(reach(m, highest));
+                   auto order = static_cast<Index>(begin);
+                   for (const DepthTransfer& transfer : transfers.at(begin, std::min(group, count - begin), n)) {
+                     worker.checkpoint();
+                     add_order(order++, first, transfer, waves, sums, worker);
+                   }
                  });
     return sums;
   }
@@ -242,13 +251,14 @@ class WindowSum {
     RowMajor sines;
   };
 
-  void add_order(Index i, std::size_t first, double highest, const DepthTransfers& transfers, const Waves& waves,
+  [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
+
+  /// How many orders n there are up to k = `limit`.
+  [[nodiscard]] Index reach(double m, double limit) const { return n_.count_up_to(std::sqrt(limit * limit - m * m)); }
+
+  void add_order(Index i, std::size_t first, const DepthTransfer& transfer, const Waves& waves,
                  std::vector<RowMajor>& sums, const Worker& worker) const {
     const double m = m_.orders[i];
-    const auto reach = [&](double limit) { return n_.count_up_to(std::sqrt(limit * limit - m * m)); };
-    const ArrayXd n = n_.orders.head(reach(highest));
-    const DepthTransfer transfer = transfers.at(static_cast<std::size_t>(i), n);
-    worker.checkpoint();
     const auto layers = body_.layers_at(static_cast<std::size_t>(i));
     const auto kinds = mirrors();
     ComponentRows state;
@@ -260,9 +270,9 @@ class WindowSum {
         const Place& place = places_[first + p];
         const double limit = limit_(place.position, kDeepest);
         if (m > limit) continue;
-        const Index count = reach(limit);
+        const Index count = reach(m, limit);
         transfer.state(p, count, loads, state);
-        field_basis(layers.metric, place.position, m, n.head(count), state, basis);
+        field_basis(layers.metric, place.position, m, n_.orders.head(count), state, basis);
         components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position),
                       sum_over_n(basis, kinds[k], waves), fields);
         const auto width = across_.magnitudes.size();
@@ -279,8 +289,16 @@ class WindowSum {
   /// Columns for the magnitudes of theta in place of those for n.
   [[nodiscard]] ComponentRows sum_over_n(const ComponentRows& basis, Mirror mirror, const Waves& waves) const {
     const Index count = basis.cols();
-    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
     ComponentRows sums(kBasisRows, across_.magnitudes.size());
+    if (is_line()) {  // n = 0, theta = 0
+      for (Index row = 0; row < kBasisRows; ++row) {
+        const cplx value = n_.weights[0] * basis(row, 0);
+        const bool odd = is_odd_in_theta(static_cast<Basis>(row)) != (mirror == Mirror::opposite);
+        sums(row, 0) = odd ? 0.0 : is_imaginary(static_cast<Basis>(row)) ? cplx(-value.imag(), value.real()) : value;
+      }
+      return sums;
+    }
+    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
     for (const bool odd : {false, true}) {
       // Of loads opposite to their mirror image the even components run with the sine.
       std::vector<Index> rows;
