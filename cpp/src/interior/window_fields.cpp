@@ -177,7 +177,9 @@ class WindowSum {
     const double largest = largest_offset(phi_, tractions.phi_nodes, spacing, inside.body.metric.along);
     if (!inside.body.metric.is_curved()) {
       // Summed across, too, what lies below an order holds its share of the sum: 1e-6 of an octave, of a hundred.
-      const LowestOrder lowest = inside.body.metric.across == Way::nothing
+      // So it does under a line where the base is held; a half-plane's displacement knows no longest wave.
+      const bool is_endless = !std::isfinite(inside.body.boundaries.front());
+      const LowestOrder lowest = inside.body.metric.across == Way::nothing && is_endless
                                      ? LowestOrder{}
                                      : LowestOrder{.share = 1e-6, .stands_for_longer = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));

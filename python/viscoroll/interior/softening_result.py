@@ -13,7 +13,7 @@ from .._support.files import save, write_csv, write_netcdf
 from .._support.tables import html_table, number_text, unit_text
 from .._support.text import shown
 from ..solution.inside import Of, inside_of
-from .softening_search import SofteningLayer, State
+from .softened_state import SofteningLayer, State
 
 if TYPE_CHECKING:
     import xarray
