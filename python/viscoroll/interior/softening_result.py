@@ -22,10 +22,23 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
 
-__all__ = ["Matching", "StrainSoftening"]
+__all__ = ["Matching", "StrainSoftening", "as_matching"]
 
 #: How the loss of a network is taken: as a network without rate loses, or summed over harmonics.
 Matching: TypeAlias = Literal["network", "harmonic"]
+
+
+def as_matching(name: str, value: object) -> Matching:
+    """Return how a network's loss is taken.
+
+    Raises
+    ------
+    ValueError
+        For another word.
+    """
+    if value not in ("network", "harmonic"):
+        raise ValueError(f"{name} must be 'network' or 'harmonic', got {shown(value)}")
+    return value
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)

@@ -56,8 +56,9 @@ _ROUGHLY: dict[str, Any] = {"depths": 3, "orders": 12.0, "reach": 5.0}
 #: What α may be wrong by.
 _POWER_ERROR = 0.1
 
-#: α before two passes have told it, and of how different moduli they must be to tell.
-_FIRST_POWER, _TELLING = 0.5, 0.02
+#: α before two passes have told it, of how different moduli they must be to tell, and what they may tell: layers that
+#: soften beside others that do not have up to 1, and coarse meshes tell anything.
+_FIRST_POWER, _TELLING, _POWERS = 0.5, 0.02, (0.2, 1.0)
 
 #: Steps to the root of the law, which converge as s α does, and when they end.
 _LAW_STEPS, _LAW_TOLERANCE = 40, 1e-7
@@ -223,7 +224,7 @@ class SofteningSearch:
         stiffer = self._stiffer(last, state.amplitudes, state.scales)
         if (abs(stiffer) > _TELLING).all() and (state.next_amplitudes > 0.0).all():
             larger = np.log(state.next_amplitudes / last.next_amplitudes)
-            self._powers = np.clip(-larger / stiffer, 0.0, 1.0)
+            self._powers = np.clip(-larger / stiffer, *_POWERS)
 
     def _stiffer(self, state: State, amplitudes: Floats, scales: Floats) -> Floats:
         """Return logarithms of how much stiffer layers are at amplitudes and scales than in a state."""

@@ -9,13 +9,12 @@ from .._support.arguments import as_float, as_int, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from .._support.text import shown
 from ..bodies import Counterpart, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials import SofteningModulus
 from ..rolling import solve
 from .softened_state import SofteningLayer, State
-from .softening_result import Matching, StrainSoftening
+from .softening_result import Matching, StrainSoftening, as_matching
 from .softening_search import SofteningSearch, softening_layers
 
 if TYPE_CHECKING:
@@ -106,8 +105,7 @@ def strain_softening(
     """
     require_type("ball", ball, RollingBody)
     require_type("on", on, Counterpart, optional=True)
-    if loss not in ("network", "harmonic"):
-        raise ValueError(f"loss must be 'network' or 'harmonic', got {shown(loss)}")
+    as_matching("loss", loss)
     parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
     if not 1 <= parts <= 20:
         raise ValueError(f"sublayers must be in [1, 20], got {parts}")
