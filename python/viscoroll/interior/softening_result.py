@@ -22,7 +22,13 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
 
-__all__ = ["Matching", "StrainSoftening", "as_matching"]
+__all__ = ["BOUNDS", "Matching", "StrainSoftening", "as_matching"]
+
+#: Both torques of filled rubber in files and studies, as `StrainSoftening.torque_bounds` has them: name and what it is.
+BOUNDS = {
+    "harmonic_torque": "resisting torque, the network's loss summed over harmonics",
+    "network_torque": "resisting torque, the network's loss that of a network without rate",
+}
 
 #: How the loss of a network is taken: as a network without rate loses, or summed over harmonics.
 Matching: TypeAlias = Literal["network", "harmonic"]
@@ -89,6 +95,11 @@ class StrainSoftening:
     _layers: tuple[SofteningLayer, ...]
     _state: State | None
 
+    @property
+    def bounds(self) -> dict[str, float]:
+        """Both torques by their names in files and studies, see `BOUNDS`."""
+        return dict(zip(BOUNDS, self.torque_bounds, strict=True))
+
     def amplitude(self, *, of: Of | None = None) -> xarray.Dataset:
         """Return the amplitude of strain over the section.
 
@@ -137,8 +148,7 @@ class StrainSoftening:
         torque = self.result.unit("resisting_torque")
         rows = [
             ("resisting_torque", self.result.resisting_torque, torque),
-            ("harmonic_torque", self.torque_bounds[0], torque),
-            ("network_torque", self.torque_bounds[1], torque),
+            *((name, value, torque) for name, value in self.bounds.items()),
             ("network_share", self.network_share, "1"),
         ]
         for j, (storage, loss) in enumerate(self.layer_moduli):
