@@ -91,6 +91,7 @@ std::vector<std::shared_ptr<const DepthSeries>> DepthSeries::under_line(Orders o
                                                                         const std::vector<Entry>& entries) {
   const Values values = solved(orders, boundaries, entries);
   std::vector<std::shared_ptr<const DepthSeries>> series;
+  series.reserve(orders.size());
   for (std::size_t i = 0; i < orders.size(); ++i) {
     series.emplace_back(new DepthSeries(orders[i].m, values.col(static_cast<Index>(i)), entries));
   }
