@@ -93,7 +93,8 @@ py::array_t<cplx> order_fields_array(const LayeredShape& shape, const InputArray
 py::array_t<double> interior_fields_array(const LayeredShape& shape, const Tractions& tractions,
                                           const InputArray<double>& position, const InputArray<int>& layer,
                                           const InputArray<double>& phi, const InputArray<double>& theta,
-                                          double angular_speed, int threads, const py::object& progress) {
+                                          double angular_speed, std::optional<double> max_order, int threads,
+                                          const py::object& progress) {
   const auto places = places_from(position, layer);
   const auto rows = view(phi);
   const auto columns = view(theta);
@@ -101,7 +102,7 @@ py::array_t<double> interior_fields_array(const LayeredShape& shape, const Tract
   {
     const Observer observer = python_observer(progress);
     const py::gil_scoped_release release;
-    fields = interior_fields(shape, angular_speed, tractions, places, rows, columns, threads, observer);
+    fields = interior_fields(shape, angular_speed, tractions, places, rows, columns, max_order, threads, observer);
   }
   return to_array(fields.values,
                   {position.size(), static_cast<py::ssize_t>(kFieldComponents), phi.size(), theta.size()});
@@ -151,7 +152,8 @@ void bind_interior(py::module_& m) {
         py::arg("radius"), py::arg("curvature"));
   m.def("interior_fields", &interior_fields_array, py::arg("shape"), py::arg("tractions"), py::kw_only(),
         py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("phi").noconvert(),
-        py::arg("theta").noconvert(), py::arg("angular_speed"), py::arg("threads"), py::arg("progress").none(true));
+        py::arg("theta").noconvert(), py::arg("angular_speed"), py::arg("max_order").none(true), py::arg("threads"),
+        py::arg("progress").none(true));
   m.def("loss_density", &loss_released, py::arg("shape"), py::arg("tractions"), py::kw_only(),
         py::arg("position").noconvert(), py::arg("layer").noconvert(), py::arg("angular_speed"), py::arg("max_order"),
         py::arg("threads"), py::arg("progress").none(true));

@@ -702,6 +702,7 @@ def interior_fields(
     phi: numpy.typing.NDArray[numpy.float64],
     theta: numpy.typing.NDArray[numpy.float64],
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
+    max_order: typing.SupportsFloat | typing.SupportsIndex | None,
     threads: typing.SupportsInt | typing.SupportsIndex,
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Rolling {
     const std::vector<double> radii{21e-3 - 0.3e-3, 20e-3};
     const std::vector<double> angles{0.5 * std::numbers::pi, 0.5 * std::numbers::pi + 0.03, 1.5};
     const auto places = places_at(sphere, radii);
-    return interior_fields(sphere, load_case.angular_speed, tractions, places, angles, angles, threads);
+    return interior_fields(sphere, load_case.angular_speed, tractions, places, angles, angles, std::nullopt, threads);
   }
 };
 

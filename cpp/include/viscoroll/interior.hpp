@@ -115,6 +115,7 @@ struct InteriorFields {
 /// @param[in] places where along r
 /// @param[in] phi,theta where along the surface [rad], within half a revolution of the lowest point, pi/2; phi in a
 /// plane within a third of one; theta within a whole one where it is straight across, and pi/2 under a line
+/// @param[in] max_order at which the sum ends, smoothly, > 0, where a place sees higher ones
 /// @param[in] threads number of threads, 0 for all cores
 /// @param[in] observer progress and cancellation
 /// @throws std::invalid_argument for bad input
@@ -122,7 +123,8 @@ struct InteriorFields {
 [[nodiscard]] InteriorFields interior_fields(const LayeredShape& shape, double angular_speed,
                                              const Tractions& tractions, std::span<const Place> places,
                                              std::span<const double> phi, std::span<const double> theta,
-                                             int threads = 0, const Observer& observer = {});
+                                             std::optional<double> max_order = std::nullopt, int threads = 0,
+                                             const Observer& observer = {});
 
 /// @brief Energy lost inside the layers, of the orders |m|, |n| <= max_order, of what rolls. Powers are per length
 /// under a line.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "dense_products.hpp"
-#include "modal/compliance_recursion.hpp"
+#include "modal/lanes.hpp"
 #include "modal/spectrum.hpp"
 
 namespace viscoroll::detail {
@@ -34,6 +34,28 @@ std::vector<DepthSeries::Entry> entries_of(const LoadedComponents& loaded, bool 
   return entries;
 }
 
+using Orders = std::span<const OrderInLayers<cplx>>;
+
+/// Entries of the states at boundaries, a column for each order.
+Eigen::Matrix<cplx, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> solved(
+    Orders orders, const std::vector<std::size_t>& boundaries, const std::vector<DepthSeries::Entry>& entries) {
+  std::vector<std::vector<DepthState>> states(orders.size());
+  depth_states(orders, states);
+  Eigen::Matrix<cplx, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> values(
+      static_cast<Index>(boundaries.size() * entries.size()), static_cast<Index>(orders.size()));
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    Index row = 0;
+    for (const std::size_t boundary : boundaries) {
+      for (const DepthSeries::Entry& entry : entries) {
+        const cplx value = states[i][boundary](static_cast<Index>(entry.component), static_cast<Index>(entry.column));
+        const double divisor = entry.is_odd() && orders[i].n > 0.0 ? orders[i].n : 1.0;
+        values(row++, static_cast<Index>(i)) = value / divisor;
+      }
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
 DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> boundaries, double m, Range n,
@@ -59,6 +81,23 @@ DepthSeries::DepthSeries(LayerStack<cplx> pieces, std::vector<std::size_t> bound
   is_real_ = std::ranges::all_of(panels_, [](const Panel<cplx>& panel) { return panel.series.imag().isZero(0.0); });
 }
 
+DepthSeries::DepthSeries(double m, const Eigen::VectorXcd& constants, std::vector<Entry> entries)
+    : m_(m), entries_(std::move(entries)), tolerance_(0.0), is_real_(constants.imag().isZero(0.0)) {
+  append_constants<cplx>(m * m, constants, panels_);
+}
+
+std::vector<std::shared_ptr<const DepthSeries>> DepthSeries::under_line(Orders orders,
+                                                                        const std::vector<std::size_t>& boundaries,
+                                                                        const std::vector<Entry>& entries) {
+  const Values values = solved(orders, boundaries, entries);
+  std::vector<std::shared_ptr<const DepthSeries>> series;
+  series.reserve(orders.size());
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    series.emplace_back(new DepthSeries(orders[i].m, values.col(static_cast<Index>(i)), entries));
+  }
+  return series;
+}
+
 void DepthSeries::append(double low, double high) {
   if (high / low > kPanelRatio) {
     const double middle = std::max(high / kPanelRatio, std::sqrt(low * high));
@@ -76,20 +115,7 @@ DepthSeries::Values DepthSeries::solve(std::span<const double> squares) const {
   for (const double square : squares) {
     orders.push_back({.layers = pieces_, .m = m_, .n = std::sqrt(std::max(square - m_ * m_, 0.0))});
   }
-  std::vector<std::vector<DepthState>> states(orders.size());
-  depth_states(orders, states);
-  Values values(static_cast<Index>(boundaries_.size() * entries_.size()), static_cast<Index>(orders.size()));
-  for (std::size_t i = 0; i < orders.size(); ++i) {
-    Index row = 0;
-    for (const std::size_t boundary : boundaries_) {
-      for (const Entry& entry : entries_) {
-        const cplx value = states[i][boundary](static_cast<Index>(entry.component), static_cast<Index>(entry.column));
-        const double divisor = entry.is_odd() && orders[i].n > 0.0 ? orders[i].n : 1.0;
-        values(row++, static_cast<Index>(i)) = value / divisor;
-      }
-    }
-  }
-  return values;
+  return solved(orders, boundaries_, entries_);
 }
 
 bool DepthSeries::is_resolved(const Panel<cplx>& panel) const {
@@ -159,6 +185,10 @@ ComponentRows DepthTransfer::values(std::size_t boundary, Index count) const {
     const Index width = std::min(first_[p + 1], count) - first_[p];
     if (width == 0) continue;
     const auto series = series_->panels()[p].series.middleRows(static_cast<Index>(boundary) * rows, rows);
+    if (series_->panels()[p].low == 0.0) {
+      values.middleCols(first_[p], width).colwise() = series.col(0).array();
+      continue;
+    }
     const auto chebyshev = chebyshev_[p].leftCols(width);
     const RowMajor real = series.real();
     values.middleCols(first_[p], width).real() = product(real, chebyshev);
@@ -230,13 +260,36 @@ bool DepthTransfers::can_share(double negligible_inertia) const {
   return true;
 }
 
-DepthTransfer DepthTransfers::at(std::size_t i, const Eigen::ArrayXd& n) const {
-  const double m = body_.orders()[i];
-  if (shared_) return {shared_, m, n, body_.modulus(0, i) / body_.modulus(0, 0)};
-  return {std::make_shared<const DepthSeries>(cuts_.pieces(body_.layers_at(i)), boundaries_, m,
-                                              DepthSeries::Range{.lowest = 0.0, .highest = n[n.size() - 1]}, entries_,
-                                              tolerance_),
-          m, n, 0.0};
+std::size_t DepthTransfers::at_once() const { return is_line() ? kLanes : 1; }
+
+std::vector<DepthTransfer> DepthTransfers::at(std::size_t first, std::size_t count, const Eigen::ArrayXd& n) const {
+  std::vector<DepthTransfer> transfers;
+  if (is_line()) {
+    std::vector<LayerStack<cplx>> pieces;
+    std::vector<OrderInLayers<cplx>> orders;
+    pieces.reserve(count);
+    for (std::size_t i = first; i < first + count; ++i) {
+      pieces.push_back(cuts_.pieces(body_.layers_at(i)));
+      orders.push_back({.layers = pieces.back(), .m = body_.orders()[i], .n = 0.0});
+    }
+    for (auto& series : DepthSeries::under_line(orders, boundaries_, entries_)) {
+      const double m = orders[transfers.size()].m;
+      transfers.emplace_back(std::move(series), m, n, 0.0);
+    }
+    return transfers;
+  }
+  const DepthSeries::Range range{.lowest = 0.0, .highest = n[n.size() - 1]};
+  for (std::size_t i = first; i < first + count; ++i) {
+    const double m = body_.orders()[i];
+    if (shared_) {
+      transfers.emplace_back(shared_, m, n, body_.modulus(0, i) / body_.modulus(0, 0));
+    } else {
+      transfers.emplace_back(std::make_shared<const DepthSeries>(cuts_.pieces(body_.layers_at(i)), boundaries_, m,
+                                                                 range, entries_, tolerance_),
+                             m, n, 0.0);
+    }
+  }
+  return transfers;
 }
 
 }  // namespace viscoroll::detail

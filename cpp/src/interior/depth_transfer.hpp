@@ -18,6 +18,7 @@
 #include "interior/field_components.hpp"
 #include "interior/layer_cuts.hpp"
 #include "modal/chebyshev_panels.hpp"
+#include "modal/compliance_recursion.hpp"
 #include "modal/harmonic_body.hpp"
 
 namespace viscoroll::detail {
@@ -54,6 +55,13 @@ class DepthSeries {
   DepthSeries(LayerStack<std::complex<double>> pieces, std::vector<std::size_t> boundaries, double m, Range n,
               std::vector<Entry> entries, double tolerance);
 
+  /// @brief Those of n = 0 alone, of orders m that are solved side by side.
+  /// @param[in] orders pieces and m of each
+  /// @param[in] boundaries,entries likewise
+  [[nodiscard]] static std::vector<std::shared_ptr<const DepthSeries>> under_line(
+      std::span<const OrderInLayers<std::complex<double>>> orders, const std::vector<std::size_t>& boundaries,
+      const std::vector<Entry>& entries);
+
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   /// @brief Series of all entries at all boundaries, boundary by boundary.
   [[nodiscard]] const std::vector<Panel<std::complex<double>>>& panels() const { return panels_; }
@@ -62,6 +70,8 @@ class DepthSeries {
 
  private:
   using Values = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  DepthSeries(double m, const Eigen::VectorXcd& constants, std::vector<Entry> entries);
 
   void append(double low, double high);
   [[nodiscard]] Values solve(std::span<const double> squares) const;
@@ -125,12 +135,17 @@ class DepthTransfers {
   DepthTransfers(const HarmonicBody& body, const LayerCuts& cuts, std::vector<std::size_t> boundaries, double highest_k,
                  const LoadedComponents& loaded, const Accuracy& accuracy);
 
-  /// @param[in] i number of the order m
+  /// @return how many orders m are best asked for at once: under a line each has one solution, and lanes are for
+  /// several
+  [[nodiscard]] std::size_t at_once() const;
+
+  /// @param[in] first,count numbers of the orders m
   /// @param[in] n orders, ascending from 0
-  [[nodiscard]] DepthTransfer at(std::size_t i, const Eigen::ArrayXd& n) const;
+  [[nodiscard]] std::vector<DepthTransfer> at(std::size_t first, std::size_t count, const Eigen::ArrayXd& n) const;
 
  private:
   [[nodiscard]] bool can_share(double negligible_inertia) const;
+  [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
 
   const HarmonicBody& body_;
   const LayerCuts& cuts_;

@@ -174,20 +174,24 @@ class LossSum {
       Losses& losses = blocks[block];
       losses.density.setZero(theta_nodes_, static_cast<Index>(places_.size()));
       losses.by_order.setZero(static_cast<Index>(body_.body().layers.size()), kBlock);
-      for (std::size_t i = 0; i < kBlock && block * kBlock + i < count; ++i) {
-        const std::size_t order = block * kBlock + i;
-        if (m_.weights[order] > 0.0) add_order(order, static_cast<Index>(i), losses);
-        worker.checkpoint();
+      const std::size_t first = block * kBlock;
+      const std::size_t last = std::min(first + kBlock, count);
+      for (std::size_t order = first; order < last;) {
+        const std::size_t group = std::min(transfers_.at_once(), last - order);
+        for (const DepthTransfer& transfer : transfers_.at(order, group, across_.orders)) {
+          if (m_.weights[order] > 0.0) add_order(order, static_cast<Index>(order - first), transfer, losses);
+          ++order;
+          worker.checkpoint();
+        }
       }
     });
     return collect(blocks, count);
   }
 
  private:
-  void add_order(std::size_t order, Index in_block, Losses& losses) const {
+  void add_order(std::size_t order, Index in_block, const DepthTransfer& transfer, Losses& losses) const {
     const double m = m_.orders[order];
     const double weight = m_.weights[order];
-    const DepthTransfer transfer = transfers_.at(order, across_.orders);
     const auto layers = body_.layers_at(order);
     const OrderLoads loads{.same = loads_.loads(Mirror::same, static_cast<Index>(order)),
                            .opposite = loads_.loads(Mirror::opposite, static_cast<Index>(order))};

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -123,8 +125,9 @@ double largest_offset(std::span<const double> offsets, int nodes, double spacing
 class WindowSum {
  public:
   WindowSum(const Inside& inside, const Tractions& tractions, std::span<const Place> places,
-            std::span<const double> phi, std::span<const double> theta)
+            std::span<const double> phi, std::span<const double> theta, std::optional<double> max_order)
       : places_(places),
+        max_order_(max_order.value_or(std::numeric_limits<double>::infinity())),
         cuts_(inside.body, places),
         limit_(inside.body, inside.angular_speed),
         phi_(from_lowest_point("phi", phi, Extent::along(inside.body.metric.along))),
@@ -157,7 +160,7 @@ class WindowSum {
   [[nodiscard]] double highest_order() const {
     double highest = 0.0;
     for (const Place& place : places_) highest = std::max(highest, limit_(place.position, kEnd));
-    return highest;
+    return std::min(highest, max_order_);
   }
 
   [[nodiscard]] std::vector<OrderBand> bands(double spacing, double largest, double rough, const Mesh& mesh) const {
@@ -174,7 +177,9 @@ class WindowSum {
     const double largest = largest_offset(phi_, tractions.phi_nodes, spacing, inside.body.metric.along);
     if (!inside.body.metric.is_curved()) {
       // Summed across, too, what lies below an order holds its share of the sum: 1e-6 of an octave, of a hundred.
-      const LowestOrder lowest = inside.body.metric.across == Way::nothing
+      // So it does under a line where the base is held; a half-plane's displacement knows no longest wave.
+      const bool is_endless = !std::isfinite(inside.body.boundaries.front());
+      const LowestOrder lowest = inside.body.metric.across == Way::nothing && is_endless
                                      ? LowestOrder{}
                                      : LowestOrder{.share = 1e-6, .stands_for_longer = true};
       return unbounded_octaves_within(spacing, highest_order(), largest, lowest, refinement_of(inside.body.layers));
@@ -226,9 +231,18 @@ class WindowSum {
     const DepthTransfers transfers(body_, cuts_, boundaries, std::min(most, highest), loads_.loaded(), kAccuracy);
     const RowMajor phase = n_.orders.matrix() * across_.magnitudes.matrix().transpose();
     const Waves waves{.cosines = phase.array().cos(), .sines = phase.array().sin()};
-    parallel_for(static_cast<std::size_t>(m_.count_up_to(highest)), threads, watch, "fields inside",
+    const auto count = static_cast<std::size_t>(m_.count_up_to(highest));
+    const std::size_t group = transfers.at_once();
+    parallel_for((count + group - 1) / group, threads, watch, "fields inside",
                  [&](std::size_t i, const Worker& worker) {
-                   add_order(static_cast<Index>(i), first, highest, transfers, waves, sums, worker);
+                   const std::size_t begin = i * group;
+                   const double m = m_.orders[static_cast<Index>(begin)];
+                   const ArrayXd n = n_.orders.head(reach(m, highest));
+                   auto order = static_cast<Index>(begin);
+                   for (const DepthTransfer& transfer : transfers.at(begin, std::min(group, count - begin), n)) {
+                     worker.checkpoint();
+                     add_order(order++, first, transfer, waves, sums, worker);
+                   }
                  });
     return sums;
   }
@@ -239,13 +253,14 @@ class WindowSum {
     RowMajor sines;
   };
 
-  void add_order(Index i, std::size_t first, double highest, const DepthTransfers& transfers, const Waves& waves,
+  [[nodiscard]] bool is_line() const { return body_.metric().across == Way::nothing; }
+
+  /// How many orders n there are up to k = `limit`.
+  [[nodiscard]] Index reach(double m, double limit) const { return n_.count_up_to(std::sqrt(limit * limit - m * m)); }
+
+  void add_order(Index i, std::size_t first, const DepthTransfer& transfer, const Waves& waves,
                  std::vector<RowMajor>& sums, const Worker& worker) const {
     const double m = m_.orders[i];
-    const auto reach = [&](double limit) { return n_.count_up_to(std::sqrt(limit * limit - m * m)); };
-    const ArrayXd n = n_.orders.head(reach(highest));
-    const DepthTransfer transfer = transfers.at(static_cast<std::size_t>(i), n);
-    worker.checkpoint();
     const auto layers = body_.layers_at(static_cast<std::size_t>(i));
     const auto kinds = mirrors();
     ComponentRows state;
@@ -257,9 +272,9 @@ class WindowSum {
         const Place& place = places_[first + p];
         const double limit = limit_(place.position, kDeepest);
         if (m > limit) continue;
-        const Index count = reach(limit);
+        const Index count = reach(m, limit);
         transfer.state(p, count, loads, state);
-        field_basis(layers.metric, place.position, m, n.head(count), state, basis);
+        field_basis(layers.metric, place.position, m, n_.orders.head(count), state, basis);
         components_of(layers.media[static_cast<std::size_t>(place.layer)], layers.metric.length(place.position),
                       sum_over_n(basis, kinds[k], waves), fields);
         const auto width = across_.magnitudes.size();
@@ -276,8 +291,16 @@ class WindowSum {
   /// Columns for the magnitudes of theta in place of those for n.
   [[nodiscard]] ComponentRows sum_over_n(const ComponentRows& basis, Mirror mirror, const Waves& waves) const {
     const Index count = basis.cols();
-    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
     ComponentRows sums(kBasisRows, across_.magnitudes.size());
+    if (is_line()) {  // n = 0, theta = 0
+      for (Index row = 0; row < kBasisRows; ++row) {
+        const cplx value = n_.weights[0] * basis(row, 0);
+        const bool odd = is_odd_in_theta(static_cast<Basis>(row)) != (mirror == Mirror::opposite);
+        sums(row, 0) = odd ? 0.0 : is_imaginary(static_cast<Basis>(row)) ? cplx(-value.imag(), value.real()) : value;
+      }
+      return sums;
+    }
+    const Eigen::Array<double, 1, Eigen::Dynamic> weights = n_.weights.head(count).transpose();
     for (const bool odd : {false, true}) {
       // Of loads opposite to their mirror image the even components run with the sine.
       std::vector<Index> rows;
@@ -361,6 +384,7 @@ class WindowSum {
   }
 
   std::span<const Place> places_;
+  double max_order_;
   LayerCuts cuts_;
   DepthLimit limit_;
   std::vector<double> phi_;
@@ -378,8 +402,10 @@ class WindowSum {
 
 InteriorFields interior_fields(const LayeredShape& shape, double angular_speed, const Tractions& tractions,
                                std::span<const Place> places, std::span<const double> phi,
-                               std::span<const double> theta, int threads, const Observer& observer) {
+                               std::span<const double> theta, std::optional<double> max_order, int threads,
+                               const Observer& observer) {
   const detail::Inside inside = detail::inside_of(shape, angular_speed, tractions);
+  if (max_order) detail::require_positive("max_order", *max_order, "");
   detail::require_thread_count(threads);
   InteriorFields fields{.places = {places.begin(), places.end()},
                         .phi = {phi.begin(), phi.end()},
@@ -387,7 +413,7 @@ InteriorFields interior_fields(const LayeredShape& shape, double angular_speed, 
                         .values = std::vector<double>(places.size() * kFieldComponents * phi.size() * theta.size())};
   if (fields.values.empty()) return fields;
   detail::Watch watch(observer);
-  detail::WindowSum(inside, tractions, places, phi, theta).sum(fields.values.data(), threads, watch);
+  detail::WindowSum(inside, tractions, places, phi, theta, max_order).sum(fields.values.data(), threads, watch);
   return fields;
 }
 

@@ -253,13 +253,14 @@ class Thermal(StrictTable):
     hub_conductance: float | None = None
     shift: _Shift | None = None
     limit: float | None = None
+    softening: Literal["network", "harmonic"] = "network"
     of: Literal["ball", "counterpart"] | None = None
     base_convection: float | None = None
     period: float | None = None
 
     def temperature(self, result: Result, *, progress: ProgressLike = None) -> Temperature:
         """Temperature with the moduli as they are."""
-        cooling = {name: value for name, value in self if name not in ("shift", "limit")}
+        cooling = {name: value for name, value in self if name not in ("shift", "limit", "softening")}
         return temperature(result, **cooling, progress=progress)
 
 

@@ -104,12 +104,12 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
-    heated = softened = None
+    heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", ResultWarning)
         if loaded.thermal is not None and loaded.thermal.shift is not None:
             heated = loaded.self_heating(progress=report)
-            result = heated.states[0].result  # of a cold start
+            result, softened = heated.states[0].result, heated.states[0].softening  # of a cold start
         elif loaded.softens:
             softened = loaded.strain_softening(progress=report)
             result = softened.result

@@ -11,6 +11,8 @@ import numpy as np
 
 from .._support.arguments import Floats
 from .._support.text import shown
+from ..interior import StrainSoftening
+from ..interior.softening_result import BOUNDS
 from ..rolling import Result
 from .balls import Balls, balls_of, balls_of_study
 
@@ -40,6 +42,9 @@ class OperatingPoint:
         T, power lost per Ω_rel [N m].
     penetration : float
         δ [m].
+    bounds : (float, float) or None
+        Of filled rubber, T with the network's loss summed over harmonics, and that of a network without rate [N m]: by
+        the ratio of their torques, T being of the power.
     """
 
     balls: Balls
@@ -47,6 +52,7 @@ class OperatingPoint:
     angular_speed: float
     torque: float
     penetration: float
+    bounds: tuple[float, float] | None = None
 
     @property
     def radius(self) -> float:
@@ -131,7 +137,7 @@ class Written:
 Style: TypeAlias = Callable[[OperatingPoint, Stiffness], Written]
 
 
-def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
+def operating_points(source: Result | StrainSoftening | xarray.Dataset) -> list[OperatingPoint]:
     """Return the operating points of a result, or of all points of a study that did not fail.
 
     Raises
@@ -141,8 +147,14 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
     ValueError
         For rollers, grooves, and studies without points or over something else than load and speed.
     """
-    if not isinstance(source, Result) and not hasattr(source, "data_vars"):
-        raise TypeError(f"source must be a viscoroll.Result or a study of viscoroll.sweep, got {shown(source)}")
+    if not isinstance(source, Result | StrainSoftening) and not hasattr(source, "data_vars"):
+        raise TypeError(
+            f"source must be a viscoroll.Result, a StrainSoftening, or a study of viscoroll.sweep, got {shown(source)}"
+        )
+    bounds: list[list[float]] = []
+    if isinstance(source, StrainSoftening):
+        bounds, source = [[bound] for bound in source.torque_bounds], source.result
+        bounds.append([source.resisting_torque])
     if isinstance(source, Result):
         balls = balls_of(source.ball, source.on)
         assert source.penetration is not None
@@ -152,12 +164,20 @@ def operating_points(source: Result | xarray.Dataset) -> list[OperatingPoint]:
         names = ("load", "angular_speed", "dissipated_power", "penetration")
         arrays = np.broadcast_arrays(*(_over_all(source, name) for name in names))
         columns = [array.ravel().tolist() for array in arrays]
+        if all(name in source for name in BOUNDS):
+            torques = (_over_all(source, name) for name in (*BOUNDS, "resisting_torque"))
+            bounds = [array.ravel().tolist() for array in np.broadcast_arrays(*torques)]
     turns = balls.radii[0] / balls.radius  # Ω_rel / Ω
-    points = [
-        OperatingPoint(balls=balls, load=p, angular_speed=w, torque=q / (w * turns), penetration=d)
-        for p, w, q, d in zip(*columns, strict=True)
-        if q > 0.0
-    ]
+    if not bounds:
+        bounds = [[math.nan] * len(columns[0])] * 3
+    points = []
+    for p, w, q, d, harmonic, network, told in zip(*columns, *bounds, strict=True):
+        torque = q / (w * turns)
+        both = None if math.isnan(told) else (torque * harmonic / told, torque * network / told)
+        if q > 0.0:
+            points.append(
+                OperatingPoint(balls=balls, load=p, angular_speed=w, torque=torque, penetration=d, bounds=both)
+            )
     if not points:
         raise ValueError("source must have a point that lost power, got none")
     return points

@@ -12,6 +12,8 @@ import numpy as np
 from .._support.arguments import as_float
 from .._support.files import write_csv
 from .._support.text import shown
+from ..interior import StrainSoftening
+from ..interior.softening_result import BOUNDS
 from ..rolling import Result
 from . import chrono, lammps, lethe, liggghts, mercurydpm, yade
 from .contact import OperatingPoint, Stiffness, Style, Written, operating_points
@@ -76,6 +78,8 @@ class DemInput:
     def save(self, path: str | Path) -> Path:
         """Write the text, and the torques T(P, Ω) of all points as CSV beside it, since no code takes a table.
 
+        Of filled rubber both torques are in it.
+
         Returns
         -------
         Path
@@ -85,7 +89,12 @@ class DemInput:
         path.write_text(self.text, encoding="utf-8")
         table = path.with_suffix(".csv")
         heads = {"load": "N", "angular_speed": "rad/s", "torque": "N m", "penetration": "m"}
-        write_csv({f"{name} [{unit}]": [getattr(p, name) for p in self.points] for name, unit in heads.items()}, table)
+        columns = {f"{name} [{unit}]": [getattr(p, name) for p in self.points] for name, unit in heads.items()}
+        bounds = [point.bounds for point in self.points if point.bounds is not None]
+        if len(bounds) == len(self.points):
+            both = zip(*bounds, strict=True)
+            columns |= {f"{name} [N m]": list(values) for name, values in zip(BOUNDS, both, strict=True)}
+        write_csv(columns, table)
         return table
 
     def __repr__(self) -> str:
@@ -98,6 +107,15 @@ class DemInput:
         first, other = self.point.balls.radii
         return f"two balls, R1 = {first:g} m at Omega, R2 = {other:g} m, 1/R = 1/R1 + 1/R2,"
 
+    def _bounds(self) -> list[str]:
+        if self.point.bounds is None:
+            return []
+        harmonic, network = self.point.bounds
+        return [
+            f"filled rubber: T = {harmonic:.6g} N m with its network's loss summed over harmonics, {network:.6g} N m "
+            "with that of a network without rate; what is not known lies between the two, or beyond"
+        ]
+
     def _comment(self) -> list[str]:
         p, k = self.point, self.stiffness
         lines = [
@@ -105,6 +123,7 @@ class DemInput:
             f"exact at load P = {p.load:g} N, speed Omega = {p.angular_speed:g} rad/s, radius R = {p.radius:g} m: "
             f"torque T = {p.torque:.6g} N m (power lost per {'relative ' * p.balls.are_two}speed), "
             f"T/(P R) = {p.coefficient:.6g}",
+            *self._bounds(),
             f"law: {self.written.torque_law}",
             f"source: {self.written.source}",
         ]
@@ -125,7 +144,7 @@ class DemInput:
 
 
 def dem(
-    source: Result | xarray.Dataset,
+    source: Result | StrainSoftening | xarray.Dataset,
     *,
     code: str,
     style: str | None = None,
@@ -140,9 +159,10 @@ def dem(
 
     Parameters
     ----------
-    source : Result or xarray.Dataset
-        Of a ball on a plane, or on another one: one result, or a study of `viscoroll.sweep` over load, angular speed,
-        or both: then the error that the code's law commits over it is known, and the stiffness is fitted.
+    source : Result, StrainSoftening or xarray.Dataset
+        Of a ball on a plane, or on another one: one result, of filled rubber with both torques, or a study of
+        `viscoroll.sweep` over load, angular speed, or both: then the error that the code's law commits over it is
+        known, and the stiffness is fitted.
     code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "lethe"}
         Which.
     style : str, optional

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 __all__ = ["iwan_loss", "turning_ratio"]
 
-#: Elements that yield on a straight path of the amplitude, and those that only a path which turns makes yield.
-_WITHIN, _BEYOND = 24, 6
+#: Elements that yield on a straight path of the amplitude, and those that only a path which turns makes yield: a line
+#: to 1e-7, contacts to 2e-5.
+_ELEMENTS = (24, 6)
 
 #: Rounds from rest; a contact's path has all but come round with the first.
 _ROUNDS = 2
@@ -30,7 +31,9 @@ _TINY = 1e-300  # what a length is divided by at least
 _LARGEST_YIELD = math.sqrt(10.0 / 6.0)
 
 
-def turning_ratio(p: Floats, amplitude: Floats, yield_strain: float) -> Floats:
+def turning_ratio(
+    p: Floats, amplitude: Floats, yield_strain: float, *, elements: tuple[int, int] = _ELEMENTS
+) -> Floats:
     """Return χ, what a network loses on paths over what it loses to and fro at their amplitudes.
 
     Parameters
@@ -41,6 +44,8 @@ def turning_ratio(p: Floats, amplitude: Floats, yield_strain: float) -> Floats:
         g, of `half_range` [-].
     yield_strain : float
         γ_c of the hyperbolic law [-]; infinite for the limit of small strain.
+    elements : (int, int), default (24, 6)
+        That yield on a straight path of the amplitude, and beyond.
 
     Returns
     -------
@@ -54,12 +59,12 @@ def turning_ratio(p: Floats, amplitude: Floats, yield_strain: float) -> Floats:
         # At small strain a law without any softening would lose nothing: the limit of χ is that of little softening.
         scale = np.minimum(yield_strain, 1e3 * g)
         x = g / scale
-        lost = iwan_loss(p[moving] / scale[:, None, None], x)
+        lost = iwan_loss(p[moving] / scale[:, None, None], x, elements=elements)
         ratio[moving] = lost / (math.pi * x**2 * hyperbolic_moduli(x)[1])
     return ratio
 
 
-def iwan_loss(p: Floats, amplitude: Floats, *, rounds: int = _ROUNDS) -> Floats:
+def iwan_loss(p: Floats, amplitude: Floats, *, rounds: int = _ROUNDS, elements: tuple[int, int] = _ELEMENTS) -> Floats:
     """Return the energy lost in one round of closed paths, by the modulus and γ_c² [-].
 
     Between two places the strain goes straight, and along such a step the elements are followed exactly.
@@ -72,8 +77,10 @@ def iwan_loss(p: Floats, amplitude: Floats, *, rounds: int = _ROUNDS) -> Floats:
         Of the paths, by γ_c [-], > 0.
     rounds : int, default 2
         Rounds made from rest, of which the last counts.
+    elements : (int, int), default (24, 6)
+        As of `turning_ratio`.
     """
-    yields, weights = _elements(amplitude)
+    yields, weights = _elements(amplitude, *elements)
     stress = np.zeros((*yields.shape, p.shape[2]))
     lost = np.zeros(len(p))
     changes = np.moveaxis(np.diff(p, axis=1, append=p[:, :1]), 1, 0)
@@ -112,14 +119,14 @@ def _after(stress: Floats, change: Floats, yields: Floats) -> tuple[Floats, Floa
     return np.where(slides[:, :, None], dragged, tried), yields**2 * np.where(slides, way / yields - np.log(ratio), 0.0)
 
 
-def _elements(amplitude: Floats) -> tuple[Floats, Floats]:
+def _elements(amplitude: Floats, within: int, further: int) -> tuple[Floats, Floats]:
     """Return yield strains and weights of elements, (points, elements), for paths of an amplitude each.
 
     The weight -F''(y) dy = 2 dy/(1 + y)³ is 2 (1 - t) dt with t = y/(1 + y). Losses end at the amplitude as √ or as a
     kink, so up to there t goes as a sine.
     """
-    angle, angle_weight = _gauss(_WITHIN, 0.5 * math.pi)
-    part, part_weight = _gauss(_BEYOND, 1.0)
+    angle, angle_weight = _gauss(within, 0.5 * math.pi)
+    part, part_weight = _gauss(further, 1.0)
     ends = amplitude / (1.0 + amplitude)
     beyond = _LARGEST_YIELD * amplitude
     rest = beyond / (1.0 + beyond) - ends

@@ -22,6 +22,7 @@ from .._support.progress import ProgressLike, counted, reporting
 from .._support.tables import html_table, number_text
 from ..bodies import RollingBody
 from ..materials import Shift
+from .softening_result import Matching, as_matching
 from .steady_states import Fold, StateSearch, SteadyState
 from .temperature import QUANTITIES, Core
 
@@ -150,6 +151,7 @@ def self_heating(
     side_convection: float | None = None,
     hub_conductance: float | None = None,
     limit: float | None = None,
+    softening: Matching = "network",
     sublayers: int = 1,
     points: int = 24,
     progress: ProgressLike = None,
@@ -172,8 +174,12 @@ def self_heating(
     limit : float, optional
         Highest mean temperature looked at [K], such as what the material bears; by default 150 K above the
         surroundings.
+    softening : {"network", "harmonic"}, default "network"
+        How the network of layers loses whose moduli fall with strain, `SofteningModulus`, as `loss` of
+        `strain_softening`; the shifts are those of its matrix.
     sublayers : int, default 1
-        Parts that every layer is cut into, each with a temperature of its own, in [1, 20].
+        Parts that every layer is cut into, each with a temperature of its own, in [1, 20], and with an amplitude of
+        strain.
     points : int, default 24
         Mean temperatures that are tried between the surroundings' and the limit, in [4, 1000]; between them states are
         found to 1e-3 of the rise. Two states closer together than two neighbors may be missed.
@@ -239,6 +245,7 @@ def self_heating(
         vertical=vertical_shift,
         load=as_float("load", load),
         angular_speed=as_float("angular_speed", angular_speed),
+        softening=as_matching("softening", softening),
         thermal={
             "conductivity": _repeated(conductivity, parts),
             "convection": convection,

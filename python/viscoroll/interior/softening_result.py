@@ -13,7 +13,7 @@ from .._support.files import save, write_csv, write_netcdf
 from .._support.tables import html_table, number_text, unit_text
 from .._support.text import shown
 from ..solution.inside import Of, inside_of
-from .softening_search import SofteningLayer, State
+from .softened_state import SofteningLayer, State
 
 if TYPE_CHECKING:
     import xarray
@@ -22,10 +22,29 @@ if TYPE_CHECKING:
 
     from ..rolling import Result
 
-__all__ = ["Matching", "StrainSoftening"]
+__all__ = ["BOUNDS", "Matching", "StrainSoftening", "as_matching"]
+
+#: Both torques of filled rubber in files and studies, as `StrainSoftening.torque_bounds` has them: name and what it is.
+BOUNDS = {
+    "harmonic_torque": "resisting torque, the network's loss summed over harmonics",
+    "network_torque": "resisting torque, the network's loss that of a network without rate",
+}
 
 #: How the loss of a network is taken: as a network without rate loses, or summed over harmonics.
 Matching: TypeAlias = Literal["network", "harmonic"]
+
+
+def as_matching(name: str, value: object) -> Matching:
+    """Return how a network's loss is taken.
+
+    Raises
+    ------
+    ValueError
+        For another word.
+    """
+    if value not in ("network", "harmonic"):
+        raise ValueError(f"{name} must be 'network' or 'harmonic', got {shown(value)}")
+    return value
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
@@ -76,6 +95,11 @@ class StrainSoftening:
     _layers: tuple[SofteningLayer, ...]
     _state: State | None
 
+    @property
+    def bounds(self) -> dict[str, float]:
+        """Both torques by their names in files and studies, see `BOUNDS`."""
+        return dict(zip(BOUNDS, self.torque_bounds, strict=True))
+
     def amplitude(self, *, of: Of | None = None) -> xarray.Dataset:
         """Return the amplitude of strain over the section.
 
@@ -124,8 +148,7 @@ class StrainSoftening:
         torque = self.result.unit("resisting_torque")
         rows = [
             ("resisting_torque", self.result.resisting_torque, torque),
-            ("harmonic_torque", self.torque_bounds[0], torque),
-            ("network_torque", self.torque_bounds[1], torque),
+            *((name, value, torque) for name, value in self.bounds.items()),
             ("network_share", self.network_share, "1"),
         ]
         for j, (storage, loss) in enumerate(self.layer_moduli):

@@ -1,30 +1,29 @@
 """The search for the strain that layers soften to: contact, strain and modulus found together.
 
 A pass solves the contact with one modulus for each layer, follows the strain inside and takes from it the layer's
-amplitude ḡ, weighted by what its network loses. A contact grows where its layers soften, so that their strain falls
-with the modulus by less than the modulus itself: plain repetition converges, to the one state that there is (theory.md
-section 17).
+amplitude ḡ, weighted by what its network loses. At a given load a contact grows where its layers soften, so that
+ḡ ∝ |μ|^-α with α from 1/3 to 2/3: by that law, α from the last two passes, the next amplitude is the root of what the
+modulus of the network makes of it. There is one state (theory.md section 17); where a guess gets no nearer to it plain
+repetition goes on, which does.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._core import ConvergenceError
 from .._support.cautions import kept_in_results
-from ..bodies import Counterpart, RollingBody
+from ..bodies import Counterpart, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
-from ..materials import Network, SoftenedModulus, SofteningModulus
+from ..materials import SoftenedModulus, SofteningModulus
 from ..rolling import solve
 from ..solution.inside import Inside, Of, inside_of
-from .network_loss import turning_ratio
-from .strain_path import StrainPath, half_range, harmonic_squares, strain_paths
+from ..solution.solution import Solution
+from .softened_state import Setting, SofteningLayer, State, look
+from .strain_path import strain_paths
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -33,84 +32,49 @@ if TYPE_CHECKING:
     from .._support.progress import Report
     from ..rolling import Result
 
-__all__ = ["LayerState", "SofteningLayer", "SofteningSearch", "State", "softening_layers", "softens"]
+__all__ = ["SofteningSearch", "softening_layers", "softens"]
 
-#: Passes after which the frequency at which the network is taken stays: the contact's length steps with the nodes.
+#: Passes after which the frequency at which the network is taken stays, as the contact's length steps with the nodes;
+#: after those on a coarser mesh one.
 _FREQUENCY_PASSES = 3
 
-#: Passes after which the mesh stays: the contact of the unstrained layers, the first, is smaller than all others.
+#: Passes after which a mesh that was not given stays: the contact of the unstrained layers is smaller than all others.
 _MESH_PASSES = 2
 
 _MOST_PASSES = 40
 
-#: Steps to the scale of the loss that belongs to given strain, and when they end.
-_SCALE_STEPS, _SCALE_TOLERANCE = 20, 1e-6
+#: On a mesh of half the nodes, where it has so many, the search begins: until the amplitudes change by so little.
+_FEWEST_NODES = 200
+_COARSE_PASSES, _COARSE_CHANGE = 4, 0.03
 
 #: Speed by radius per half-width of the first contact, before it is known.
 _FIRST_FREQUENCY = 10.0
 
+#: How strain is looked at there.
+_ROUGHLY: dict[str, Any] = {"depths": 3, "orders": 12.0, "reach": 5.0}
 
-@dataclass(frozen=True, slots=True)
-class SofteningLayer:
-    """A layer that softens: of which body, its number there (the base of a plane is 0), and its modulus."""
+#: What α may be wrong by.
+_POWER_ERROR = 0.1
 
-    of: Of
-    number: int
-    modulus: SofteningModulus
+#: α before two passes have told it, of how different moduli they must be to tell, and what they may tell: layers that
+#: soften beside others that do not have up to 1, and coarse meshes tell anything.
+_FIRST_POWER, _TELLING, _POWERS = 0.5, 0.02, (0.2, 1.0)
 
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class LayerState:
-    """What a pass found in one layer.
-
-    Attributes
-    ----------
-    amplitude : float
-        ḡ, mean of the amplitudes, weighted by what the network loses [-].
-    path : StrainPath
-        Of its points.
-    amplitudes : ndarray, shape (points,)
-        g of each [-].
-    scale : float
-        With which the harmonics of these paths lose what the network does [-].
-    harmonic_loss : float
-        What the modulus of the network that was solved with loses, summed over harmonics [J/rad], under a line per
-        length.
-    shear_loss : float
-        The same of matrix and network.
-    """
-
-    amplitude: float
-    path: StrainPath
-    amplitudes: Floats
-    scale: float
-    harmonic_loss: float
-    shear_loss: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class State:
-    """A contact solved with moduli of given amplitudes and scales of the loss, a value of each for every layer."""
-
-    amplitudes: Floats
-    scales: Floats
-    result: Result
-    layers: tuple[LayerState, ...]
-
-    @property
-    def next_amplitudes(self) -> Floats:
-        """Return the amplitudes that the contact has."""
-        return np.array([layer.amplitude for layer in self.layers])
-
-    @property
-    def next_scales(self) -> Floats:
-        """Return the scales with which the harmonics lose what the network does."""
-        return np.array([layer.scale for layer in self.layers])
+#: Steps to the root of the law, which converge as s α does, and when they end.
+_LAW_STEPS, _LAW_TOLERANCE = 40, 1e-7
 
 
 @dataclass(slots=True, kw_only=True, eq=False)
 class SofteningSearch:
-    """Contacts solved one after the other, on one mesh once it is found."""
+    """Contacts solved one after the other, on one mesh once it is found.
+
+    Attributes
+    ----------
+    history : list of ndarray
+        Amplitudes that the passes found.
+    contacts : int
+        Contacts solved.
+    """
 
     ball: RollingBody
     on: Counterpart | None
@@ -121,11 +85,14 @@ class SofteningSearch:
     depths: int
     report: Report | None
     frequencies: dict[Of, float] = field(default_factory=dict)
-    passes: int = 0
+    history: list[Floats] = field(default_factory=list)
     contacts: int = 0
+    _frequency_passes: int = _FREQUENCY_PASSES
+    _powers: Floats | None = None
+    _last: State | None = None
 
-    def converged(self, start: State | None, *, matched: bool, tolerance: float) -> tuple[State, tuple[Floats, ...]]:
-        """Return the state whose moduli are those of its own strain, and the amplitudes of all passes on the way.
+    def converged(self, start: State | None = None, *, matched: bool, tolerance: float) -> State:
+        """Return the state whose moduli are those of its own strain.
 
         Parameters
         ----------
@@ -141,42 +108,63 @@ class SofteningSearch:
         ConvergenceError
             Where they do not come to rest.
         """
-        count = len(self.layers)
-        state = self.at(np.zeros(count), np.ones(count)) if start is None else start
-        history = [state.next_amplitudes]
+        state, before = self._from_unstrained(matched) if start is None else start, np.inf
         while True:
-            amplitudes, scales = state.next_amplitudes, state.next_scales if matched else np.ones(count)
-            change = max(_change(state.amplitudes, amplitudes), _change(state.scales, scales))
+            scales = state.next_scales if matched else np.ones(len(self.layers))
+            change = max(_change(state.amplitudes, state.next_amplitudes), _change(state.scales, scales))
             if change <= tolerance:
-                return state, tuple(history)
-            if self.passes >= _MOST_PASSES:
+                return state
+            if len(self.history) >= _MOST_PASSES:
                 raise ConvergenceError(
                     f"strain softening did not come to rest in {_MOST_PASSES} passes: the last changed amplitudes or "
                     f"losses by {change:.2g} of themselves"
                 )
-            state = self.at(amplitudes, scales)
-            history.append(state.next_amplitudes)
+            state = self.at(self._ahead(state, scales) if change < before else state.next_amplitudes, scales)
+            before = change
 
-    def at(self, amplitudes: Floats, scales: Floats) -> State:
-        """Solve the contact at amplitudes and scales, and look at the strain that it makes."""
-        result = self.solved(amplitudes, scales)
-        self.passes += 1
-        if self.report is not None:
-            self.report("passes", self.passes / _MOST_PASSES)
-        if self.passes >= _MESH_PASSES:
-            self.options |= {"mesh": result.mesh, "accuracy": None}
-        layers: list[LayerState] = []
+    def beside(self, state: State, *, matched: bool, tolerance: float) -> tuple[Floats, Floats]:
+        """Return amplitudes and scales with the loss taken the other way than in a state.
+
+        Without a scale amplitudes follow by the law alone, but where it goes so far that it may be wrong by more than
+        the tolerance.
+        """
+        scales = state.next_scales if matched else np.ones(len(self.layers))
+        if (scales == state.scales).all():
+            return state.amplitudes, scales
+        amplitudes = self._ahead(state, scales)
+        if matched or _POWER_ERROR * abs(self._stiffer(state, amplitudes, scales)).max() > tolerance:
+            found = self.converged(self.at(amplitudes, scales), matched=matched, tolerance=tolerance)
+            amplitudes, scales = found.amplitudes, found.scales
+        return amplitudes, scales
+
+    def at(self, amplitudes: Floats, scales: Floats, *, coarse: Mesh | None = None) -> State:
+        """Solve the contact at amplitudes and scales, and look at the strain it makes, on a coarse mesh roughly."""
+        settings = [
+            Setting(amplitude=float(amplitude), scale=float(scale), frequency=self._frequency(layer.of))
+            for layer, amplitude, scale in zip(self.layers, amplitudes, scales, strict=True)
+        ]
+        result = self.solved(amplitudes, scales, **({} if coarse is None else {"mesh": coarse}))
+        rough = {} if coarse is None else _ROUGHLY
+        found = {}
         for of in dict.fromkeys(layer.of for layer in self.layers):
             inside = inside_of(result, of)
-            solved_at = self._frequency(of)
-            if self.passes <= _FREQUENCY_PASSES:
+            if coarse is not None or len(self.history) < self._frequency_passes:
                 self.frequencies[of] = _frequency(inside)
-            chosen = [(place, layer) for place, layer in enumerate(self.layers) if layer.of == of]
-            paths = strain_paths(inside, [layer.number for _, layer in chosen], depths=self.depths)
-            for path, (place, layer) in zip(paths, chosen, strict=True):
-                at = partial(layer.modulus.at, float(amplitudes[place]), reference_frequency=solved_at)
-                layers.append(_seen(inside, path, layer.modulus.network, at, float(scales[place])))
-        return State(amplitudes=amplitudes, scales=scales, result=result, layers=tuple(layers))
+            chosen = [place for place, layer in enumerate(self.layers) if layer.of == of]
+            paths = strain_paths(
+                inside, [self.layers[place].number for place in chosen], **({"depths": self.depths} | rough)
+            )
+            for place, path in zip(chosen, paths, strict=True):
+                found[place] = look(inside, path, self.layers[place], settings[place], self._frequency(of))
+        layers = tuple(found[place] for place in range(len(self.layers)))
+        state = State(amplitudes=amplitudes, scales=scales, result=result, layers=layers)
+        self.history.append(state.next_amplitudes)
+        if len(self.history) >= _MESH_PASSES and coarse is None:
+            self.options |= {"mesh": result.mesh, "accuracy": None}
+        self._learn(state)
+        if self.report is not None:
+            self.report("passes", len(self.history) / _MOST_PASSES)
+        return state
 
     def solved(self, amplitudes: Floats, scales: Floats, **options: Any) -> Result:
         """Solve the contact at amplitudes and scales; `options` replace those of the search."""
@@ -196,6 +184,66 @@ class SofteningSearch:
                 angular_speed=self.angular_speed,
                 **(self.options | options),
             )
+
+    def _from_unstrained(self, matched: bool) -> State:
+        """Return the first state on the mesh of the search, by passes on a coarser one where there is one."""
+        amplitudes, scales = np.zeros(len(self.layers)), np.ones(len(self.layers))
+        coarse = _coarser(self.options.get("mesh"))
+        for _ in range(0 if coarse is None else _COARSE_PASSES):
+            state = self.at(amplitudes, scales, coarse=coarse)
+            near = _change(state.amplitudes, state.next_amplitudes) < _COARSE_CHANGE
+            if near and matched:
+                scales = state.next_scales
+            amplitudes = self._ahead(state, scales)
+            if near:
+                break
+        if coarse is not None:
+            self._frequency_passes = len(self.history) + 1
+        return self.at(amplitudes, scales)
+
+    def _ahead(self, state: State, scales: Floats) -> Floats:
+        """Return the amplitudes at which ḡ ∝ |μ|^-α, from what a state has, meets the modulus that they make."""
+        amplitudes = found = state.next_amplitudes
+        if not (found > 0.0).all():
+            return found
+        powers = np.full(len(self.layers), _FIRST_POWER) if self._powers is None else self._powers
+        matrix = self._matrix_moduli()
+        solved = self._stiffness(matrix, state.amplitudes, state.scales)
+        for _ in range(_LAW_STEPS):
+            before = amplitudes
+            amplitudes = found * (self._stiffness(matrix, amplitudes, scales) / solved) ** -powers
+            if _change(before, amplitudes) < _LAW_TOLERANCE:
+                break
+        return amplitudes
+
+    def _learn(self, state: State) -> None:
+        """Take α from the last two passes on one mesh."""
+        last, self._last = self._last, state
+        if last is None or last.result.mesh != state.result.mesh:
+            return
+        stiffer = self._stiffer(last, state.amplitudes, state.scales)
+        if (abs(stiffer) > _TELLING).all() and (state.next_amplitudes > 0.0).all():
+            larger = np.log(state.next_amplitudes / last.next_amplitudes)
+            self._powers = np.clip(-larger / stiffer, *_POWERS)
+
+    def _stiffer(self, state: State, amplitudes: Floats, scales: Floats) -> Floats:
+        """Return logarithms of how much stiffer layers are at amplitudes and scales than in a state."""
+        matrix = self._matrix_moduli()
+        solved = self._stiffness(matrix, state.amplitudes, state.scales)
+        return np.asarray(np.log(self._stiffness(matrix, amplitudes, scales) / solved))
+
+    def _matrix_moduli(self) -> NDArray[np.complex128]:
+        """Return the modulus of each layer's matrix at the frequency of its network [Pa]."""
+        alone = [SoftenedModulus(matrix=layer.modulus.matrix, network=None) for layer in self.layers]
+        frequencies = [self._frequency(layer.of) for layer in self.layers]
+        return np.array([m.complex_modulus([w])[0] for m, w in zip(alone, frequencies, strict=True)])
+
+    def _stiffness(self, matrix: NDArray[np.complex128], amplitudes: Floats, scales: Floats) -> Floats:
+        """Return |μ| of each layer there, matrix and network [Pa]."""
+        networks = [layer.modulus.network.at(g) for layer, g in zip(self.layers, amplitudes, strict=True)]
+        storage, loss = np.array(networks).T
+        stiffness: Floats = abs(matrix + storage + 1j * scales * loss)
+        return stiffness
 
     def _frequency(self, of: Of) -> float:
         return self.frequencies.get(of, _FIRST_FREQUENCY * self.angular_speed)
@@ -227,62 +275,36 @@ def _with_moduli(body: Any, of: Of, moduli: dict[tuple[Of, int], SoftenedModulus
     return with_materials(body, materials)
 
 
-def _frequency(inside: Inside) -> float:
-    """Return Ω R/a, at which the network is what a sweep at its amplitude has [rad/s]."""
-    half_width = inside.result.semi_axis_x or inside.result.ball.outer_radius * inside.result.mesh.spacing
-    return inside.result.angular_speed * inside.result.ball.outer_radius / half_width
-
-
-def _seen(
-    inside: Inside, path: StrainPath, network: Network, at: Callable[..., SoftenedModulus], scale: float
-) -> LayerState:
-    """Return what a solved contact does in a layer.
-
-    Parameters
-    ----------
-    inside, path
-        The body, and the strain in one of its layers.
-    network : Network
-        Of that layer.
-    at : callable
-        Its modulus at the amplitude it was solved at, as a function of `loss_scale`.
-    scale : float
-        That it was solved with [-].
-    """
-    # The material of both bodies is solved as passing at Ω r_o.
-    turn = inside.result.angular_speed * inside.result.ball.outer_radius / inside.radius
-    g = half_range(path.p)
-    loop = math.pi * g**2 * network.at(g)[1]
-    weights = (loop if loop.any() else g**2) * path.volumes  # a network without loss has a mean amplitude, too
-    lost = float((loop * turning_ratio(path.p, g, network.yield_strain) * path.volumes).sum())
-
-    orders, squares = harmonic_squares(path)
-    frequency, summed = turn * orders, path.volumes @ squares
-
-    def harmonic(modulus: Callable[[Floats], NDArray[np.complex128]]) -> float:
-        return float(summed @ modulus(frequency).imag)
-
-    modulus = at(loss_scale=scale)
-    return LayerState(
-        amplitude=float((weights * g).sum() / weights.sum()),
-        path=path,
-        amplitudes=g,
-        scale=_matched(lost, lambda c: harmonic(at(loss_scale=c).network_modulus), scale),
-        harmonic_loss=harmonic(modulus.network_modulus),
-        shear_loss=harmonic(modulus.complex_modulus),
+def _coarser(mesh: Mesh | None) -> Mesh | None:
+    """Return a mesh of half the nodes, where there are enough of them and no order is cut off."""
+    if mesh is None or mesh.max_order is not None or mesh.nodes_per_revolution < 2 * _FEWEST_NODES:
+        return None
+    across = mesh.theta_nodes_per_revolution
+    return Mesh(
+        nodes_per_revolution=mesh.nodes_per_revolution // 2,
+        theta_nodes_per_revolution=None if across is None else across // 2,
     )
 
 
-def _matched(lost: float, harmonic: Callable[[float], float], scale: float) -> float:
-    """Return the scale with which the harmonics lose as much; they are all but proportional to it."""
-    for _ in range(_SCALE_STEPS):
-        summed = harmonic(scale)
-        if summed <= 0.0 or lost <= 0.0:
-            return 1.0
-        scale *= lost / summed
-        if abs(lost - summed) < _SCALE_TOLERANCE * lost:
-            break
-    return scale
+def _frequency(inside: Inside) -> float:
+    """Return Ω R/a, at which the network is what a sweep at its amplitude has [rad/s]."""
+    return inside.result.angular_speed * inside.result.ball.outer_radius / _half_width(inside.result)
+
+
+def _half_width(result: Solution) -> float:
+    """Return half of the contact's length along its middle [m], which grows with it and not from node to node.
+
+    Pressure ends as the root of the distance: its square is a line, to nothing.
+    """
+    spacing = result.ball.outer_radius * result.mesh.spacing
+    squares = result.pressure[:, result.pressure.max(axis=0).argmax()] ** 2
+    inside = np.flatnonzero(squares)
+    if len(inside) < 4:
+        return spacing
+    ends = squares[inside[[0, -1]]]
+    slopes = squares[inside[[1, -2]]] - ends
+    beyond = np.where(slopes > ends, ends / np.maximum(slopes, 1e-300), 1.0)
+    return float(0.5 * spacing * (inside[-1] - inside[0] + beyond.sum()))
 
 
 def _change(old: Floats, new: Floats) -> float:

@@ -16,6 +16,9 @@ from ..materials import Shift
 from ..materials.shift import scaled, shift_factor, shifted
 from ..rolling import solve
 from ..solution.loss import default_max_order
+from .softening_result import Matching, StrainSoftening
+from .softening_search import softens
+from .strain_softening import strain_softening
 from .temperature import Temperature, temperature
 
 if TYPE_CHECKING:
@@ -53,6 +56,8 @@ class SteadyState:
         Rise over the surroundings.
     stable : bool
         Whether a small warming dies out.
+    softening : StrainSoftening or None
+        Strain and moduli of layers that soften, of a body that has any.
     """
 
     mean_temperature: float
@@ -60,6 +65,7 @@ class SteadyState:
     result: Result
     temperature: Temperature
     stable: bool
+    softening: StrainSoftening | None = None
 
     def __repr__(self) -> str:
         """Return a summary of one line."""
@@ -105,6 +111,7 @@ class _Point:
     layer_temperatures: tuple[float, ...]
     result: Result
     temperature: Temperature
+    softening: StrainSoftening | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -116,6 +123,7 @@ class StateSearch:
     vertical: Shift | None
     load: float
     angular_speed: float
+    softening: Matching
     thermal: dict[str, Any]
     options: dict[str, Any]
     ambient: float
@@ -133,7 +141,7 @@ class StateSearch:
         profile = np.zeros(len(self.ball.layers))
         for _ in range(_PROFILE_STEPS if len(self.ball.layers) > 1 else 1):
             temperatures = mean + profile
-            result = solve(self._heated(temperatures), load=force, angular_speed=speed, **self.options)
+            result, soft = self._solved(self._heated(temperatures), force, speed)
             found = temperature(
                 result, of="ball", **self.thermal, max_order=default_max_order(result, _ORDERS_PER_CONTACT)
             )
@@ -142,9 +150,16 @@ class StateSearch:
             profile = after
             if settled:
                 break
-        point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found)
+        point = _Point(self.ambient + found.mean - mean, tuple(temperatures.tolist()), result, found, soft)
         self.known[key] = point
         return point
+
+    def _solved(self, ball: RollingBody, load: float, speed: float) -> tuple[Result, StrainSoftening | None]:
+        """Contact with given moduli, of layers that soften with those of its own strain."""
+        if not softens(ball, self.options.get("on")):
+            return solve(ball, load=load, angular_speed=speed, **self.options), None
+        soft = strain_softening(ball, load=load, angular_speed=speed, loss=self.softening, **self.options)
+        return soft.result, soft
 
     def _heated(self, temperatures: NDArray[np.float64]) -> RollingBody:
         layers = []
@@ -198,6 +213,7 @@ class StateSearch:
             layer_temperatures=point.layer_temperatures,
             result=point.result,
             temperature=point.temperature,
+            softening=point.softening,
             stable=self.at(high).excess <= self.at(low).excess,
         )
 

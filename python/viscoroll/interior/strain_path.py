@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._core import Sides
 from .._support.arguments import Floats
-from .._support.cautions import kept_in_results
 from .._support.extras import extra
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from ..solution.inside import Inside, boundaries_of
-from ..solution.interior_fields import interior
+from ..solution.interior_fields import strains
 from ..solution.loss import contact_size
 
 if TYPE_CHECKING:
@@ -27,23 +27,34 @@ if TYPE_CHECKING:
 
 __all__ = ["StrainPath", "deviatoric_path", "half_range", "harmonic_squares", "strain_paths"]
 
-#: Nodes of a contact's half-width along the path, and across it, that are looked at, where the mesh has so many.
-_ALONG, _ACROSS = 20, 8
+#: Nodes of a contact's half-width along the path that are looked at, where the mesh has so many.
+_ALONG = 20
+
+#: Gauss's points across, over the contact's half-width and over each panel beside it.
+_ACROSS, _BESIDE = 6, 4
 
 #: Steps beyond 1.5 half-widths, per distance from the middle: what is farther away varies the more slowly.
 _GROWTH = 0.08
 
-#: How far along the path strain is followed, in half-widths; over the rest of the revolution it fades evenly.
-_REACH = 8.0
+#: How far strain is followed along the path, and beyond the contact across it, in half-widths, and how deep by that:
+#: over the rest of a revolution it fades evenly. In a thin layer it falls across with its thickness: beyond 3 of them
+#: 1e-3 of the loss is left, beyond this many 1e-4.
+_REACH, _DEEP, _FAR_IN_THIN = 8.0, 1.5, 8.0
 
-#: How far across, and how deep, in half-widths beyond the contact: strain falls as the square of the distance.
-_FAR = 6.0
+#: Orders, per radius over the contact's half-width, that strain is summed to at most: amplitudes to 1e-3. At the ends
+#: of a contact on a thin layer strain changes within its thickness: this share of them per radius over that. No mesh
+#: has more than π per spacing.
+_ORDERS_PER_CONTACT, _OF_THICKNESS = 25.0, 0.16
 
-#: Depth of the first of the panels that Gauss's points lie in, in half-widths, and how much each is than its depth.
+#: Panels that Gauss's points lie in, in depth and beside the contact: how long the first is, in half-widths, and each
+#: by its own distance.
 _PANEL = 1.5
 
 #: Half a revolution, of a plane the third of one that its fields are known over, less a hair [rad].
 _HALF_TURN, _THIRD = 0.999 * math.pi, 0.999 * math.pi / 3.0
+
+#: What sides may differ by, of the largest traction, and be each other's mirror image: iterations end so.
+_SAME_SIDES = 1e-4
 
 #: What a plane's path is lengthened by, at rest, before its harmonics are taken.
 _PADDING = 8.0
@@ -79,7 +90,12 @@ class StrainPath:
 
 
 def strain_paths(
-    inside: Inside, layers: Sequence[int], *, depths: int = 3, reach: float = _REACH
+    inside: Inside,
+    layers: Sequence[int],
+    *,
+    depths: int = 4,
+    reach: float = _REACH,
+    orders: float = _ORDERS_PER_CONTACT,
 ) -> tuple[StrainPath, ...]:
     """Follow the strain in layers of a body.
 
@@ -89,23 +105,24 @@ def strain_paths(
         The body.
     layers : sequence of int
         Numbers of its layers, the base of a plane first.
-    depths : int, default 3
+    depths : int, default 4
         Gauss's points through a layer, of a thick one through each of its panels.
     reach : float, default 8
-        How far along the path, in half-widths of the contact.
+        How far along the path and across it, in half-widths of the contact.
+    orders : float, default 25
+        Up to which strain is summed, per radius over the contact's half-width.
 
     Returns
     -------
     tuple of StrainPath
         One for each layer.
     """
-    columns = [_depths(inside, layer, depths) for layer in layers]
+    columns = [_depths(inside, layer, depths, reach) for layer in layers]
     phi = _phi(inside, reach)
-    theta, across = _theta(inside)
+    theta, across = _theta(inside, reach)
     every = np.concatenate([depth for depth, _ in columns])
-    with kept_in_results():
-        found = interior(inside.result, depth=every, phi=phi, theta=theta, of=inside.of)
-    p = np.moveaxis(deviatoric_path(found.strain.to_numpy()), (1, 3, 2, 0), (0, 1, 2, 3))
+    strain = strains(inside, every, phi, theta, max_order=_max_order(inside, orders))
+    p = np.moveaxis(deviatoric_path(np.moveaxis(strain, 1, 0)), (1, 3, 2, 0), (0, 1, 2, 3))
     paths = []
     for number, (depth, weights), start in zip(
         layers, columns, np.cumsum([0, *(len(d) for d, _ in columns)]), strict=False
@@ -176,10 +193,11 @@ def harmonic_squares(path: StrainPath) -> tuple[Floats, Floats]:
 def _evenly(path: StrainPath) -> Floats:
     """Return a path on even steps over its whole period; where it was not followed it fades evenly."""
     with extra("studies"):
+        from scipy.fft import next_fast_len
         from scipy.interpolate import CubicSpline
 
     phi = path.phi
-    count = int(2 ** math.ceil(math.log2(2.0 * path.period / np.diff(phi).min())))
+    count = next_fast_len(math.ceil(path.period / np.diff(phi).min()), real=True)
     even = phi[0] + path.period / count * np.arange(count)
     followed = even <= phi[-1]
     p = np.empty((len(path.p), count, path.p.shape[2]))
@@ -197,21 +215,61 @@ def _phi(inside: Inside, reach: float) -> Floats:
     return 0.5 * math.pi + spacing * _steps(half_width / spacing, _ALONG, min(reach * half_width, limit) / spacing)
 
 
-def _theta(inside: Inside) -> tuple[Floats, Floats]:
-    """Return places across the path, and the weights of an integral over them [rad]; under a line one, of weight 1."""
+def _theta(inside: Inside, reach: float) -> tuple[Floats, Floats]:
+    """Return places across the path by Gauss, and their weights [rad]; under a line one, of weight 1.
+
+    Of a contact that is its own mirror image they are on one side, and stand for both.
+    """
     if inside.line_contact:
         return np.array([0.5 * math.pi]), np.ones(1)
-    with extra("studies"):
-        from scipy.interpolate import CubicSpline
+    half_width = max((inside.result.semi_axis_z or 0.0) / inside.radius, inside.node_spacings()[1])
+    far = half_width + min(_FAR_IN_THIN * inside.thickness / inside.radius, reach * half_width)
+    if isinstance(inside.body, CoatedWheel) and inside.body.sides is Sides.FREE:
+        far = min(far, 0.5 * inside.body.width / inside.radius)
+    far = min(far, _HALF_TURN)
+    inner = min(half_width, far)
+    ends = _panels(inner, far, half_width)
+    counts = [_ACROSS, *[_BESIDE] * (len(ends) - 1)]
+    theta, weights = _gauss(np.concatenate([[0.0], ends]), counts)
+    if _is_mirrored(inside):
+        return 0.5 * math.pi + theta, 2.0 * weights
+    return 0.5 * math.pi + np.concatenate([-theta[::-1], theta]), np.concatenate([weights[::-1], weights])
 
-    spacing = inside.node_spacings()[1]
-    half_width = max((inside.result.semi_axis_z or 0.0) / inside.radius, spacing)
-    reach = half_width + min(3.0 * inside.thickness / inside.radius, _FAR * half_width)
-    if isinstance(inside.body, CoatedWheel):
-        reach = min(reach, 0.5 * inside.body.width / inside.radius)
-    theta = spacing * _steps(half_width / spacing, _ACROSS, min(reach, 0.5 * _HALF_TURN) / spacing)
-    weights = [CubicSpline(theta, unit).integrate(theta[0], theta[-1]) for unit in np.eye(len(theta))]
-    return 0.5 * math.pi + theta, np.array(weights)
+
+def _is_mirrored(inside: Inside) -> bool:
+    """Return whether one side of the contact is as the other."""
+    result = inside.result
+    along, sideways = result.shear_traction
+    pairs = [(result.pressure, 1.0), (along, 1.0), (sideways, -1.0)]
+    largest = max(float(abs(values).max()) for values, _ in pairs)
+    return all(float(abs(values - sign * values[:, ::-1]).max()) <= _SAME_SIDES * largest for values, sign in pairs)
+
+
+def _panels(near: float, far: float, size: float) -> Floats:
+    """Return the ends of panels from one distance to another, ever longer ones, which are alike and end at the last."""
+    ends = [near]
+    while ends[-1] < far * (1.0 - 1e-9):
+        ends.append(ends[-1] + _PANEL * max(size, ends[-1] - near))
+    scale = (far - near) / (ends[-1] - near) if len(ends) > 1 else 1.0
+    return near + scale * (np.array(ends) - near)
+
+
+def _gauss(ends: Floats, counts: Sequence[int]) -> tuple[Floats, Floats]:
+    """Return Gauss's points in panels, so many in each, and their weights."""
+    places, weights = [], []
+    for low, high, count in zip(ends[:-1], ends[1:], counts, strict=True):
+        nodes, shares = np.polynomial.legendre.leggauss(count)
+        places.append(low + 0.5 * (high - low) * (1.0 + nodes))
+        weights.append(0.5 * (high - low) * shares)
+    return np.concatenate(places), np.concatenate(weights)
+
+
+def _max_order(inside: Inside, orders: float) -> float:
+    """Return the order up to which the strain of a contact is summed."""
+    spacing = min(inside.node_spacings()[: 1 if inside.line_contact else 2])
+    thinnest = float(np.diff(boundaries_of(inside.body)).min())
+    length = min(contact_size(inside.result), thinnest / _OF_THICKNESS)
+    return min(orders * inside.radius / length, math.pi / spacing)
 
 
 def _steps(half_width: float, count: int, reach: float) -> Floats:
@@ -224,23 +282,13 @@ def _steps(half_width: float, count: int, reach: float) -> Floats:
     return np.concatenate([-kept[:0:-1], kept])
 
 
-def _depths(inside: Inside, layer: int, points: int) -> tuple[Floats, Floats]:
+def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floats, Floats]:
     """Return depths in a layer, by Gauss in panels that grow with the depth, and their weights [m]."""
     edges = inside.depth(boundaries_of(inside.body))
     below, above = float(edges[layer]), float(edges[layer + 1])
     size = contact_size(inside.result)
-    deepest = min(below, above + _FAR * 2.0 * size)
-    panels = [above]
-    while panels[-1] < deepest * (1.0 - 1e-9):
-        panels.append(panels[-1] + _PANEL * max(size, panels[-1]))
-    count = len(panels) - 1
-    # Panels grow alike, and end where the layer does.
-    scale = (deepest - above) / (panels[-1] - above)
-    ends = above + scale * (np.array(panels) - above)
-    nodes, weights = np.polynomial.legendre.leggauss(points)
-    widths = np.diff(ends)
-    depth = ends[:-1, None] + 0.5 * widths[:, None] * (1.0 + nodes)
-    return depth.ravel(), (0.5 * widths[:, None] * np.broadcast_to(weights, (count, points))).ravel()
+    ends = _panels(above, min(below, above + _DEEP * reach * size), max(size, above))
+    return _gauss(ends, [points] * (len(ends) - 1))
 
 
 def _measure(inside: Inside, depth: Floats) -> Floats:

@@ -9,13 +9,13 @@ from .._support.arguments import as_float, as_int, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
 from .._support.progress import ProgressLike, reporting
-from .._support.text import shown
 from ..bodies import Counterpart, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials import SofteningModulus
 from ..rolling import solve
-from .softening_result import Matching, StrainSoftening
-from .softening_search import SofteningLayer, SofteningSearch, State, softening_layers
+from .softened_state import SofteningLayer, State
+from .softening_result import Matching, StrainSoftening, as_matching
+from .softening_search import SofteningSearch, softening_layers
 
 if TYPE_CHECKING:
     from ..rolling import Result
@@ -35,7 +35,7 @@ def strain_softening(
     angular_speed: float,
     loss: Matching = "network",
     sublayers: int = 1,
-    depths: int = 3,
+    depths: int = 4,
     tolerance: float = 1e-3,
     progress: ProgressLike = None,
     **options: Any,
@@ -56,7 +56,7 @@ def strain_softening(
     sublayers : int, default 1
         Parts that every layer that softens is cut into, each with an amplitude of its own, in [1, 20]. It matters only
         where a contact is shorter than a third of the layer.
-    depths : int, default 3
+    depths : int, default 4
         Depths in a layer at which strain is followed, in [2, 20]; in thick ones several times as many.
     tolerance : float, default 1e-3
         By which share of themselves amplitudes and losses may still change, in [1e-9, 0.1].
@@ -105,8 +105,7 @@ def strain_softening(
     """
     require_type("ball", ball, RollingBody)
     require_type("on", on, Counterpart, optional=True)
-    if loss not in ("network", "harmonic"):
-        raise ValueError(f"loss must be 'network' or 'harmonic', got {shown(loss)}")
+    as_matching("loss", loss)
     parts, columns = as_int("sublayers", sublayers), as_int("depths", depths)
     if not 1 <= parts <= 20:
         raise ValueError(f"sublayers must be in [1, 20], got {parts}")
@@ -131,24 +130,18 @@ def strain_softening(
             depths=columns,
             report=report,
         )
-        harmonic, first = search.converged(None, matched=False, tolerance=share)
-        matched, second = search.converged(harmonic, matched=True, tolerance=share)
-        given = {name: options.get(name) for name in ("mesh", "accuracy")}
-        results = {
-            name: state.result if given["mesh"] is not None else search.solved(state.amplitudes, state.scales, **given)
-            for name, state in (("harmonic", harmonic), ("network", matched))
-        }
-    return _found(search, results, {"harmonic": harmonic, "network": matched}[loss], loss, (*first, *second[1:]))
+        matched = loss == "network"
+        state = search.converged(matched=matched, tolerance=share)
+        amplitudes, scales = search.beside(state, matched=not matched, tolerance=share)
+        given: dict[str, Any] = {name: options.get(name) for name in ("mesh", "accuracy")}
+        found = state.result if given["mesh"] is not None else search.solved(state.amplitudes, state.scales, **given)
+        bound = search.solved(amplitudes, scales, **given)
+    return _found(search, state, found, (bound, found) if matched else (found, bound), loss)
 
 
 def _found(
-    search: SofteningSearch,
-    results: dict[str, Result],
-    state: State,
-    loss: Matching,
-    history: tuple[Any, ...],
+    search: SofteningSearch, state: State, result: Result, bounds: tuple[Result, Result], loss: Matching
 ) -> StrainSoftening:
-    result = results[loss]
     moduli = tuple(
         tuple(float(part) for part in layer.modulus.network.at(amplitude))
         for layer, amplitude in zip(search.layers, state.amplitudes, strict=True)
@@ -164,9 +157,9 @@ def _found(
         layer_moduli=moduli,  # type: ignore[arg-type]
         loss_scales=tuple(state.scales.tolist()),
         network_share=sum(layer.harmonic_loss for layer in state.layers) / lost if lost > 0.0 else 0.0,
-        torque_bounds=(results["harmonic"].resisting_torque, results["network"].resisting_torque),
+        torque_bounds=(bounds[0].resisting_torque, bounds[1].resisting_torque),
         iterations=search.contacts,
-        history=tuple(tuple(amplitudes.tolist()) for amplitudes in history),
+        history=tuple(tuple(amplitudes.tolist()) for amplitudes in search.history),
         warnings=cautions,
         _layers=search.layers,
         _state=state,

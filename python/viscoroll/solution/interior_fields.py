@@ -11,7 +11,7 @@ from .._core import Curvature
 from .._support.arguments import as_float, as_int, as_orders, require_type
 from .._support.cautions import warn
 from .._support.extras import extra
-from .._support.progress import ProgressLike, reporting
+from .._support.progress import ProgressLike, Report, reporting
 from ..bodies import CoatedCylinder, CoatedPlane, CoatedSphere, CoatedWheel
 from .inside import BodyInside, Inside, Of, finite_line, inside_of, places_of
 from .solution import Solution, described, given_of
@@ -26,6 +26,7 @@ __all__ = [
     "bonds",
     "interior",
     "order_fields",
+    "strains",
 ]
 
 #: Components of vectors and of symmetric tensors, in the order of the arrays.
@@ -118,6 +119,7 @@ def interior(
     phi: ArrayLike | None = None,
     theta: ArrayLike | None = None,
     of: Of | None = None,
+    max_order: float | None = None,
     threads: int = 0,
     progress: ProgressLike = None,
 ) -> xarray.Dataset:
@@ -136,6 +138,9 @@ def interior(
         depths is the section through the contact; under a line there is no other.
     of : "ball" or "counterpart", optional
         What rolls, or what it rolls on; by default the one that deforms, of two what rolls.
+    max_order : float, optional
+        Order at which the sum ends, smoothly, > 0; by default where an order has died out at a depth. Shallow places
+        are faster with it, and the steps of the pressure from patch to patch lie above π per spacing.
     threads : int, default 0
         Number of threads; 0 for all cores.
     progress : bool or callable, optional
@@ -189,18 +194,9 @@ def interior(
         inside.node_angles()[axis] if given is None else finite_line(name, given)
         for axis, (name, given) in enumerate((("phi", phi), ("theta", theta)))
     )
+    order = None if max_order is None else as_float("max_order", max_order)
     with reporting(progress) as report:
-        values = _core.interior_fields(
-            inside.body._to_core(),
-            inside.tractions(),
-            position=positions,
-            layer=layers,
-            phi=phi,
-            theta=theta,
-            angular_speed=result.angular_speed,
-            threads=as_int("threads", threads),
-            progress=report,
-        )
+        values = _values(inside, (positions, layers), phi, theta, order, as_int("threads", threads), report)
     _warn_of_shallow_places(inside, inside.depth(positions), on_nodes)
     inside.warn_of_sides()
     if inside.line_contact and not np.isfinite(inside.thickness):
@@ -234,6 +230,42 @@ def interior(
         attrs=given_of(result)
         | {"of": inside.of, "body": type(inside.body).__name__}
         | ({"outer_radius": inside.radius} if inside.turns else {}),
+    )
+
+
+def strains(
+    inside: Inside,
+    depth: NDArray[np.float64],
+    phi: NDArray[np.float64],
+    theta: NDArray[np.float64],
+    *,
+    max_order: float | None = None,
+) -> NDArray[np.float64]:
+    """Return the strain of `interior` alone [-], of shape (places, 6, phi, theta); two places where layers meet."""
+    return _values(inside, inside.places(depth), phi, theta, max_order, 0, None)[:, 9:]
+
+
+def _values(
+    inside: Inside,
+    places: tuple[NDArray[np.float64], NDArray[np.int32]],
+    phi: NDArray[np.float64],
+    theta: NDArray[np.float64],
+    max_order: float | None,
+    threads: int,
+    report: Report | None,
+) -> NDArray[np.float64]:
+    """Return all components, of shape (places, 15, phi, theta)."""
+    return _core.interior_fields(
+        inside.body._to_core(),
+        inside.tractions(),
+        position=places[0],
+        layer=places[1],
+        phi=phi,
+        theta=theta,
+        angular_speed=inside.result.angular_speed,
+        max_order=max_order,
+        threads=threads,
+        progress=report,
     )
 
 

@@ -17,6 +17,7 @@ from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import PER_LENGTH, UNITS
 from ..bodies import CoatedSphere, RollingBody
+from ..interior.softening_result import BOUNDS
 from ..solution import FIELDS, VECTOR_FIELDS
 from ..solution.scalars import SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
@@ -46,7 +47,7 @@ _TEXTS = {
 }
 
 #: Names that parameters of a ball cannot have.
-RESERVED = frozenset({*SCALARS, *_COUNTS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
+RESERVED = frozenset({*SCALARS, *_COUNTS, *BOUNDS, *_TEXTS, *FIELDS, *VECTOR_FIELDS, "phi", "theta", "direction"})
 
 
 def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset:
@@ -77,6 +78,13 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
     for name, (unit, description) in (SCALARS | _COUNTS).items():
         column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
         variables[name] = (names, np.array(column, dtype=np.float64), _attributes(units.get(name, unit), description))
+    for name in BOUNDS if any(bound in outcome.scalars for outcome in table for bound in BOUNDS) else ():
+        column = [value if (value := outcome.scalars.get(name)) is not None else np.nan for outcome in table]
+        variables[name] = (
+            names,
+            np.array(column, dtype=np.float64),
+            _attributes(units["resisting_torque"], BOUNDS[name]),
+        )
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
     variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))

@@ -16,7 +16,7 @@ from .._core import ConvergenceError, core_count
 from .._support.cautions import kept_in_results
 from .._support.progress import Report
 from ..bodies import RollingBody
-from ..interior import softens, strain_softening
+from ..interior import StrainSoftening, softens, strain_softening
 from ..rolling import Result, RollingModel, solve
 from .plan import NOT_OF_A_POINT, Plan, Task
 
@@ -93,19 +93,20 @@ def solve_group(
     MemoryError, ImportError, CancelledError
         These say nothing of the point, and end the group.
     """
-    solver: Callable[..., Result] | None = None
+    solver: Callable[..., Result | StrainSoftening] | None = None
     outcomes = []
     for position, case in enumerate(cases):
         try:
             solver = solver or _solver(ball, shared, cases, threads=threads, progress=progress)
-            result = solve_point(solver, **case)
+            solved = solve_point(solver, **case)
         except NOT_OF_A_POINT:
             raise
         except Exception as error:
             outcome = Outcome(error=f"{type(error).__name__}: {error}", lasting=_is_an_answer(error))
         else:
+            result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
-            outcome = Outcome(scalars=result.scalars(), fields=kept)
+            outcome = Outcome(scalars=result.scalars() | bounds, fields=kept)
         outcomes.append(outcome)
         if record is not None:
             record(position, outcome)
@@ -122,7 +123,7 @@ def _is_an_answer(error: Exception) -> bool:
     return is_ours and isinstance(error, ValueError | ConvergenceError)
 
 
-def solve_point(solver: Callable[..., Result], **case: Any) -> Result:
+def solve_point(solver: Callable[..., Result | StrainSoftening], **case: Any) -> Result | StrainSoftening:
     """Solve one point: `solver` knows what it shares with others, `case` is the rest."""
     with kept_in_results():
         return solver(**case)
@@ -130,21 +131,16 @@ def solve_point(solver: Callable[..., Result], **case: Any) -> Result:
 
 def _solver(
     ball: RollingBody, shared: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], **options: Any
-) -> Callable[..., Result]:
+) -> Callable[..., Result | StrainSoftening]:
     """Return a solver on shared tables, or one that chooses its mesh anew, or refuses to, for each point."""
     if softens(ball, shared.get("on")):
-        return partial(_softened, ball, **shared, **options)
+        return partial(strain_softening, ball, **shared, **options)  # no other point shares its moduli
     if "mesh" not in shared or any("accuracy" in case for case in cases):
         return partial(solve, ball, **shared, **options)
     of_model = {name: value for name, value in shared.items() if name in ("on", "angular_speed", "mesh", "curvature")}
     model = RollingModel(ball, **of_model, **options)
     rest = {name: value for name, value in shared.items() if name not in of_model}
     return partial(model.solve, **rest, **options)
-
-
-def _softened(ball: RollingBody, *, threads: int, **case: Any) -> Result:
-    """Return the contact with the moduli of its own strain, which no other point shares."""
-    return strain_softening(ball, threads=threads, **case).result
 
 
 def run(

@@ -102,3 +102,25 @@ def test_studies_tell_networks_apart(write):
 def test_what_is_refused(write, network, message):
     with pytest.raises(ValueError, match=message):
         load_case(write(network))
+
+
+def test_filled_rubber_that_heats_itself(write):
+    """The shell tells what `self_heating` finds: the coldest state, its strain and both torques."""
+    thermal = """
+[thermal]
+convection = 10.0
+ambient = 293.15
+conductivity = 0.2
+softening = "harmonic"
+limit = 313.15
+shift = { type = "arrhenius", activation_energy = 60e3, reference_temperature = 293.15 }
+"""
+    masing = '{ type = "masing", storage = 6e6, critical_strain = 0.01 }'
+    path = write(masing, thermal)
+    path.write_text(path.read_text(encoding="utf-8").replace("= 800", "= 200"), encoding="utf-8")
+    told = json.loads(command("solve", path, "--json").stdout)
+    hot = load_case(path).self_heating().states[0]
+    assert hot.softening.loss == "harmonic"
+    assert told["resisting_torque"] == hot.softening.torque_bounds[0] == told["softening"]["harmonic_torque"]
+    assert told["softening"]["network_torque"] == hot.softening.torque_bounds[1]
+    assert told["thermal"][0]["mean_temperature"] == pytest.approx(hot.mean_temperature)

@@ -10,10 +10,12 @@ import json
 import re
 import shutil
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
 import viscoroll as vr
+from specimens import RUBBER, coated_ball
 from viscoroll.export import CODES
 
 LOADS, SPEEDS = [30.0, 50.0, 80.0, 120.0], [0.5, 1.0, 2.0, 4.0, 8.0]
@@ -347,3 +349,28 @@ def test_wheels_are_no_balls():
         vr.dem(vr.solve(wheel, **case), code="lammps")
     with pytest.raises(ValueError, match=r"source must be of a ball .*, got a study of a coated wheel"):
         vr.dem(vr.sweep(wheel, **case, progress=False), code="lammps")
+
+
+def test_filled_rubber_is_written_with_both_torques(tmp_path):
+    """From one contact and from a study; the torque that the lines make is that of the network."""
+    network = vr.MasingNetwork(storage=6e6, critical_strain=0.01)
+    ball = coated_ball(vr.SofteningModulus(matrix=RUBBER, network=network))
+    case = {"angular_speed": 2.5, "mesh": vr.Mesh(nodes_per_revolution=300)}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        found = vr.strain_softening(ball, load=50.0, **case)
+        study = vr.sweep(ball, load=[50.0, 100.0], **case, progress=False)
+    for source in (found, study):
+        written = vr.dem(source, code="yade", load=50.0)
+        harmonic, matched = written.point.bounds
+        assert written.point.torque == pytest.approx(matched, rel=1e-12)  # power by speed: that of all that is lost
+        assert matched == pytest.approx(found.result.dissipated_power / 2.5, rel=1e-9)
+        assert harmonic / matched == pytest.approx(found.torque_bounds[0] / found.torque_bounds[1], rel=1e-9)
+        assert f"T = {harmonic:.6g} N m with its network's loss summed over harmonics" in written.text
+        head, first, *_ = written.save(tmp_path / "yade.txt").read_text(encoding="utf-8").splitlines()
+        row = dict(zip(head.split(","), map(float, first.split(",")), strict=True))
+        assert row["harmonic_torque [N m]"] == pytest.approx(harmonic, rel=1e-9)
+    np.testing.assert_allclose(study.network_torque, study.resisting_torque, rtol=1e-12)
+    linear = vr.sweep(coated_ball(), load=[50.0, 100.0], **case, progress=False)
+    assert "network_torque" not in linear
+    assert "filled rubber" not in vr.dem(linear, code="yade").text

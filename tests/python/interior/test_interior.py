@@ -127,6 +127,16 @@ def test_sections_and_single_points_are_parts_of_the_window(coarse):
     np.testing.assert_allclose(around.stress[..., 0, :], around.stress[..., -1, :], atol=1.0)  # once around
 
 
+def test_a_sum_that_ends_earlier_is_the_same_but_near_the_surface(coarse):
+    """Of order N exp(-N d/r_o) is left at a depth d: all of it near the surface, 6e-5 at the core."""
+    depths = np.array([0.1e-3, 1e-3])
+    whole, ended = (coarse.interior(depth=depths, max_order=order).strain.to_numpy() for order in (None, 200.0))
+    off = abs(ended - whole).max(axis=(0, 2, 3)) / abs(whole).max(axis=(0, 2, 3))
+    assert off[0] > 1e-3
+    assert off[1] < 6e-5
+    np.testing.assert_array_equal(coarse.interior(depth=depths, max_order=1e9).strain, whole)
+
+
 def test_both_sides_of_a_boundary(unlike_ball):
     r = vr.solve(unlike_ball, load=20.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=200))
     inside = r.interior(depth=[1e-3])
@@ -291,6 +301,7 @@ def test_pictures(coarse, tmp_path):
         ({"depth": [math.nan]}, "depth must be finite"),
         ({"radius": [19e-3]}, r"radius must be in \[0.02, 0.021\] m"),
         ({"depth": [1e-3], "phi": [9.0]}, "phi must be within half a revolution"),
+        ({"depth": [1e-3], "max_order": 0.0}, "max_order must be > 0, got 0"),
     ],
 )
 def test_bad_input_is_named(coarse, arguments, message):

@@ -44,7 +44,7 @@ def test_matched_torque_is_that_of_the_columns(peak, bound):
     network = vr.MasingNetwork(
         storage=0.5 * columns.network, critical_strain=columns.critical_strain * 2.0 / math.sqrt(3.0)
     )
-    height = 0.1e-3
+    height = 0.04e-3
     radius = columns.radius_by_height / height
     tread = vr.SofteningModulus(matrix=matrix, network=network)
     layer = vr.Layer(thickness=height, shear_modulus=tread, poisson_ratio=0.0)
@@ -52,7 +52,7 @@ def test_matched_torque_is_that_of_the_columns(peak, bound):
         vr.CoatedCylinder(core_radius=radius - height, layers=[layer]),
         load=load,
         angular_speed=columns.speed / radius,
-        mesh=vr.Mesh(nodes_per_revolution=25000),
+        mesh=vr.Mesh(nodes_per_revolution=62500),
     )
     harmonic, matched = np.array(found.torque_bounds) / moment
     assert matched == pytest.approx(1.0, abs=bound)

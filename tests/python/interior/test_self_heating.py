@@ -15,6 +15,7 @@ from specimens import RUBBER, coated_ball, one_layer
 from viscoroll import paper
 from viscoroll.interior.picture import plot_folds
 from viscoroll.materials.shift import shift_factor, shifted
+from viscoroll.solution.loss import default_max_order
 
 AMBIENT = 293.15
 COOLING = {"conductivity": 0.2, "convection": 10.0, "ambient": AMBIENT}
@@ -220,6 +221,75 @@ def test_loads_of_a_softening_wheel_have_a_maximum():
         )
     assert hot.states[0].mean_temperature == pytest.approx(temperatures[0], abs=0.02)
     np.testing.assert_allclose(hot.loads(temperatures), loads, rtol=0.01)  # of so coarse a mesh powers climb by steps
+
+
+TREAD = vr.SofteningModulus(matrix=RUBBER, network=vr.MasingNetwork(storage=6e6, critical_strain=0.01))
+FILLED = {
+    "ball": (coated_ball(TREAD, core_radius=16e-3, thickness=5e-3), 40.0, 5.0, 240),
+    "roller": (vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(TREAD, thickness=10e-3)]), 4e3, 25.0, 300),
+    "wheel": (replace(WHEEL, layers=[one_layer(TREAD, thickness=10e-3)]), 150.0, 10.0, 80),
+}
+
+
+def filled(name, **options):
+    """Self-heating of filled rubber whose matrix the heat shifts."""
+    body, load, speed, nodes = FILLED[name]
+    given = {"load": load, "angular_speed": speed, "shift": falling, "limit": AMBIENT + 40.0, "points": 4}
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        return body, vr.self_heating(body, **COOLING | given | {"mesh": mesh} | options)
+
+
+@pytest.mark.parametrize("name", ["ball", "roller", pytest.param("wheel", marks=pytest.mark.slow)])
+def test_filled_rubber_is_at_rest_in_strain_and_heat(name):
+    """Strain of the shifted moduli, found apart, makes that contact; its heat makes the temperature of the shift."""
+    body, hot = filled(name)
+    state = hot.states[0]
+    warm = shifted(TREAD, falling(state.layer_temperatures[0]))
+    rubber = replace(body, layers=[replace(body.layers[0], shear_modulus=warm)])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        found = vr.strain_softening(
+            rubber, load=state.result.load, angular_speed=hot.angular_speed, mesh=state.result.mesh, tolerance=1e-5
+        )
+    assert state.softening.torque_bounds == pytest.approx(found.torque_bounds, rel=1e-3)
+    assert state.softening.layer_amplitudes == pytest.approx(found.layer_amplitudes, rel=1e-3)
+    assert state.result.resisting_torque == state.softening.torque_bounds[1]
+    orders = default_max_order(found.result, 12.0)  # as on the way to a state
+    rise = vr.temperature(found.result, **COOLING, max_order=orders).mean
+    assert AMBIENT + rise == pytest.approx(state.mean_temperature, abs=2e-3 * rise)
+
+
+def test_filled_rubber_by_harmonics():
+    """Of the two ways that a network may lose, that which loses more is the hotter."""
+    hot, harmonic = (filled("roller", softening=way)[1].states[0] for way in ("network", "harmonic"))
+    assert harmonic.softening.loss == "harmonic"
+    assert harmonic.result.resisting_torque == harmonic.softening.torque_bounds[0]
+    sum_of_harmonics, matched = hot.softening.torque_bounds
+    assert (harmonic.mean_temperature > hot.mean_temperature) == (sum_of_harmonics > matched)
+    with pytest.raises(ValueError, match="softening must be 'network' or 'harmonic', got 'both'"):
+        filled("roller", softening="both")
+
+
+@pytest.mark.slow
+def test_filled_rubber_has_a_largest_load():
+    """A matrix that melts beside a network: the cold state ends in a fold, on whose either side loads are smaller."""
+    melting = {"vertical_shift": lambda kelvin: 1.0 / (1.0 + math.exp((kelvin - AMBIENT - 10.0) / 2.0))}
+    matrix = vr.StandardLinearSolid(instantaneous_modulus=12e6, relaxed_modulus=9e6, relaxation_time=0.01)
+    network = vr.MasingNetwork(storage=2e6, critical_strain=0.02)
+    tread = vr.SofteningModulus(matrix=matrix, network=network)
+    body = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(tread, thickness=10e-3)])
+    mesh = vr.Mesh(nodes_per_revolution=150)
+    given = COOLING | {"shift": lambda kelvin: 1.0, "limit": AMBIENT + 20.0, "points": 4, "mesh": mesh}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)
+        hot = vr.self_heating(body, load=1e3, angular_speed=25.0, **given, **melting)
+        fold = hot.largest_load()
+        rise = fold.mean_temperature - AMBIENT
+        loads = hot.loads([AMBIENT + 0.7 * rise, AMBIENT + 1.15 * rise])
+    assert hot.states[0].mean_temperature < fold.mean_temperature
+    assert loads.max() < fold.load
 
 
 def test_shift_factors():

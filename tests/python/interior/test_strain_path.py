@@ -152,14 +152,24 @@ def inside_half_plane():
     return result, strain_paths(inside_of(result), [0], depths=5)[0]
 
 
+LAYER = vr.Layer(thickness=1e-2, shear_modulus=RUBBER, poisson_ratio=0.5)
 BODIES = {
     "ball": (coated_ball(core_radius=11e-3, thickness=10e-3), 100.0, 1000),
-    "roller": (
+    "thick ball": (coated_ball(core_radius=1e-3, thickness=20e-3), 20.0, 1000),
+    "base case": (coated_ball(), 100.0, 1000),
+    "base case, coarse": (coated_ball(), 100.0, 500),
+    "roller": (vr.CoatedCylinder(core_radius=50e-3, layers=[LAYER]), 5e3, 2000),
+    "roller, thin": (
         vr.CoatedCylinder(
-            core_radius=50e-3, layers=[vr.Layer(thickness=1e-2, shear_modulus=RUBBER, poisson_ratio=0.5)]
+            core_radius=50e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=RUBBER, poisson_ratio=0.5)]
         ),
         5e3,
         2000,
+    ),
+    "crowned wheel": (
+        vr.CoatedWheel(core_radius=50e-3, layers=[LAYER], width=60e-3, crown_radius=0.1, sides=vr.Sides.ENDLESS),
+        300.0,
+        500,
     ),
 }
 
@@ -169,7 +179,19 @@ def test_paths_lose_what_the_layers_lose(name):
     """Over a whole revolution, to 1e-3: 6 depths, and `loss` sums orders up to 0.9999 of it."""
     body, load, nodes = BODIES[name]
     result = vr.solve(body, load=load, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=nodes))
-    path = strain_paths(inside_of(result), [0], depths=6, reach=1e3)[0]
+    path = strain_paths(inside_of(result), [0], depths=6, reach=1e3, orders=40.0)[0]
     orders, squares = harmonic_squares(path)
     power = 2.5 * path.volumes @ squares @ RUBBER.complex_modulus(2.5 * orders).imag
     assert power == pytest.approx(result.loss().attrs["power"], rel=1e-3)
+
+
+def test_paths_under_friction_that_is_no_mirror_image():
+    """With spin both sides are followed; without it one stands for both."""
+    options = {"load": 100.0, "angular_speed": 2.5, "friction": 0.3, "mesh": vr.Mesh(nodes_per_revolution=400)}
+    for drive, count in ((vr.Drive(creepage=0.0, spin=10.0), 2), (vr.Drive(torque=0.0), 1)):
+        result = vr.solve(coated_ball(), drive=drive, **options)
+        path = strain_paths(inside_of(result), [0], depths=6, reach=1e3, orders=40.0)[0]
+        assert (path.theta < 0.5 * np.pi).sum() == (count - 1) * len(path.theta) // 2
+        orders, squares = harmonic_squares(path)
+        power = 2.5 * path.volumes @ squares @ RUBBER.complex_modulus(2.5 * orders).imag
+        assert power == pytest.approx(result.loss().attrs["power"], rel=2e-3)  # ten nodes in half a contact
