@@ -37,6 +37,9 @@ struct CreepingPair {
   Eigen::Index track_reach;          ///< that the tables were made with
   std::vector<CreepingBody> bodies;  ///< those that deform, that which rolls first
 
+  [[nodiscard]] bool has_friction() const { return friction > 0.0; }
+  /// @return what presses between, and slides on, a rigid plane
+  [[nodiscard]] const CreepingTables& coating() const { return bodies.front().tables; }
   /// @return nodes of a row on one side, that in the middle included
   [[nodiscard]] Eigen::Index half_nodes() const { return bodies.front().tables.half_nodes(); }
   /// @return the most that there may be
