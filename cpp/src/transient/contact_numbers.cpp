@@ -5,27 +5,12 @@
 #include <string>
 
 #include "contact/contact_extent.hpp"
-#include "contact/lever_arms.hpp"
-#include "surface/patch_slope.hpp"
+#include "transient/center_forces.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
-namespace {
 
 using Eigen::ArrayXd;
-
-/// D_2, the force of the pressure along the counterpart's own deformed surface: theory.md section 15.
-double pushback(const CreepingPair& pair, const Touch& touch, const ArrayXd& pressing, double resisting_torque) {
-  if (pair.bodies.size() == 1) {
-    return pair.bodies.front().rolls ? 0.0 : resisting_torque / relative_radius(pair.pair);
-  }
-  const SurfaceGrid& grid = pair.nodes.grid;
-  const ArrayXd weights = half_weights(pair.half_nodes()).replicate(touch.place.count, 1);
-  const ArrayXd depth = deformed(pair, touch, 1).reshaped().array() / weights;
-  return (pressing * patch_slope(depth, pair.half_nodes(), grid.radius * grid.phi_spacing)).sum();
-}
-
-}  // namespace
 
 double flat_patch(const SurfaceGrid& grid) { return std::pow(grid.radius, 2) * grid.phi_spacing * grid.theta_spacing; }
 
@@ -51,24 +36,19 @@ void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& n
   now.max_pressure = (forces / weights).maxCoeff() / flat_patch(nodes.grid());
 }
 
-void tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now) {
+CenterPower tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now) {
   const ArrayXd weights = half_weights(pair.half_nodes()).replicate(touch.place.count, 1);
   const VectorField force = touch.contact.force.colwise() * weights / touch.yielding.sum;
-  const double radius = pair.nodes.grid.radius;
-  const double turning = pair.pair.on.curvatures.along;  // of what it rolls on [1/m]
+  const std::vector<HalfField> deformed = detail::deformed(pair, touch);
+  const ActingPlaces at{pair, touch.place, deformed};
   now.resisting_torque = -(touch.place.lever * force.col(kDown)).sum();
-  const double pushed_back = pushback(pair, touch, -force.col(kDown), now.resisting_torque);
-  now.driving_force = pushed_back - turning * now.resisting_torque;
-  now.driving_torque = radius / relative_radius(pair.pair) * now.resisting_torque - radius * pushed_back;
-  if (pair.coating().components() == 1) return;
-  LeverArms arms{.x = touch.place.lever,
-                 .y = ArrayXd::Constant(weights.size(), radius - touch.contact.penetration),
-                 .radius = radius};
-  if (pair.compliance == Compliance::vertical) {
-    arms.x -= along(touch.place.axes[kForward], deformed(pair, touch, 0)).reshaped().array() / weights;
-  }
-  if (pair.has_friction()) now.driving_force = -force.col(kForward).sum();
-  now.driving_torque = moment(arms, force);
+  now.driving_force = (force_on_center(at) * force).sum();
+  now.driving_torque = (moment_about_center(at) * force).sum();
+  CenterPower power{.along_track = (force_along_track(at, touch.contact.penetration) * force).sum()};
+  if (!pair.has_friction()) return power;
+  const VectorField slopes = counterpart_slopes(at);
+  if (slopes.rows() > 0) power.creeping = (slopes * force).sum();
+  return power;
 }
 
 }  // namespace viscoroll::detail

@@ -14,9 +14,17 @@ namespace viscoroll::detail {
 /// @throws std::invalid_argument where a coating is pressed in by its thickness
 void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
 
+/// @brief Forces that work along ways [N].
+struct CenterPower {
+  double along_track = 0.0;  ///< of the center
+  /// By what the center goes farther than it rolls: what the counterpart loses as its displacement passes.
+  double creeping = 0.0;
+};
+
 /// @brief Moments about the center, and the force on it. Pressure works along the plane where it moves what it stands
 /// on along it.
 /// @param[in,out] now instant
-void tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
+/// @return what works beside the torque
+[[nodiscard]] CenterPower tell_moments(const CreepingPair& pair, const Touch& touch, RollingInstant& now);
 
 }  // namespace viscoroll::detail

@@ -19,10 +19,11 @@ namespace viscoroll::detail {
 
 /// @brief Where nodes come from in a step with friction.
 struct Departure {
-  double turned;    ///< angle by which what rolls turns until its end [rad]
-  HalfField borne;  ///< displacement before, of the rows of the window
+  double turned;                 ///< angle by which what rolls turns until its end [rad]
+  std::vector<HalfField> borne;  ///< displacement of every body before, of the rows of the window
 };
 
+/// @brief The contact of theory.md section 13, where nodes that met stay matched.
 /// @param[in] pair,touch,last as above
 /// @param[in] departure where nodes come from
 /// @param[in] load [N]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "parallel.hpp"
@@ -30,12 +31,13 @@ struct TableSize {
 struct CreepingPair {
   RollingPair pair;  ///< at rest
   Nodes nodes;
-  Compliance compliance;             ///< in the contact condition
-  double friction;                   ///< Coulomb's coefficient [-]
-  double driving_force;              ///< on the center, forward [N]
-  double mass;                       ///< of what moves with the center [kg]
-  Eigen::Index track_reach;          ///< that the tables were made with
-  std::vector<CreepingBody> bodies;  ///< those that deform, that which rolls first
+  Compliance compliance;                 ///< in the contact condition
+  double friction;                       ///< Coulomb's coefficient [-]
+  double driving_force;                  ///< on the center, forward [N]
+  std::optional<double> driving_torque;  ///< about the center, in its place [N m]
+  double mass;                           ///< of what moves with the center [kg]
+  Eigen::Index track_reach;              ///< that the tables were made with
+  std::vector<CreepingBody> bodies;      ///< those that deform, that which rolls first
 
   [[nodiscard]] bool has_friction() const { return friction > 0.0; }
   /// @return what presses between, and slides on, a rigid plane

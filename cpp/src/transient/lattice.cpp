@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "transient/contact_numbers.hpp"
+#include "transient/center_motion.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -78,9 +78,15 @@ Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepE
 StickSlip Lattice::search(const Touch& touch, const StepEnd& end, const CenterCondition& center) {
   if (!pair_->has_friction())
     return touch_smooth(*pair_, touch, last_forces(), touch.yielding.sum * end.load, inverse_);
-  const Departure departure{.turned = end.angle - now_.angle,
-                            .borne = memories_.front().displacement(touch.place.first, touch.place.count)};
+  const Departure departure{.turned = end.angle - now_.angle, .borne = displacements(touch.place)};
   return touch_with_friction(*pair_, touch, last_forces(), departure, end.load, center, stiffness_);
+}
+
+std::vector<HalfField> Lattice::displacements(const ContactPlace& place) const {
+  std::vector<HalfField> fields;
+  fields.reserve(memories_.size());
+  for (const RowMemory& memory : memories_) fields.push_back(memory.displacement(place.first, place.count));
+  return fields;
 }
 
 /// Where displacements do not die out, as those of a half-space, all that a track remembers displaces the contact.
@@ -143,7 +149,7 @@ void Lattice::take(const Touch& touch, const StepEnd& end) {
   now_.angle = end.angle;
   now_.load = end.load;
   tell_extent(*pair_, touch, now_);
-  tell_moments(*pair_, touch, now_);
+  power_ = tell_moments(*pair_, touch, now_);
   if (pair_->has_friction()) take_friction(touch);
   force_ = touch.contact.force / touch.yielding.sum;
   first_ = touch.place.first;
@@ -201,33 +207,35 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed) {
 
 void Lattice::advance(const PairStep& step, const StepEnd& end) {
   const RollingInstant before = now_;
+  const CenterPower power = power_;
   const double duration = step.duration;
   const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
   const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end));
   take(contact, end);
-  if (pair_->has_friction()) move_center(pair_->mass, duration, contact.contact.way, center_acceleration_, now_);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
-    const double lost = memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b));
-    now_.dissipated_energy += lost;
-    if (!pair_->bodies[b].rolls) now_.counterpart_dissipated_energy += lost;
+    lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);
+  }
+  const double turn = end.angle - before.angle;
+  double way = pair_->nodes.grid.radius * turn;
+  if (pair_->has_friction()) {
+    move_center(pair_->mass, duration, contact.contact.way, center_acceleration_, now_);
+    lose(0.5 * (power.creeping + power_.creeping) * (contact.contact.way - way), false);
+    way = contact.contact.way;
   }
   take_stored_energy();
   const double used = now_.stored_energy - before.stored_energy + now_.dissipated_energy - before.dissipated_energy;
   // A jump is elastic, whatever its way: it takes the energy that it stores.
-  const double work = duration == 0.0
-                          ? used
-                          : 0.5 * ((working_torque(before) + working_torque(now_)) * (end.angle - before.angle) +
-                                   (before.load + end.load) * (now_.penetration - before.penetration) +
-                                   (before.driving_force + now_.driving_force) * (now_.center_way - before.center_way));
+  const double work = duration == 0.0 ? used
+                                      : 0.5 * ((before.driving_torque + now_.driving_torque) * turn +
+                                               (before.load + end.load) * (now_.penetration - before.penetration) +
+                                               (power.along_track + power_.along_track) * way);
   now_.work += work;
   now_.energy_imbalance += work - used;
 }
 
-/// What works by the turning: without friction the force along what deforms below does, too, for it never slips.
-double Lattice::working_torque(const RollingInstant& at) const {
-  if (pair_->has_friction()) return at.driving_torque;
-  const double along = at.driving_force + pair_->pair.on.curvatures.along * at.resisting_torque;
-  return at.driving_torque + pair_->nodes.grid.radius * along;
+void Lattice::lose(double energy, bool in_what_rolls) {
+  now_.dissipated_energy += energy;
+  if (!in_what_rolls) now_.counterpart_dissipated_energy += energy;
 }
 
 void Lattice::take_stored_energy() {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "transient/center_motion.hpp"
+#include "transient/contact_numbers.hpp"
 #include "transient/contact_search.hpp"
 #include "transient/row_memory.hpp"
 #include "transient/step_end.hpp"
@@ -94,7 +94,9 @@ class Lattice {
   void take_friction(const Touch& touch);
   void take_stored_energy();
   [[nodiscard]] double slip_work(const Touch& touch) const;
-  [[nodiscard]] double working_torque(const RollingInstant& at) const;
+  void lose(double energy, bool in_what_rolls);
+  /// Of every body, on the rows of a window.
+  [[nodiscard]] std::vector<HalfField> displacements(const ContactPlace& place) const;
   void forget_contact();
 
   std::shared_ptr<const CreepingPair> pair_;
@@ -108,6 +110,7 @@ class Lattice {
   Eigen::Index first_ = 0;            // its first row,
   Eigen::Index count_ = 0;            // and how many there are
   double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
+  CenterPower power_;                 // at the last instant
   double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]
   RollingInstant now_;
 };

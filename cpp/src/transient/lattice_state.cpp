@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "transient/contact_numbers.hpp"
 #include "transient/lattice.hpp"
 
 namespace viscoroll::detail {
@@ -20,6 +19,8 @@ constexpr std::array<std::pair<Axis, double>, 3> kSaved{{{kDown, -1.0}, {kForwar
 void Lattice::write(NumberWriter& numbers) const {
   for (const auto member : kLatticeScalars) numbers.put(now_.*member);
   numbers.put(center_acceleration_);
+  numbers.put(power_.along_track);
+  numbers.put(power_.creeping);
   numbers.put(static_cast<double>(half_rows_));
   numbers.put(lowest_);
   numbers.put(static_cast<double>(first_));
@@ -36,6 +37,7 @@ void Lattice::write(NumberWriter& numbers) const {
 void Lattice::read(NumberReader& numbers) {
   for (const auto member : kLatticeScalars) now_.*member = numbers.get();
   center_acceleration_ = numbers.get();
+  power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
   half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));
   lowest_ = numbers.get();
   first_ = numbers.row();

@@ -162,14 +162,19 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
     if (options.driving_force != 0.0) {
       reject("driving_force", "0 N where the way of the center is given", text(options.driving_force) + " N");
     }
+    if (options.driving_torque) {
+      reject("driving_torque", "left out where the way of the center is given", text(*options.driving_torque) + " N m");
+    }
     return;
   }
   if (options.driving_force == 0.0 || options.mass > 0.0) return;
   if (!(std::abs(options.driving_force) < options.friction * to.load)) {
+    const detail::Body& body = pair->pair.body;
+    const std::string unit = " " + std::string(body.form.load_unit);
     reject("driving_force",
-           "smaller than friction * load = " + text(options.friction * to.load) +
-               " N in magnitude, else the sphere slides without end",
-           text(options.driving_force) + " N");
+           "smaller than friction * load = " + text(options.friction * to.load) + unit + " in magnitude, else the " +
+               std::string(body.name) + " slides without end",
+           text(options.driving_force) + unit);
   }
 }
 

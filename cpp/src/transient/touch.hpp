@@ -28,17 +28,21 @@ struct Touch {
   std::vector<std::vector<HalfField>> moved;
 };
 
+/// @return displacements of all bodies along an axis, against the sense of the forces
+/// @param[in] axes,fields of every body
+[[nodiscard]] HalfField against(Axis axis, const std::vector<Axes>& axes, const std::vector<HalfField>& fields);
+
 /// @return what all bodies remember, which opens the gap
 [[nodiscard]] HalfField known_gap(const CreepingPair& pair, const Touch& touch);
 
-/// @return what is below does to the nodes of a window, by their components
-[[nodiscard]] HalfField by_components(const CreepingPair& pair, const VectorField& force, const ContactPlace& place);
+/// @return what the contact does to a body's nodes in the window, by their components
+[[nodiscard]] HalfField by_components(const CreepingPair& pair, const Touch& touch, std::size_t body);
 
 /// @brief Find what the forces of a contact displace in each body.
 void find_displacements(const CreepingPair& pair, Touch& touch);
 
-/// @return all of a body's own displacement in the window
-[[nodiscard]] HalfField deformed(const CreepingPair& pair, const Touch& touch, std::size_t body);
+/// @return every body's own displacement in the window, all of it
+[[nodiscard]] std::vector<HalfField> deformed(const CreepingPair& pair, const Touch& touch);
 
 /// @return what a body comes to bear, and how that displaces it
 [[nodiscard]] RowMemory::Load load_of(const CreepingPair& pair, const Touch& touch, std::size_t body);
