@@ -22,10 +22,10 @@ STEADY = {
     "towed ball on mat": (STEEL, MAT, TOWED, 100.0, 400),
     "sliding ball on mat": (STEEL, MAT, vr.Drive(creepage=0.1), 100.0, 400),
     "pushed ball on mat": (STEEL, MAT, vr.Drive(force=5.0), 100.0, 500),
-    "sliding ball on half-space": (STEEL, PRESSED_EARTH, vr.Drive(creepage=0.01), 100.0, 300),
+    "towed ball on half-space": (STEEL, PRESSED_EARTH, TOWED, 100.0, 300),
     "sliding soft ball on mat": (*PAIRS["soft ball on mat"][:2], vr.Drive(creepage=0.05), 100.0, 400),
     "ball in soft groove": (STEEL, vr.Groove(radius=0.1, layers=MAT.layers), FREE, 100.0, 400),
-    "roller on mat": (*PAIRS["roller on mat"][:2], TOWED, 5e3, 800),
+    "roller on mat": (*PAIRS["roller on mat"][:2], TOWED, 5e3, 1600),
     "roller on roller": (*PAIRS["soft roller on roller"][:2], FREE, 5e3, 2000),
     "sliding roller on roller": (*PAIRS["soft roller on roller"][:2], vr.Drive(creepage=0.05), 5e3, 800),
     "sliding roller in ring": (*PAIRS["soft roller in ring"][:2], vr.Drive(creepage=0.05), 5e3, 800),
@@ -49,7 +49,8 @@ def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes)
     last = h.angle > 0.7 * turn
     duration = np.ptp(h.time[last])
     speed = np.ptp(h.center_way[last]) / duration / (omega * body.outer_radius)
-    assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3)
+    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, as much as elsewhere is half a percent
+    assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3, abs=small)
     assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=5e-3)
     # What is 0 comes out as 0.
     assert h.driving_torque[last].mean() == pytest.approx(r.driving_torque, rel=5e-3, abs=1e-7 * r.resisting_torque)
