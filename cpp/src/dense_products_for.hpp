@@ -25,7 +25,20 @@ Eigen::Map<const Matrix, Eigen::Unaligned, Stride> map(const ConstMatrixView& vi
 template <class Left, class Right>
 void add_as(const ConstMatrixView& left, const ConstMatrixView& right, const RowMajorView& sum) {
   Eigen::Map<RowMajor, Eigen::Unaligned, Stride> result(sum.data, sum.rows, sum.columns, Stride(sum.stride));
-  result.noalias() += map<Left>(left) * map<Right>(right);
+  const auto& factor = map<Left>(left);
+  const auto& other = map<Right>(right);
+  if (left.rows + left.columns + right.columns >= EIGEN_GEMM_TO_COEFFBASED_THRESHOLD) {
+    result.noalias() += factor * other;
+    return;
+  }
+  // So small ones Eigen does by packets from the first aligned number on: their round-off would depend on addresses.
+  for (Eigen::Index i = 0; i < sum.rows; ++i) {
+    for (Eigen::Index j = 0; j < sum.columns; ++j) {
+      double product = 0.0;
+      for (Eigen::Index k = 0; k < left.columns; ++k) product += factor(i, k) * other(k, j);
+      result(i, j) += product;
+    }
+  }
 }
 
 void add(const ConstMatrixView& left, const ConstMatrixView& right, const RowMajorView& sum) {

@@ -40,7 +40,8 @@ std::size_t worker_count(std::size_t count, int threads) {
 }
 
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,
-                  const std::function<void(std::size_t, const Worker&)>& body) {
+                  const std::function<void(std::size_t, const Worker&)>& body,
+                  const std::function<double()>& fraction) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::exception_ptr failure;
@@ -56,7 +57,8 @@ void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view
     }
   };
   const auto poll = [&] {
-    watch.poll(stage, static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count));
+    watch.poll(stage, fraction ? fraction()
+                               : static_cast<double>(std::min<std::size_t>(next, count)) / static_cast<double>(count));
   };
   const auto run = [&](std::size_t number) {
     const Worker worker{.number = number, .checkpoint = [&, number] {

@@ -56,7 +56,10 @@ struct Worker {
 /// @param[in] watch polled by worker 0 between indices, and while it waits for the others
 /// @param[in] stage what is being done, in words
 /// @param[in] body work on one index
+/// @param[in] fraction of the stage that is done, from 0 to 1, where bodies know better than their number; asked for by
+/// worker 0
 void parallel_for(std::size_t count, int threads, Watch& watch, std::string_view stage,
-                  const std::function<void(std::size_t index, const Worker& worker)>& body);
+                  const std::function<void(std::size_t index, const Worker& worker)>& body,
+                  const std::function<double()>& fraction = {});
 
 }  // namespace viscoroll::detail

@@ -110,6 +110,7 @@ void bind_roll(py::module_& m) {
       .def_readwrite("curvature", &HistoryOptions::curvature)
       .def_readwrite("friction", &HistoryOptions::friction)
       .def_readwrite("driving_force", &HistoryOptions::driving_force)
+      .def_readwrite("driving_torque", &HistoryOptions::driving_torque)
       .def_readwrite("mass", &HistoryOptions::mass)
       .def_readwrite("center_speed", &HistoryOptions::center_speed)
       .def_readwrite("lattices", &HistoryOptions::lattices)

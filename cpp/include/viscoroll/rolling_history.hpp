@@ -28,9 +28,11 @@ struct HistoryOptions {
   std::optional<Mesh> mesh;                    ///< none: 16 nodes across the contact at rest, of a roller 48
   Compliance compliance = Compliance::radial;  ///< compliance in the contact condition
   Curvature curvature = Curvature::sphere;     ///< sphere or paper
-  double friction = 0.0;                       ///< Coulomb's coefficient between coating and plane [-], in [0, 4]
+  double friction = 0.0;                       ///< Coulomb's coefficient between the two bodies [-], in [0, 4]
   /// Force on the center, forward [N]; below friction * load in magnitude where the center has no mass.
   double driving_force = 0.0;
+  /// Moment about the center in place of a force on it, with friction [N m]; 0: towed.
+  std::optional<double> driving_torque = std::nullopt;
   double mass = 0.0;          ///< of what moves with the center, with friction [kg], >= 0
   double center_speed = 0.0;  ///< of the center with its mass at the first instant, forward [m/s]
   int lattices = 4;           ///< shifted lattices that are averaged, 1 to 16
@@ -65,11 +67,10 @@ struct RollingInstant {
   double counterpart_dissipated_energy = 0.0;  ///< part of it lost in what it rolls on, and forgotten there [J]
   double work = 0.0;                           ///< of rolling and load since the start, by the trapezoidal rule [J]
   double energy_imbalance = 0.0;               ///< work - change of stored energy - dissipated_energy [J]
-  /// Q, force on the center, forward [N]. On the rigid plane with friction -sum of t_x, force on the center less its
-  /// mass times acceleration; without 0. On what deforms that of the pressure along the deformed surface, of a rigid
-  /// body M / R.
+  /// Q, force on the center, forward, less its mass times acceleration [N]: with friction -sum of t_x, and on what
+  /// deforms that of the pressure along the deformed surface, of a rigid body M / R.
   double driving_force = 0.0;
-  double center_way = 0.0;      ///< of the center since the start [m]; 0 without friction
+  double center_way = 0.0;      ///< of the center along the track since the start [m]; 0 without friction
   double center_speed = 0.0;    ///< its speed [m/s]; without mass the mean over the step before
   double slip_energy = 0.0;     ///< part of dissipated_energy that slip on the plane takes [J]
   double stick_share = 0.0;     ///< of the nodes in contact [-]; 0 without friction

@@ -100,6 +100,11 @@ Eigen::ArrayXd SurfaceWindow::lag() const {
   return lag;
 }
 
+Eigen::ArrayXd SurfaceWindow::rolled() const {
+  if (!grid_.is_paraboloid) return x_;
+  return x_ * (1.0 - (x_.square() / 3.0 + z_.square()) / (2.0 * std::pow(grid_.radius, 2)));
+}
+
 Eigen::ArrayXd SurfaceWindow::patch_area() const {
   const double equatorial = std::pow(grid_.radius, 2) * grid_.phi_spacing * grid_.theta_spacing;
   if (grid_.is_paraboloid || grid_.crown_radius) return Eigen::ArrayXd::Constant(shape().size(), equatorial);

@@ -57,6 +57,9 @@ class SurfaceWindow {
   /// @return way by which every point falls behind the lowest one as it comes from its upstream neighbor, for what lies
   /// at height h above that moves at Omega (r_o - h): the integral of h dphi [m]; 0 in the first row
   [[nodiscard]] Eigen::ArrayXd lag() const;
+  /// @return x of the undeformed points as turning alone changes it: on a paraboloid, which lies at height h above the
+  /// lowest point and moves at Omega (r_o - h), the integral of that [m]
+  [[nodiscard]] Eigen::ArrayXd rolled() const;
   /// @return area of every node's patch [m^2]
   [[nodiscard]] Eigen::ArrayXd patch_area() const;
   /// @return phi of every node [rad]

@@ -4,11 +4,15 @@ namespace viscoroll::detail {
 
 CenterCondition center_condition(const CreepingPair& pair, const RollingInstant& now, double duration,
                                  const StepEnd& end) {
-  if (end.center_way) return {.force = 0.0, .way = 1.0, .value = *end.center_way - now.center_way};
+  if (end.center_way) return {.force = 0.0, .torque = 0.0, .way = 1.0, .value = *end.center_way - now.center_way};
+  if (pair.driving_torque) {
+    return {.force = 0.0, .torque = 1.0, .way = 0.0, .value = *pair.driving_torque / pair.nodes.grid.radius};
+  }
   const double mass = pair.mass;
-  if (mass == 0.0) return {.force = 1.0, .way = 0.0, .value = -pair.driving_force};
-  if (duration == 0.0) return {.force = 0.0, .way = 1.0, .value = 0.0};
+  if (mass == 0.0) return {.force = 1.0, .torque = 0.0, .way = 0.0, .value = -pair.driving_force};
+  if (duration == 0.0) return {.force = 0.0, .torque = 0.0, .way = 1.0, .value = 0.0};
   return {.force = 1.0,
+          .torque = 0.0,
           .way = -2.0 * mass / (duration * duration),
           .value = -pair.driving_force - 2.0 * mass * now.center_speed / duration};
 }

@@ -2,16 +2,32 @@
 /// @brief How the center goes while nodes stick and slip below it: docs/theory.md section 13.
 #pragma once
 
+#include "surface/surface_operator.hpp"
 #include "transient/creeping_pair.hpp"
 #include "transient/step_end.hpp"
-#include "transient/stick_slip_equations.hpp"
 
 namespace viscoroll::detail {
+
+/// @brief What decides how far the center comes in a step: force * (the forces on it that balance a given one, forward)
+/// + torque * (their moment about it per radius) + way * (its way) = value.
+struct CenterCondition {
+  double force = 1.0;
+  double torque = 0.0;
+  double way = 0.0;
+  double value = 0.0;
+};
+
+/// @brief The same for forces at nodes: sum of on_force F + way * (way of the center) = value.
+struct CenterRow {
+  VectorField on_force;
+  double way;
+  double value;
+};
 
 /// @brief What decides how far the center comes in a step. Without mass it goes where forces balance. With it, by the
 /// method of J. Chung and G. M. Hulbert, J. Appl. Mech. 60 (1993) 371-375, at spectral radius 0: exact where the force
 /// is constant, and what swings faster than the steps is gone after two of them. The trapezoidal rule would ring.
-/// @param[in] pair force on the center, and its mass
+/// @param[in] pair force on the center or moment about it, and its mass
 /// @param[in] now where the center is, and how fast
 /// @param[in] duration of the step [s], 0 for a jump
 /// @param[in] end of the step

@@ -9,22 +9,47 @@ namespace viscoroll::detail {
 
 using Eigen::Index;
 
-Axes axes_at(const CreepingPair& pair, const SurfaceWindow& nodes) {
-  const Index half_nodes = pair.half_nodes();
-  Axes axes;
-  if (pair.bodies.front().tables.components() == 1) return axes;
+namespace {
+
+/// As at the lowest point, but that forces along the plane press with their share of r, and u_r moves the surface along
+/// the plane: theory.md section 6.
+Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sideways_share, double sense,
+                Index half_nodes) {
+  const HalfField forward = as_field(forward_share, half_nodes);
+  const HalfField one = HalfField::Ones(half_nodes, forward.cols());
+  const HalfField none = HalfField::Zero(half_nodes, forward.cols());
+  return {{{forward, sense * one, none}, {one, none, none}, {as_field(sideways_share, half_nodes), none, sense * one}}};
+}
+
+Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
   const auto exact = nodes.axes();
+  if (pair.compliance == Compliance::radial) {
+    return level_axes(exact[kForward][0], exact[kSideways][0], -1.0, pair.half_nodes());
+  }
+  Axes axes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t component = 0; component < 3; ++component) {
-      axes[axis][component] = as_field(exact[axis][component], half_nodes);
+      axes[axis][component] = as_field(exact[axis][component], pair.half_nodes());
     }
   }
-  if (pair.compliance == Compliance::vertical) return axes;
-  // As at the lowest point, but that forces along the plane press with their share of r, and u_r moves the surface
-  // along the plane: theory.md section 6.
-  const HalfField one = HalfField::Ones(half_nodes, axes[0][0].cols());
-  const HalfField none = HalfField::Zero(half_nodes, axes[0][0].cols());
-  return {{{axes[0][0], -one, none}, {one, none, none}, {axes[2][0], none, -one}}};
+  return axes;
+}
+
+/// Its frame is the mirror image of that of what rolls, and its normals turn with its curvatures.
+Axes axes_of_counterpart(const CreepingPair& pair, const SurfaceWindow& nodes) {
+  const Curvatures& curvatures = pair.pair.on.curvatures;
+  return level_axes(-curvatures.along * nodes.x(), -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
+}
+
+}  // namespace
+
+std::vector<Axes> axes_at(const CreepingPair& pair, const SurfaceWindow& nodes) {
+  std::vector<Axes> axes(pair.bodies.size());
+  if (pair.coating().components() == 1) return axes;
+  for (std::size_t b = 0; b < axes.size(); ++b) {
+    axes[b] = pair.bodies[b].rolls ? axes_of_rolling(pair, nodes) : axes_of_counterpart(pair, nodes);
+  }
+  return axes;
 }
 
 ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, double angle) {
@@ -33,11 +58,15 @@ ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, d
   const auto aside = static_cast<int>(half_rows);
   SurfaceWindow nodes(pair.nodes.grid, {{-aside, aside}, {0, static_cast<int>(pair.half_nodes()) - 1}},
                       middle - lowest);
+  return place_of(pair, static_cast<Index>(middle) - half_rows, std::move(nodes));
+}
+
+ContactPlace place_of(const CreepingPair& pair, Index first, SurfaceWindow nodes) {
   Eigen::ArrayXd gap = initial_gap(nodes, 1.0, pair.pair);
   Eigen::ArrayXd lever = pressure_lever(nodes, pair.pair);
-  Axes axes = axes_at(pair, nodes);
-  return {.first = static_cast<Index>(middle) - half_rows,
-          .count = 2 * half_rows + 1,
+  std::vector<Axes> axes = axes_at(pair, nodes);
+  return {.first = first,
+          .count = nodes.shape().phi_nodes,
           .nodes = std::move(nodes),
           .gap = std::move(gap),
           .lever = std::move(lever),

@@ -1,6 +1,7 @@
 #include "transient/contact_stiffness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -16,12 +17,21 @@ using Eigen::MatrixXd;
 /// Nodes that may be in it, per node in contact: who comes and goes at the edge while a spacing passes stays in it.
 constexpr double kMostNodes = 1.5;
 
+/// By how much shares may differ from those that the inverse was begun with: what is left, steps correct.
+constexpr double kNearlySame = 1e-2;
+
+bool are_near(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kNearlySame * std::abs(y); });
+}
+
 /// Nodes that are added at once, for products to be quick.
 constexpr std::size_t kTogether = 16;
 
 }  // namespace
 
-bool ContactStiffness::cover(const MirroredTables& tables, const std::vector<Index>& contact) {
+bool ContactStiffness::cover(const StepOperator& surface, const std::vector<Index>& contact) {
+  std::vector<double> shares = surface.shares();
+  if (inverse_ && !are_near(shares, inverse_->shares)) inverse_.reset();
   std::vector<Index> known;
   if (inverse_) known = inverse_->nodes;
   std::ranges::sort(known);
@@ -30,7 +40,7 @@ bool ContactStiffness::cover(const MirroredTables& tables, const std::vector<Ind
   const auto count = static_cast<double>(known.size() + missing.size());
   const bool is_wide = count > kMostNodes * static_cast<double>(contact.size());
   if (missing.empty() && !is_wide) return false;
-  Inverse inverse;
+  Inverse inverse{.nodes = {}, .matrix = {}, .shares = std::move(shares)};
   if (is_wide) {
     missing = contact;
   } else if (inverse_) {
@@ -38,26 +48,26 @@ bool ContactStiffness::cover(const MirroredTables& tables, const std::vector<Ind
   }
   for (std::size_t first = 0; first < missing.size(); first += kTogether) {
     const std::size_t last = std::min(first + kTogether, missing.size());
-    inverse = bordered(inverse, tables,
+    inverse = bordered(inverse, surface,
                        {missing.begin() + static_cast<Index>(first), missing.begin() + static_cast<Index>(last)});
   }
   inverse_ = std::make_shared<const Inverse>(std::move(inverse));
   return true;
 }
 
-ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, const MirroredTables& tables,
+ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, const StepOperator& surface,
                                                      const std::vector<Index>& added) {
   const Index before = inverse.matrix.rows();
   const auto size = static_cast<Index>(3 * added.size());
-  const MatrixXd beside = tables.compliance(inverse.nodes, added);
-  MatrixXd complement = tables.compliance(added, added);
+  const MatrixXd beside = surface.compliance(inverse.nodes, added);
+  MatrixXd complement = surface.compliance(added, added);
   for (std::size_t i = 0; i < added.size(); ++i) {
     const auto sideways = static_cast<Index>(3 * i + 2);  // nothing moves that way in the middle
-    if (added[i] % tables.half_nodes() == 0) complement(sideways, sideways) = tables.own_compliance();
+    if (added[i] % surface.half_nodes() == 0) complement(sideways, sideways) = surface.own_compliance();
   }
   const MatrixXd moved = product(inverse.matrix, beside);
   complement -= product(moved.transpose(), beside);
-  Inverse wide{.nodes = inverse.nodes, .matrix = MatrixXd(before + size, before + size)};
+  Inverse wide{.nodes = inverse.nodes, .matrix = MatrixXd(before + size, before + size), .shares = inverse.shares};
   wide.nodes.insert(wide.nodes.end(), added.begin(), added.end());
   const MatrixXd corner = dense_inverse(complement);
   const MatrixXd edge = product(moved, corner);
@@ -71,7 +81,9 @@ ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, con
 
 void ContactStiffness::write(NumberWriter& numbers) const {
   numbers.put(inverse_ ? inverse_->nodes : std::vector<Index>{});
-  if (inverse_) numbers.put(inverse_->matrix);
+  if (!inverse_) return;
+  numbers.put(inverse_->matrix);
+  numbers.put(inverse_->shares);
 }
 
 void ContactStiffness::read(NumberReader& numbers, Index last) {
@@ -81,7 +93,7 @@ void ContactStiffness::read(NumberReader& numbers, Index last) {
   const auto size = static_cast<Index>(3 * nodes.size());
   MatrixXd matrix = numbers.matrix();
   NumberReader::require(matrix.rows() == size && matrix.cols() == size);
-  inverse_ = std::make_shared<const Inverse>(std::move(nodes), std::move(matrix));
+  inverse_ = std::make_shared<const Inverse>(std::move(nodes), std::move(matrix), numbers.values());
 }
 
 }  // namespace viscoroll::detail

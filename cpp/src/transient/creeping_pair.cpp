@@ -150,11 +150,11 @@ double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spec
 void require_followed(const RollingPair& pair, const HistoryOptions& options) {
   const bool is_on_rigid_plane =
       pair.body.type == "CoatedSphere" && pair.on.type == "CoatedPlane" && pair.on.is_rigid();
-  if (is_on_rigid_plane) return;
-  if (options.friction > 0.0) {
-    reject("friction", "0 in transient rolling, but for a ball on the rigid plane", options.friction);
+  if (options.mass > 0.0 && pair.on.curvatures.along != 0.0) {
+    reject("mass", "0 kg on what curves along the path, where the center goes another way than the contact",
+           text(options.mass) + " kg");
   }
-  if (options.compliance != Compliance::radial) {
+  if (options.compliance != Compliance::radial && !is_on_rigid_plane) {
     reject("compliance", "RADIAL in transient rolling, but for a ball on the rigid plane", "VERTICAL");
   }
 }
@@ -175,6 +175,7 @@ CreepingPair creeping_pair(const RollingPair& at_rest, const std::vector<BodySpe
                         .compliance = options.compliance,
                         .friction = options.friction,
                         .driving_force = options.driving_force,
+                        .driving_torque = options.driving_torque,
                         .mass = options.mass,
                         .track_reach = size.track_reach,
                         .bodies = {}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "parallel.hpp"
@@ -30,13 +31,17 @@ struct TableSize {
 struct CreepingPair {
   RollingPair pair;  ///< at rest
   Nodes nodes;
-  Compliance compliance;             ///< in the contact condition
-  double friction;                   ///< Coulomb's coefficient [-]
-  double driving_force;              ///< on the center, forward [N]
-  double mass;                       ///< of what moves with the center [kg]
-  Eigen::Index track_reach;          ///< that the tables were made with
-  std::vector<CreepingBody> bodies;  ///< those that deform, that which rolls first
+  Compliance compliance;                 ///< in the contact condition
+  double friction;                       ///< Coulomb's coefficient [-]
+  double driving_force;                  ///< on the center, forward [N]
+  std::optional<double> driving_torque;  ///< about the center, in its place [N m]
+  double mass;                           ///< of what moves with the center [kg]
+  Eigen::Index track_reach;              ///< that the tables were made with
+  std::vector<CreepingBody> bodies;      ///< those that deform, that which rolls first
 
+  [[nodiscard]] bool has_friction() const { return friction > 0.0; }
+  /// @return what presses between, and slides on, a rigid plane
+  [[nodiscard]] const CreepingTables& coating() const { return bodies.front().tables; }
   /// @return nodes of a row on one side, that in the middle included
   [[nodiscard]] Eigen::Index half_nodes() const { return bodies.front().tables.half_nodes(); }
   /// @return the most that there may be

@@ -29,7 +29,7 @@ class CoatingSurface : public PressedSurface {
   /// The preconditioner keeps the sum of forces as it is.
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
-    const Eigen::MatrixXd compliance = problem_.surface.compliance(nodes, problem_.down);
+    const Eigen::MatrixXd compliance = problem_.surface.normal_compliance(nodes);
     const auto times = [&](const VectorXd& forces) -> VectorXd {
       return compliance.selfadjointView<Eigen::Lower>() * forces;
     };
@@ -66,11 +66,7 @@ class CoatingSurface : public PressedSurface {
     const Index first = contact.nodes.front() / half_nodes;
     const Index last = contact.nodes.back() / half_nodes;
     const HalfField pressing = contact.pressing.matrix().reshaped(half_nodes, problem_.gap.cols());
-    if (problem_.surface.components() == 1) {
-      return (problem_.gap + problem_.surface.displacement(pressing, first, last)).reshaped();
-    }
-    const HalfField moved = problem_.surface.displacement(spread(problem_.down, pressing), first, last);
-    return (problem_.gap + along(problem_.down, moved)).reshaped();
+    return (problem_.gap + problem_.surface.normal_displacement(pressing, first, last)).reshaped();
   }
 
   [[nodiscard]] const ArrayXd& weights() const override { return weights_; }

@@ -4,13 +4,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "contact/active_set.hpp"
 #include "transient/numbers.hpp"
-#include "transient/plane_frame.hpp"
 #include "transient/step_operator.hpp"
 
 namespace viscoroll::detail {
@@ -46,10 +44,9 @@ class ContactInverse {
 /// @brief Minimize p K p / 2 + gap p over the pressing forces p >= 0 of a given sum.
 struct ElasticContactProblem {
   const StepOperator& surface;
-  std::array<HalfField, 3> down;  ///< its components at every node; empty where there is r alone
-  HalfField gap;                  ///< without these forces, up to a constant
-  HalfField weights;              ///< of `half_weights`, at every node
-  double load;                    ///< sum of all forces
+  HalfField gap;      ///< without these forces, up to a constant
+  HalfField weights;  ///< of `half_weights`, at every node
+  double load;        ///< sum of all forces
 };
 
 /// @brief Active set with conjugate gradients among the nodes in contact, in the space of forces of the given sum.

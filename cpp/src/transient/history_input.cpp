@@ -31,6 +31,19 @@ void validate(const HistoryOptions& options) {
     reject("friction", "finite in transient rolling, where nodes slip as they join the contact", options.friction);
   }
   require_finite("driving_force", options.driving_force);
+  if (options.driving_torque) {
+    require_finite("driving_torque", *options.driving_torque);
+    if (options.friction == 0.0) {
+      reject("driving_torque", "left out without friction, where rolling itself fixes the torque",
+             text(*options.driving_torque) + " N m");
+    }
+    if (options.driving_force != 0.0) {
+      reject("driving_force", "0 N where the torque is given", text(options.driving_force) + " N");
+    }
+    if (options.mass > 0.0) {
+      reject("mass", "0 kg where the torque is given, with which forces balance", text(options.mass) + " kg");
+    }
+  }
   require_nonnegative("mass", options.mass, "kg");
   require_finite("center_speed", options.center_speed);
   if (options.mass > 0.0 && options.friction == 0.0) {

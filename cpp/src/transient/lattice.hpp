@@ -8,15 +8,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "transient/carried_forces.hpp"
-#include "transient/center_motion.hpp"
-#include "transient/contact_place.hpp"
-#include "transient/contact_stiffness.hpp"
-#include "transient/creeping_pair.hpp"
-#include "transient/elastic_contact.hpp"
+#include "transient/contact_numbers.hpp"
+#include "transient/contact_search.hpp"
 #include "transient/row_memory.hpp"
 #include "transient/step_end.hpp"
-#include "transient/stick_slip_step.hpp"
+#include "transient/touch.hpp"
 #include "viscoroll/rolling_history.hpp"
 
 namespace viscoroll::detail {
@@ -83,52 +79,25 @@ class Lattice {
   [[nodiscard]] ContactField field() const;
 
  private:
-  /// What the new forces displace in each body, once parts of them have yielded.
-  struct Yielding {
-    std::vector<YieldingTables> of_bodies;
-    double sum;  ///< of the shares of their tables
-  };
-
-  /// Who touches at an angle, in forces scaled by what has yielded in all bodies.
-  struct Touch {
-    ContactPlace place;
-    Yielding yielding;
-    std::vector<HalfField> known;  ///< K h of every body
-    StickSlip contact;             ///< without friction only with what presses
-    /// K p' of every body's every tables, over their reach
-    std::vector<std::vector<HalfField>> moved;
-  };
-
   /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
   template <class Parts>
   [[nodiscard]] Yielding yielding(const Parts& parts_in);
   /// @param[in] step none for a first contact, on bodies that bear nothing else
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                             const CenterCondition& center);
-  [[nodiscard]] StickSlip touch_smooth(const Touch& touch, double load);
-  [[nodiscard]] StickSlip touch_with_friction(const Touch& touch, const StepEnd& end, const CenterCondition& center);
-  [[nodiscard]] StickSlip lifted(const Touch& touch, const CenterCondition& center) const;
-  void find_displacements(Touch& touch) const;
-  [[nodiscard]] HalfField known_gap(const Touch& touch) const;
+  [[nodiscard]] StickSlip search(const Touch& touch, const StepEnd& end, const CenterCondition& center);
   void require_reach(const ContactPlace& place) const;
   void require_open_track(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const Touch& touch, double load);
   [[nodiscard]] LastForces last_forces() const { return {.force = force_, .count = count_, .lowest = lowest_}; }
-  [[nodiscard]] HalfField by_components(const VectorField& force, const ContactPlace& place) const;
-  [[nodiscard]] HalfField deformed(const Touch& touch, std::size_t body) const;
-  [[nodiscard]] RowMemory::Load load_of(const Touch& touch, std::size_t body) const;
   void take(const Touch& touch, const StepEnd& end);
-  void take_contact(const Touch& touch);
-  void take_moments(const Touch& touch);
-  [[nodiscard]] double pushback(const Touch& touch, const Eigen::ArrayXd& pressing) const;
   void take_friction(const Touch& touch);
   void take_stored_energy();
   [[nodiscard]] double slip_work(const Touch& touch) const;
-  [[nodiscard]] double working_torque(const RollingInstant& at) const;
+  void lose(double energy, bool in_what_rolls);
+  /// Of every body, on the rows of a window.
+  [[nodiscard]] std::vector<HalfField> displacements(const ContactPlace& place) const;
   void forget_contact();
-  [[nodiscard]] bool has_friction() const { return pair_->friction > 0.0; }
-  /// What presses between, and slides on, a rigid plane.
-  [[nodiscard]] const CreepingTables& coating() const { return pair_->bodies.front().tables; }
 
   std::shared_ptr<const CreepingPair> pair_;
   double shift_;
@@ -141,6 +110,7 @@ class Lattice {
   Eigen::Index first_ = 0;            // its first row,
   Eigen::Index count_ = 0;            // and how many there are
   double lowest_ = 0.0;               // place of the window's middle row from the lowest point [spacings]
+  CenterPower power_;                 // at the last instant
   double center_acceleration_ = 0.0;  // of the center with its mass, as the integration in time has it [m/s^2]
   RollingInstant now_;
 };

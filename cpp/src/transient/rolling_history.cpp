@@ -2,7 +2,9 @@
 #include "viscoroll/rolling_history.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -44,6 +46,12 @@ double relative_change(double before, double after) {
   const double larger = std::max(before, after);
   return larger > 0.0 ? (after - before) / larger : 0.0;
 }
+
+/// Which part of a motion is followed.
+struct Share {
+  double from = 0.0;
+  double to = 1.0;
+};
 
 /// Lattices on which a step is tried, whose memory serves the next one too. Copies begin without it.
 struct Trial {
@@ -100,14 +108,16 @@ struct RollingHistory::Impl {
 
   /// Run on all lattices; a contact that proves too wide for the tables, or a track too long, starts over on larger
   /// ones.
+  /// @param[in] fraction that is done, as of `parallel_for`
   template <class Body>
-  void on_lattices(detail::Watch& watch, const Body& body) {
+  void on_lattices(detail::Watch& watch, const Body& body, const std::function<double()>& fraction = {}) {
     for (;;) {
       std::vector<Lattice>& next = trial.lattices;
       next = lattices;
       try {
-        detail::parallel_for(next.size(), options.threads, watch, "rolling",
-                             [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); });
+        detail::parallel_for(
+            next.size(), options.threads, watch, "rolling",
+            [&](std::size_t l, const detail::Worker& worker) { body(l, next[l], worker); }, fraction);
         std::swap(lattices, next);
         return;
       } catch (const detail::ContactTooWide&) {
@@ -126,7 +136,8 @@ struct RollingHistory::Impl {
   }
 
   [[nodiscard]] RollingInstant mean(std::span<const RollingInstant> of_lattices, double time) const;
-  [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch);
+  [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch,
+                                                   const Share& of_motion = {});
   [[nodiscard]] RollingState state() const;
   void restore(const RollingState& state);
   void require_step(const StepEnd& to) const;
@@ -162,14 +173,19 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
     if (options.driving_force != 0.0) {
       reject("driving_force", "0 N where the way of the center is given", text(options.driving_force) + " N");
     }
+    if (options.driving_torque) {
+      reject("driving_torque", "left out where the way of the center is given", text(*options.driving_torque) + " N m");
+    }
     return;
   }
   if (options.driving_force == 0.0 || options.mass > 0.0) return;
   if (!(std::abs(options.driving_force) < options.friction * to.load)) {
+    const detail::Body& body = pair->pair.body;
+    const std::string unit = " " + std::string(body.form.load_unit);
     reject("driving_force",
-           "smaller than friction * load = " + text(options.friction * to.load) +
-               " N in magnitude, else the sphere slides without end",
-           text(options.driving_force) + " N");
+           "smaller than friction * load = " + text(options.friction * to.load) + unit + " in magnitude, else the " +
+               std::string(body.name) + " slides without end",
+           text(options.driving_force) + unit);
   }
 }
 
@@ -239,7 +255,8 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   return path;
 }
 
-std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd> path, detail::Watch& watch) {
+std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd> path, detail::Watch& watch,
+                                                         const Share& of_motion) {
   const std::size_t count = lattices.size();
   std::vector<RollingInstant> instants(path.size() * count);
   std::vector<detail::PairStep> steps_ahead;
@@ -250,13 +267,22 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
     steps_ahead.push_back(std::move(step));
     before = end.time;
   }
-  on_lattices(watch, [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      lattice.advance(steps_ahead[i], path[i]);
-      instants[i * count + l] = lattice.now();
-      worker.checkpoint();
-    }
-  });
+  std::atomic<std::size_t> done{0};
+  const auto fraction = [&] {
+    const double of_path = static_cast<double>(done) / static_cast<double>(path.size() * count);
+    return std::lerp(of_motion.from, of_motion.to, std::min(of_path, 1.0));  // what starts over is counted again
+  };
+  on_lattices(
+      watch,
+      [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
+        for (std::size_t i = 0; i < path.size(); ++i) {
+          lattice.advance(steps_ahead[i], path[i]);
+          instants[i * count + l] = lattice.now();
+          ++done;
+          worker.checkpoint();
+        }
+      },
+      fraction);
   std::vector<RollingInstant> means;
   means.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -429,6 +455,10 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     reject("time", "of knots from before the instant reached, " + text(impl.now.time) + " s, to after it",
            text(motion.time.front()) + " s to " + text(motion.time.back()) + " s");
   }
+  const auto share_at = [&motion](double time) {
+    const double duration = motion.time.back() - motion.time.front();
+    return duration > 0.0 ? (time - motion.time.front()) / duration : 1.0;
+  };
   std::vector<RollingInstant> instants{impl.now};
   for (std::size_t k = next_knot(motion, impl.now); k < motion.time.size(); ++k) {
     const StepEnd end = knot_of(motion, k);
@@ -437,10 +467,9 @@ std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, 
     constexpr std::size_t kTogether = 64;
     for (std::size_t first = 0; first < path.size(); first += kTogether) {
       const auto piece = std::span(path).subspan(first, std::min(kTogether, path.size() - first));
-      const auto means = impl.follow(piece, watch);
+      const auto means =
+          impl.follow(piece, watch, {.from = share_at(impl.now.time), .to = share_at(piece.back().time)});
       instants.insert(instants.end(), means.begin(), means.end());
-      const double way = motion.time.back() - motion.time.front();
-      if (way > 0.0) watch.poll("rolling", (impl.now.time - motion.time.front()) / way);
     }
   }
   return instants;

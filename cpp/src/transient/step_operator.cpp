@@ -1,38 +1,143 @@
 #include "transient/step_operator.hpp"
 
+#include <Eigen/LU>
+#include <array>
 #include <span>
 
 namespace viscoroll::detail {
 namespace {
 
 using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
 
 /// The sum of what each part gives; of a single part with a share of 1 nothing is changed.
 template <class Field, class Parts>
 Field summed(const Parts& parts, const auto& field) {
-  Field sum = field(*parts.front().tables);
+  Field sum = field(parts.front());
   if (parts.front().share != 1.0) sum *= parts.front().share;
-  for (const auto& [share, tables] : std::span(parts).subspan(1)) sum += share * field(*tables);
+  for (const auto& part : std::span(parts).subspan(1)) sum += part.share * field(part);
   return sum;
+}
+
+/// Directions of the plane, a row each, by their components.
+Matrix3d axes_of(const Axes& axes, Index node) {
+  Matrix3d rows;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t p = 0; p < 3; ++p) {
+      rows(static_cast<Index>(axis), static_cast<Index>(p)) = axes[axis][p].data()[node];
+    }
+  }
+  return rows;
+}
+
+/// Along the axes, from what the components are.
+MatrixXd along_axes(MatrixXd compliance, const Axes& axes, const std::vector<Index>& displaced,
+                    const std::vector<Index>& loaded) {
+  for (std::size_t i = 0; i < displaced.size(); ++i) {
+    auto rows = compliance.middleRows<3>(static_cast<Index>(3 * i));
+    rows = (axes_of(axes, displaced[i]) * rows).eval();
+  }
+  for (std::size_t j = 0; j < loaded.size(); ++j) {
+    auto columns = compliance.middleCols<3>(static_cast<Index>(3 * j));
+    columns = (columns * axes_of(axes, loaded[j]).transpose()).eval();
+  }
+  return compliance;
+}
+
+struct LoadedRows {
+  Index first;
+  Index last;
+};
+
+LoadedRows loaded_rows(const VectorField& force, Index half_nodes) {
+  const auto bears = [&](Index node) { return (force.row(node) != 0.0).any(); };
+  Index first = 0;
+  Index last = force.rows() - 1;
+  while (first < last && !bears(first)) ++first;
+  while (first < last && !bears(last)) --last;
+  return {.first = first / half_nodes, .last = last / half_nodes};
+}
+
+/// Tables take the forces of what rolls on what is below.
+void add_displacement(double share, const Axes& axes, const HalfField& displaced, VectorField& sum) {
+  for (const Axis axis : {kForward, kDown, kSideways}) {
+    const HalfField moved = along(axes[static_cast<std::size_t>(axis)], displaced);
+    sum.col(axis) -= share * moved.reshaped().array();
+  }
 }
 
 }  // namespace
 
 double StepOperator::own_compliance() const {
   double sum = 0.0;
-  for (const auto& [share, tables] : parts_) sum += share * tables->own_compliance();
+  for (const Part& part : parts_) sum += part.share * part.tables->own_compliance();
   return sum;
 }
 
-Eigen::MatrixXd StepOperator::compliance(const std::vector<Index>& nodes,
-                                         const std::array<HalfField, 3>& direction) const {
-  return summed<Eigen::MatrixXd>(parts_,
-                                 [&](const MirroredTables& tables) { return tables.compliance(nodes, direction); });
+double StepOperator::compliance_along(Index node) const {
+  double sum = 0.0;
+  for (const Part& part : parts_) sum += part.share * part.tables->compliance({node}, (*part.axes)[kForward])(0, 0);
+  return sum;
 }
 
-HalfField StepOperator::displacement(const HalfField& loads, Index first, Index last) const {
-  return summed<HalfField>(parts_,
-                           [&](const MirroredTables& tables) { return tables.displacement(loads, first, last); });
+MatrixXd StepOperator::normal_compliance(const std::vector<Index>& nodes) const {
+  return summed<MatrixXd>(parts_,
+                          [&](const Part& part) { return part.tables->compliance(nodes, (*part.axes)[kDown]); });
+}
+
+HalfField StepOperator::normal_displacement(const HalfField& pressing, Index first, Index last) const {
+  return summed<HalfField>(parts_, [&](const Part& part) {
+    if (part.tables->components() == 1) return part.tables->displacement(pressing, first, last);
+    const std::array<HalfField, 3>& down = (*part.axes)[kDown];
+    return along(down, part.tables->displacement(spread(down, pressing), first, last));
+  });
+}
+
+std::vector<double> StepOperator::shares() const {
+  std::vector<double> shares;
+  shares.reserve(parts_.size());
+  for (const Part& part : parts_) shares.push_back(part.share);
+  return shares;
+}
+
+Matrix3d StepOperator::to_frame(Index node) const {
+  return is_single() ? Matrix3d(axes_of(*parts_.front().axes, node).inverse()) : Matrix3d::Identity();
+}
+
+MatrixXd StepOperator::compliance(const std::vector<Index>& displaced, const std::vector<Index>& loaded) const {
+  return summed<MatrixXd>(parts_, [&](const Part& part) {
+    MatrixXd components = part.tables->compliance(displaced, loaded);
+    return is_single() ? components : along_axes(std::move(components), *part.level_axes, displaced, loaded);
+  });
+}
+
+std::vector<HalfField> StepOperator::displaced(const VectorField& force) const {
+  std::vector<HalfField> displaced;
+  displaced.reserve(parts_.size());
+  const LoadedRows rows = loaded_rows(force, half_nodes());
+  for (const Part& part : parts_) {
+    displaced.push_back(part.tables->displacement(on_plane(*part.axes, force), rows.first, rows.last));
+  }
+  return displaced;
+}
+
+VectorField StepOperator::displacement(const std::vector<HalfField>& displaced) const {
+  VectorField sum = VectorField::Zero(displaced.front().cols() * half_nodes(), 3);
+  for (std::size_t b = 0; b < parts_.size(); ++b) {
+    add_displacement(parts_[b].share, *parts_[b].axes, displaced[b], sum);
+  }
+  return sum;
+}
+
+VectorField StepOperator::excess(const VectorField& force, const std::vector<HalfField>& displaced) const {
+  VectorField excess = displacement(displaced);
+  const LoadedRows rows = loaded_rows(force, half_nodes());
+  for (const Part& part : parts_) {
+    const HalfField level = part.tables->displacement(on_plane(*part.level_axes, force), rows.first, rows.last);
+    add_displacement(-part.share, *part.level_axes, level, excess);
+  }
+  return excess;
 }
 
 }  // namespace viscoroll::detail

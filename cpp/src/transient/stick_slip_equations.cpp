@@ -19,46 +19,72 @@ constexpr double kExactness = 1e-13;  // of linear systems, as relative residual
 }  // namespace
 
 StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, ContactStiffness& stiffness)
-    : problem_(problem), stiffness_(stiffness) {
-  const Index middle = problem.gap.size() / problem.tables.half_nodes() / 2 * problem.tables.half_nodes();
-  own_compliance_ = problem.tables.compliance({middle}, problem.axes[kForward])(0, 0);
+    : problem_(problem), stiffness_(stiffness), gap_(problem.gap), way_(problem.way) {
+  const Index half_nodes = problem.surface.half_nodes();
+  own_compliance_ = problem.surface.compliance_along(problem.gap.size() / half_nodes / 2 * half_nodes);
 }
 
 /// What follows from the nodes alone: the forces if all of them touched and stuck, by the penetration and the way.
 void StickSlipEquations::cover(const std::vector<Index>& contact) {
-  const bool is_new = stiffness_.cover(problem_.tables, contact);
-  if (!is_new && !to_components_.empty()) return;
-  to_components_.clear();
+  const bool is_new = stiffness_.cover(problem_.surface, contact);
+  if (!is_new && !to_frame_.empty()) return;
+  to_frame_.clear();
   factored_.clear();
+  for (const Index node : covered()) to_frame_.push_back(problem_.surface.to_frame(node));
+  close();
+  weigh_center();
+}
+
+void StickSlipEquations::correct(const std::vector<Index>& nodes, const Eigen::ArrayXd& gap,
+                                 const Eigen::ArrayX2d& slip) {
+  for (const Index node : nodes) {
+    gap_[node] += gap[node];
+    way_.row(node) += slip.row(node);
+  }
+  if (to_frame_.empty()) return;
+  Index place = 0;
+  for (const Index node : covered()) {
+    closed_.col(0).segment<3>(3 * place++) << -way_(node, 0), gap_[node], -way_(node, 1);
+  }
+  by_closed_.col(0) = forces_by(closed_.col(0));
+}
+
+void StickSlipEquations::close() {
   closed_ = Eigen::MatrixX3d::Zero(3 * static_cast<Index>(covered().size()), 3);
   Index place = 0;
   for (const Index node : covered()) {
-    Eigen::Matrix3d axes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t p = 0; p < 3; ++p) {
-        axes(static_cast<Index>(axis), static_cast<Index>(p)) = problem_.axes[axis][p].data()[node];
-      }
-    }
-    to_components_.emplace_back(axes.inverse());
-    const double weight = problem_.weights[node];
+    const auto& by_center = problem_.by_center;
     Eigen::Matrix3d closed;
-    closed << -problem_.forward_way[node], 0.0, -weight, problem_.gap[node], -weight, 0.0, -problem_.sideways_way[node],
-        0.0, 0.0;
+    closed << -way_(node, 0), 0.0, -by_center(node, 0),  //
+        gap_[node], -problem_.weights[node], 0.0,        //
+        -way_(node, 1), 0.0, -by_center(node, 1);
     closed_.middleRows<3>(3 * place++) = closed;
   }
   by_closed_ = forces_by(closed_);
 }
 
+void StickSlipEquations::drive(CenterRow row) {
+  center_ = std::move(row);
+  if (!to_frame_.empty()) weigh_center();
+}
+
+void StickSlipEquations::weigh_center() {
+  VectorXd row(closed_.rows());
+  Index place = 0;
+  for (const Index node : covered()) row.segment<3>(3 * place++) = center_.on_force.row(node).transpose();
+  by_center_ = forces_by(row);
+}
+
 /// Forces along x, down and z by displacements along them [3 * nodes + axis].
 MatrixXd StickSlipEquations::forces_by(MatrixXd displacements) const {
-  const auto count = static_cast<Index>(to_components_.size());
+  const auto count = static_cast<Index>(to_frame_.size());
   const auto of_node = [](MatrixXd& field, Index i) { return field.middleRows<3>(3 * i); };
   for (Index i = 0; i < count; ++i) {
-    of_node(displacements, i) = (to_components_[static_cast<std::size_t>(i)] * of_node(displacements, i)).eval();
+    of_node(displacements, i) = (to_frame_[static_cast<std::size_t>(i)] * of_node(displacements, i)).eval();
   }
   MatrixXd forces = stiffness_.matrix() * displacements;
   for (Index i = 0; i < count; ++i) {
-    of_node(forces, i) = (to_components_[static_cast<std::size_t>(i)].transpose() * of_node(forces, i)).eval();
+    of_node(forces, i) = (to_frame_[static_cast<std::size_t>(i)].transpose() * of_node(forces, i)).eval();
   }
   return forces;
 }
@@ -69,16 +95,16 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   const Index way = free + 1;
   MatrixXd matrix(free + 2, free + 2);
   VectorXd right(free + 2);
-  // In the components of the coating, whose stiffness it is.
+  // In the frame of the stiffness.
   Eigen::Matrix3Xd on_force(3, free);
   for (Index i = 0; i < free; ++i) {
     const Condition& condition = conditions[static_cast<std::size_t>(i)];
-    on_force.col(i) = to_components_[static_cast<std::size_t>(condition.place)] * condition.on_force;
+    on_force.col(i) = to_frame_[static_cast<std::size_t>(condition.place)] * condition.on_force;
   }
   VectorXd by_move(closed_.rows());
   for (Index column = 0; column < free; ++column) {
     const Condition& moved = conditions[static_cast<std::size_t>(column)];
-    const auto direction = to_components_[static_cast<std::size_t>(moved.place)].col(moved.axis);
+    const auto direction = to_frame_[static_cast<std::size_t>(moved.place)].col(moved.axis);
     by_move.setZero();
     for (Index p = 0; p < 3; ++p) {
       if (direction[p] != 0.0) by_move += direction[p] * stiffness_.matrix().col(3 * moved.place + p);
@@ -95,21 +121,21 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
     right[row] = -given[0];
     matrix.row(row).tail<2>() = given.tail<2>();
     matrix(depth, row) = by_closed_(3 * condition.place + condition.axis, 1);
-    matrix(way, row) = -by_closed_(3 * condition.place + condition.axis, 2);
+    matrix(way, row) = by_center_[3 * condition.place + condition.axis];
   }
-  // Load and center: sums of forces, weighed as `closed_` weighs displacements.
-  const Eigen::Matrix3d sums = closed_.transpose() * by_closed_;
-  matrix.row(depth).tail<2>() = sums.row(1).tail<2>();
-  right[depth] = problem_.load - sums(1, 0);
+  // Load and center: sums of forces, weighed as `closed_` and the center's row weigh displacements.
+  const Eigen::RowVector3d pressing = closed_.col(1).transpose() * by_closed_;
+  matrix.row(depth).tail<2>() = pressing.tail<2>();
+  right[depth] = problem_.load - pressing[0];
   matrix.row(depth) *= own_compliance_;
   right[depth] *= own_compliance_;
-  const CenterCondition& center = problem_.center;
-  matrix.row(way).tail<2>() = -sums.row(2).tail<2>();
-  matrix.row(way) *= center.force;
-  matrix(way, way) += center.way;
-  right[way] = center.value + center.force * sums(2, 0);
+  const Eigen::RowVector3d of_center = by_center_.transpose() * closed_;
+  matrix.row(way).tail<2>() = of_center.tail<2>();
+  matrix(way, way) += center_.way;
+  right[way] = center_.value - of_center[0];
   // Forces and ways on one scale: a heavy center must not serve as pivot for anything but its own way.
-  const double share = own_compliance_ / std::max(center.force, std::abs(center.way) * own_compliance_);
+  const double largest = center_.on_force.abs().maxCoeff();
+  const double share = own_compliance_ / std::max(largest, std::abs(center_.way) * own_compliance_);
   matrix.row(way) *= share;
   right[way] *= share;
 

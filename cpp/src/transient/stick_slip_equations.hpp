@@ -6,35 +6,29 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "dense_solvers.hpp"
+#include "transient/center_motion.hpp"
 #include "transient/contact_stiffness.hpp"
-#include "transient/plane_frame.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief What decides how far the center comes in a step: force * (sum of the forces along the plane) + way * (way of
-/// the center) = value.
-struct CenterCondition {
-  double force = 1.0;
-  double way = 0.0;
-  double value = 0.0;
-};
 
 /// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step. Arrays have the
 /// nodes row by row.
 struct StickSlipProblem {
-  const MirroredTables& tables;
-  const Axes& axes;
-  Eigen::ArrayXd gap;           ///< without these forces, up to a constant
-  Eigen::ArrayXd forward_way;   ///< of the nodes over the plane, without these forces and the way of the center
-  Eigen::ArrayXd sideways_way;  ///< likewise
-  Eigen::ArrayXd weights;       ///< of `half_weights`
-  double load;                  ///< sum of the pressing forces
-  double friction;              ///< coefficient
-  CenterCondition center;       ///< in scaled forces
+  const StepOperator& surface;
+  Eigen::ArrayXd gap;   ///< without these forces, up to a constant
+  Eigen::ArrayX2d way;  ///< of the nodes along x and z over what they touch, without these forces and the center's
+  Eigen::ArrayX2d by_center;  ///< what the way of the center adds to it, for a unit
+  Eigen::ArrayXd weights;     ///< of `half_weights`
+  double load;                ///< sum of the pressing forces
+  double friction;            ///< coefficient
+  /// What holds for the center, in scaled forces, by what these displace (`StepOperator::displaced`)
+  std::function<CenterRow(const std::vector<HalfField>& displaced)> center;
+  bool center_moves;  ///< whether that depends on displacements
 };
 
 /// @brief What holds where a displacement is free: on_force . (forces on the node) + on_move . (its free displacements)
@@ -65,6 +59,13 @@ class StickSlipEquations {
   void cover(const std::vector<Eigen::Index>& contact);
 
   [[nodiscard]] const std::vector<Eigen::Index>& covered() const { return stiffness_.nodes(); }
+  /// @brief Take for known by how much gaps and slips of nodes are more than the equations have them, where the surface
+  /// is not quite that of the stiffness.
+  void correct(const std::vector<Eigen::Index>& nodes, const Eigen::ArrayXd& gap, const Eigen::ArrayX2d& slip);
+
+  /// @brief What is to hold for the center.
+  void drive(CenterRow row);
+
   /// @return displacement of a node along the plane by a unit force there
   [[nodiscard]] double own_compliance() const { return own_compliance_; }
 
@@ -73,6 +74,8 @@ class StickSlipEquations {
   [[nodiscard]] StickSlipForces solve(const std::vector<Condition>& conditions);
 
  private:
+  void weigh_center();
+  void close();
   [[nodiscard]] Eigen::MatrixXd forces_by(Eigen::MatrixXd displacements) const;
   [[nodiscard]] Eigen::VectorXd solved(const std::vector<Condition>& conditions, const Eigen::MatrixXd& matrix,
                                        const Eigen::VectorXd& right);
@@ -80,9 +83,13 @@ class StickSlipEquations {
   const StickSlipProblem& problem_;
   ContactStiffness& stiffness_;
   double own_compliance_;
-  std::vector<Eigen::Matrix3d> to_components_;  // r, phi and theta of displacements along the axes, of nodes covered
+  CenterRow center_;
+  Eigen::ArrayXd gap_;                     // of the problem, corrected,
+  Eigen::ArrayX2d way_;                    // and likewise
+  std::vector<Eigen::Matrix3d> to_frame_;  // of the surface, of displacements along the axes, of nodes covered
   Eigen::MatrixX3d closed_;     // displacements that close all gaps and undo all ways: given, by penetration, by way
   Eigen::MatrixX3d by_closed_;  // forces of these
+  Eigen::VectorXd by_center_;   // what the center's row makes of displacements
   std::vector<std::pair<Eigen::Index, Axis>> factored_;  // places and axes of the displacements that were free
   DenseFactors factors_;
 };

@@ -1,6 +1,8 @@
 #include "transient/stick_slip_step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <utility>
 
 #include "contact/semismooth_newton.hpp"
@@ -12,20 +14,35 @@ namespace {
 
 using Eigen::Index;
 
-/// A coating over the plane: nodes slip from where they were a step ago, and dense factors solve the equations of those
-/// that touch, or did lately.
-class CoatingOnPlane : public StickSlipSystem {
+Eigen::ArrayX2d along_plane(const VectorField& displacement) {
+  return displacement(Eigen::all, std::array{kForward, kSideways});
+}
+
+/// What rolls over what it rolls on: nodes slip from where they were a step ago, and dense factors solve the equations
+/// of those that touch, or did lately.
+class MatchedSurfaces : public StickSlipSystem {
  public:
-  CoatingOnPlane(const StickSlipProblem& problem, ContactStiffness& stiffness)
-      : problem_(problem), equations_(problem, stiffness) {}
+  MatchedSurfaces(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness)
+      : problem_(problem), equations_(problem, stiffness) {
+    const bool is_single = problem.surface.parts().size() == 1;
+    std::vector<HalfField> displaced;
+    if (problem.center_moves || !is_single) displaced = problem.surface.displaced(guess);
+    center_ = problem.center(displaced);
+    equations_.drive(center_);
+    if (is_single) return;
+    const VectorField excess = problem.surface.excess(guess, displaced);
+    std::vector<Index> all(static_cast<std::size_t>(problem.gap.size()));
+    std::iota(all.begin(), all.end(), 0);
+    equations_.correct(all, -excess.col(kDown), along_plane(excess));
+  }
 
   [[nodiscard]] ConditionScales scales() const override {
-    return {.normal = 1.0 / problem_.tables.own_compliance(), .tangential = 1.0 / equations_.own_compliance()};
+    return {.normal = 1.0 / problem_.surface.own_compliance(), .tangential = 1.0 / equations_.own_compliance()};
   }
   [[nodiscard]] double load() const override { return problem_.load; }
   [[nodiscard]] Index first_node() const override { return 0; }
-  /// The equations hold to round-off.
-  [[nodiscard]] double imbalance(const ContactSolution&) const override { return 0.0; }
+  /// The equations hold to round-off, but that the center's may have moved since.
+  [[nodiscard]] double imbalance(const ContactSolution&) const override { return imbalance_; }
   [[nodiscard]] int products() const override { return products_; }
 
   void solve(double friction, const ContactSets& sets, double, ContactSolution& state) override {
@@ -33,6 +50,7 @@ class CoatingOnPlane : public StickSlipSystem {
     const auto [forces, moves, penetration, way] = equations_.solve(conditions(friction, sets));
     state.penetration = penetration;
     state.creepage = way;
+    imbalance_ = 0.0;
     state.force.setZero();
     state.gap.setZero();
     state.slip.setZero();
@@ -51,28 +69,22 @@ class CoatingOnPlane : public StickSlipSystem {
 
   void find_displacements(ContactSolution& state) override {
     ++products_;
-    const auto bears = [&](Index node) { return (state.force.row(node) != 0.0).any(); };
-    Index first = 0;
-    Index last = state.force.rows() - 1;
-    while (first < last && !bears(first)) ++first;
-    while (first < last && !bears(last)) --last;
-    in_reach_ =
-        problem_.tables.displacement_in_reach(on_plane(problem_.axes, state.force), first / height(), last / height());
-    const HalfField moved = -in_reach_.middleCols(problem_.tables.reach(), state.force.rows() / height());
-    state.displacement.resize(state.force.rows(), 3);
-    for (std::size_t axis = 0; axis < problem_.axes.size(); ++axis) {
-      state.displacement.col(static_cast<Index>(axis)) = along(problem_.axes[axis], moved).reshaped();
-    }
+    const std::vector<HalfField> displaced = problem_.surface.displaced(state.force);
+    state.displacement = problem_.surface.displacement(displaced);
+    const Eigen::ArrayXd gap = std::move(state.gap);
+    const Eigen::ArrayX2d slip = std::move(state.slip);
     state.gap = problem_.gap - state.displacement.col(kDown) - state.penetration * problem_.weights;
-    state.slip.col(0) = problem_.forward_way + *state.creepage * problem_.weights + state.displacement.col(kForward);
-    state.slip.col(1) = problem_.sideways_way + state.displacement.col(kSideways);
+    state.slip = problem_.way + *state.creepage * problem_.by_center;
+    state.slip += along_plane(state.displacement);
+    equations_.correct(equations_.covered(), state.gap - gap, state.slip - slip);
+    if (!problem_.center_moves) return;
+    center_ = problem_.center(displaced);
+    equations_.drive(center_);
+    imbalance_ = (center_.on_force * state.force).sum() + center_.way * *state.creepage - center_.value;
   }
 
-  /// Of the last state whose displacements were asked for.
-  [[nodiscard]] HalfField displacement_in_reach() && { return std::move(in_reach_); }
-
  private:
-  [[nodiscard]] Index height() const { return problem_.tables.half_nodes(); }
+  [[nodiscard]] Index height() const { return problem_.surface.half_nodes(); }
   [[nodiscard]] bool in_middle(Index node) const { return node % height() == 0; }
 
   /// A node apart bears no force; one that slips bears what friction allows, and along the normal of its slip the
@@ -103,7 +115,8 @@ class CoatingOnPlane : public StickSlipSystem {
 
   const StickSlipProblem& problem_;
   StickSlipEquations equations_;
-  HalfField in_reach_;
+  CenterRow center_;
+  double imbalance_ = 0.0;
   int products_ = 0;
 };
 
@@ -111,10 +124,10 @@ class CoatingOnPlane : public StickSlipSystem {
 
 StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness) {
   constexpr const FrictionSettings& kSettings = kFrictionSettings;
-  CoatingOnPlane coating(problem, stiffness);
-  SemismoothNewton newton(coating, {.tolerance = kSettings.instant_tolerance,
-                                    .round_off = kSettings.instant_round_off,
-                                    .free_steps = kSettings.free_steps});
+  MatchedSurfaces surfaces(problem, guess, stiffness);
+  SemismoothNewton newton(surfaces, {.tolerance = kSettings.instant_tolerance,
+                                     .round_off = kSettings.instant_round_off,
+                                     .free_steps = kSettings.free_steps});
   // Who does what is first told by forces alone, for gaps and ways are those of the step before.
   const auto finds_from = [&](const VectorField& force) {
     ContactSolution state{.force = force,
@@ -122,7 +135,7 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
                           .gap = Eigen::ArrayXd::Zero(force.rows()),
                           .contact = {},
                           .slip = Eigen::ArrayX2d::Zero(force.rows(), 2)};
-    const ContactSets sets = find_sets(coating, kSettings.likely_slip * problem.friction, state);
+    const ContactSets sets = find_sets(surfaces, kSettings.likely_slip * problem.friction, state);
     newton.start_from(std::move(state));
     newton.take_step(problem.friction, sets, kSettings.exact_step);
     return newton.iterate(problem.friction);
@@ -130,15 +143,12 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
   VectorField pressing = VectorField::Zero(guess.rows(), 3);
   pressing.col(kDown) = guess.col(kDown);
   if (!finds_from(guess) && !finds_from(pressing)) {
-    throw ConvergenceError("stick and slip did not settle", newton.systems(), newton.state().residual);
+    throw ConvergenceError("stick and slip did not settle: friction may not bear what drives it", newton.systems(),
+                           newton.state().residual);
   }
   const ContactSolution& state = newton.state();
   const ContactSets& sets = newton.sets();
-  StickSlip result{.force = state.force,
-                   .penetration = state.penetration,
-                   .way = *state.creepage,
-                   .slip = state.slip,
-                   .displacement = std::move(coating).displacement_in_reach()};
+  StickSlip result{.force = state.force, .penetration = state.penetration, .way = *state.creepage, .slip = state.slip};
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     if (!(result.force(sets.contact[i], kDown) < 0.0)) continue;
     result.nodes.push_back(sets.contact[i]);

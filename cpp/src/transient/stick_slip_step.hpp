@@ -15,7 +15,6 @@ struct StickSlip {
   double penetration = 0.0;
   double way = 0.0;                 ///< of the center [m]
   Eigen::ArrayX2d slip;             ///< of the nodes over the plane in this step, along x and z
-  HalfField displacement;           ///< by these forces, of all rows within reach
   std::vector<Eigen::Index> nodes;  ///< in contact, ascending
   Eigen::Index sticking = 0;        ///< number of these that stick
 };

@@ -37,6 +37,7 @@ class _Motion(StrictTable):
     start: Annotated[Start, ByName()] = Start.RELAXED
     friction: float = 0.0
     driving_force: float = 0.0
+    driving_torque: float | None = None
     center_way: list[float] | None = None
     mass: float = 0.0
     center_speed: float = 0.0
@@ -98,12 +99,20 @@ def _build(file: _File) -> MotionCase:
         start=motion.start,
         options={
             "friction": motion.friction,
-            "drive": Drive(force=motion.driving_force),
+            "drive": _drive(motion),
             "mass": motion.mass,
             "center_speed": motion.center_speed,
             **file.numerics.arguments(),
         },
     )
+
+
+def _drive(motion: _Motion) -> Drive:
+    if motion.driving_torque is None:
+        return Drive(force=motion.driving_force)
+    if motion.driving_force != 0.0:
+        raise ValueError("motion.driving_force must be left out with driving_torque")
+    return Drive(torque=motion.driving_torque)
 
 
 def _knots(motion: _Motion) -> dict[str, Any]:

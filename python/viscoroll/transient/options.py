@@ -51,13 +51,14 @@ class HistoryOptions:
     curvature : Curvature or str, default Curvature.SPHERE
         SPHERE or PAPER, of balls.
     friction : float, default 0
-        Coulomb's coefficient μ between coating and plane [-], in [0, 4], of a ball on the rigid plane: elsewhere
-        friction over time is not there yet. With it a step takes three to eight times as long.
+        Coulomb's coefficient μ between the two bodies [-], in [0, 4]. With it a step takes six to
+        twelve times as long.
     drive : Drive, default Drive(force=0.0)
-        Horizontal force on the center; a given torque or creepage is refused here, and `center_way` given instead.
+        Horizontal force on the center, or driving torque about it: with a torque of 0 the body is towed. A given
+        creepage is refused here, and `center_way` given instead.
     mass : float, default 0
-        Of what moves with the center, with friction [kg], ≥ 0: Σ t_x + Q = mass × acceleration. Then a force that
-        exceeds friction is no error: the ball slides.
+        Of what moves with the center, with friction and a force Q on it [kg], ≥ 0: Q less the contact's own is mass ×
+        acceleration. Then a force that exceeds friction is no error: the ball slides.
     center_speed : float, default 0
         Of the center with its mass at the first instant, forward [m/s].
     lattices : int, default 4
@@ -89,8 +90,10 @@ class HistoryOptions:
         """Settle the types; the core checks the values."""
         require_type("mesh", self.mesh, Mesh, optional=True)
         require_type("drive", self.drive, Drive)
-        if self.drive.force is None:
-            raise ValueError("drive must be a force in transient rolling; a given speed is a center_way over time")
+        if self.drive.creepage is not None:
+            raise ValueError(
+                "drive must be a force or a torque in transient rolling; a given speed is a center_way over time"
+            )
         store_floats(self, [option.name for option in fields(self) if option.type == "float"])
         for name, kind in (("compliance", Compliance), ("curvature", Curvature)):
             object.__setattr__(self, name, as_member(name, getattr(self, name), kind))
@@ -101,7 +104,11 @@ class HistoryOptions:
 
     def _to_core(self, *, shortest_time: float, longest_time: float) -> _core.HistoryOptions:
         values = {option.name: getattr(self, option.name) for option in fields(self)}
-        values |= {"mesh": None if self.mesh is None else self.mesh._to_core(), "driving_force": self.drive.force}
+        values |= {
+            "mesh": None if self.mesh is None else self.mesh._to_core(),
+            "driving_force": self.drive.force or 0.0,
+        }
+        values["driving_torque"] = self.drive.torque
         values |= {"shortest_time": shortest_time, "longest_time": longest_time}
         del values["drive"]
         options = _core.HistoryOptions()

@@ -52,7 +52,7 @@ def test_defaults_agree_with_the_core():
 def test_options_of_histories_are_the_same_everywhere():
     options = {option.name: option.default for option in dataclasses.fields(HistoryOptions)}
     core = _core.HistoryOptions()
-    in_core = options | {"driving_force": options["drive"].force}
+    in_core = options | {"driving_force": options["drive"].force, "driving_torque": options["drive"].torque}
     del in_core["drive"]
     assert {name: getattr(core, name) for name in in_core} == in_core
     assert list(HistoryKeywords.__annotations__) == list(options)

@@ -419,3 +419,15 @@ def test_a_rising_load_widens_the_tables():
     alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
     assert 0.7 < h.penetration[-1] / alone.now.penetration < 1.0
     assert h.energy_balance_error[-1] < 2e-2
+
+
+def test_progress_counts_instants():
+    """Of one lattice as well, whose steps are the only thing there is to count."""
+    seen = []
+    vr.roll(
+        BALL, time=[0.0, 1.0], angle=[0.0, 2.0], load=100.0, mesh=vr.Mesh(nodes_per_revolution=500), lattices=1,
+        progress=lambda stage, fraction: seen.append(fraction) if stage == "rolling" else None,
+    )  # fmt: skip
+    rolled = [fraction for fraction in seen if fraction not in (0.0, 1.0)]  # the first contact is a stage, too
+    assert len(set(rolled)) > 5
+    assert (np.diff(rolled) >= 0.0).all()

@@ -246,9 +246,23 @@ BAD = [
     ({}, "one of angle and way must be given, got none"),
     ({"way": [0.0, 1.0], "angle": [0.0, 1.0]}, "one of angle and way must be given, got both"),
     ({"way": [0.0, np.nan]}, "way must be finite"),
+    ({"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0)}, "driving_torque must be left out without friction"),
     (
-        {"way": [0.0, 0.01], "friction": 0.3},
-        "friction must be 0 in transient rolling, but for a ball on the rigid plane",
+        {"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0), "friction": 0.3, "mass": 1.0},
+        "mass must be 0 kg where the torque is given",
+    ),
+    (
+        {"way": [0.0, 0.01], "drive": vr.Drive(torque=0.0), "friction": 0.3, "center_way": [0.0, 0.01]},
+        "driving_torque must be left out where the way of the center is given",
+    ),
+    (
+        {
+            "way": [0.0, 0.01],
+            "friction": 0.3,
+            "mass": 1.0,
+            "on": vr.Groove(radius=0.1, path_radius=0.2, layers=MAT.layers),
+        },
+        "mass must be 0 kg on what curves along the path",
     ),
     ({"way": [0.0, 0.01], "compliance": "VERTICAL"}, "compliance must be RADIAL in transient rolling, but for a ball"),
     ({"way": [0.0, 0.01], "on": vr.CoatedPlane()}, "two rigid bodies"),

@@ -1,0 +1,93 @@
+#include "transient/center_forces.hpp"
+
+#include "surface/patch_slope.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+
+ArrayXd node_weights(const ActingPlaces& at) { return half_weights(at.pair.half_nodes()).replicate(at.place.count, 1); }
+
+/// How far a body's nodes are displaced along an axis, against the sense of the forces.
+ArrayXd displaced(const ActingPlaces& at, std::size_t body, Axis axis) {
+  const HalfField& deformed = at.deformed[body];
+  const ArrayXd along_axis =
+      at.pair.coating().components() == 1
+          ? ArrayXd(deformed.reshaped())
+          : ArrayXd(along(at.place.axes[body][static_cast<std::size_t>(axis)], deformed).reshaped());
+  return along_axis / node_weights(at);
+}
+
+ArrayXd slope(const ActingPlaces& at, const ArrayXd& values) {
+  const SurfaceGrid& grid = at.pair.nodes.grid;
+  return patch_slope(values, at.pair.half_nodes(), grid.radius * grid.phi_spacing);
+}
+
+/// Of the counterpart's deformed surface, along which pressure pushes back; under a rigid body it is that body's own.
+ArrayXd pushing_slope(const ActingPlaces& at) {
+  const auto& bodies = at.pair.bodies;
+  if (bodies.size() > 1) return slope(at, displaced(at, 1, kDown));
+  if (bodies.front().rolls) return ArrayXd::Zero(at.place.lever.size());
+  return at.place.lever / relative_radius(at.pair.pair);
+}
+
+/// How deep below the center forces along the plane act.
+ArrayXd depth_below_center(const ActingPlaces& at) {
+  if (!at.pair.bodies.front().rolls) return at.place.nodes.y();
+  return at.place.nodes.y() - displaced(at, 0, kDown);
+}
+
+}  // namespace
+
+VectorField force_on_center(const ActingPlaces& at) {
+  VectorField row = VectorField::Zero(at.place.lever.size(), 3);
+  row.col(kForward).setConstant(-1.0);
+  row.col(kDown) = at.pair.pair.on.curvatures.along * at.place.lever - pushing_slope(at);
+  return row;
+}
+
+VectorField moment_about_center(const ActingPlaces& at) {
+  const double radius = at.pair.nodes.grid.radius;
+  VectorField row = VectorField::Zero(at.place.lever.size(), 3);
+  row.col(kDown) = radius * (pushing_slope(at) - at.place.lever / relative_radius(at.pair.pair));
+  if (at.pair.coating().components() == 1) return row;
+  row.col(kForward) = depth_below_center(at);
+  if (at.pair.compliance == Compliance::vertical) row.col(kDown) += displaced(at, 0, kForward);
+  return row;
+}
+
+VectorField force_along_track(const ActingPlaces& at, double penetration) {
+  const double turning = at.pair.pair.on.curvatures.along;
+  VectorField row = force_on_center(at);
+  if (turning == 0.0) return row;
+  row.col(kDown) -= turning * at.place.lever;
+  if (!approach_exists(at.pair.pair)) return row;
+  row.col(kForward) += turning * (depth_below_center(at) - (at.pair.nodes.grid.radius - penetration));
+  return row;
+}
+
+VectorField counterpart_slopes(const ActingPlaces& at) {
+  const auto& bodies = at.pair.bodies;
+  if (bodies.back().rolls) return {};
+  VectorField slopes(at.place.lever.size(), 3);
+  for (const Axis axis : {kForward, kDown, kSideways}) {
+    slopes.col(axis) = -slope(at, displaced(at, bodies.size() - 1, axis));
+  }
+  return slopes;
+}
+
+CenterRow center_row(const ActingPlaces& at, const CenterCondition& condition) {
+  CenterRow row{
+      .on_force = VectorField::Zero(at.place.lever.size(), 3), .way = condition.way, .value = condition.value};
+  if (condition.force != 0.0) row.on_force -= condition.force * force_on_center(at);
+  if (condition.torque != 0.0) row.on_force += condition.torque / at.pair.nodes.grid.radius * moment_about_center(at);
+  row.on_force.colwise() *= node_weights(at);
+  return row;
+}
+
+bool depends_on_displacements(const CreepingPair& pair, const CenterCondition& condition) {
+  return (condition.torque != 0.0 && pair.bodies.front().rolls) || (condition.force != 0.0 && pair.bodies.size() > 1);
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,189 @@
+"""Friction over time between any two bodies: the steady state it ends in, power, statics, and a towed start."""
+
+from __future__ import annotations
+
+import pickle
+import warnings
+from dataclasses import astuple
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import one_layer
+from test_transient_pairs import BALL, EARTH, MAT, PAIRS, ROLLER, STEEL, THICK_MAT
+
+FREE, TOWED = vr.Drive(force=0.0), vr.Drive(torque=0.0)
+PRESSED_EARTH = vr.CoatedPlane(layers=[], base=EARTH)
+
+#: What rolls on what, how it is driven, under which load, and nodes a revolution that leave half a percent of the
+#: creepage: errors fall with the square of the spacing.
+STEADY = {
+    "ball on mat": (STEEL, MAT, FREE, 100.0, 400),
+    "towed ball on mat": (STEEL, MAT, TOWED, 100.0, 400),
+    "sliding ball on mat": (STEEL, MAT, vr.Drive(creepage=0.1), 100.0, 400),
+    "pushed ball on mat": (STEEL, MAT, vr.Drive(force=5.0), 100.0, 500),
+    "towed ball on half-space": (STEEL, PRESSED_EARTH, TOWED, 100.0, 300),
+    "sliding soft ball on mat": (*PAIRS["soft ball on mat"][:2], vr.Drive(creepage=0.05), 100.0, 400),
+    "ball in soft groove": (STEEL, vr.Groove(radius=0.1, layers=MAT.layers), FREE, 100.0, 400),
+    "roller on mat": (*PAIRS["roller on mat"][:2], TOWED, 5e3, 1600),
+    "roller on roller": (*PAIRS["soft roller on roller"][:2], FREE, 5e3, 2000),
+    "sliding roller on roller": (*PAIRS["soft roller on roller"][:2], vr.Drive(creepage=0.05), 5e3, 800),
+    "sliding roller in ring": (*PAIRS["soft roller in ring"][:2], vr.Drive(creepage=0.05), 5e3, 800),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("body", "on", "drive", "load", "nodes"), STEADY.values(), ids=STEADY)
+def test_friction_ends_as_the_steady_solver_has_it(body, on, drive, load, nodes):
+    """Force, torque and creepage, and what each body and slip lose."""
+    omega, turn = 2.5, 1.4
+    options = {"on": on, "load": load, "friction": 0.3}
+    moved = {"drive": drive}
+    if drive.creepage is not None:
+        moved = {"center_way": [0.0, (1.0 + drive.creepage) * body.outer_radius * turn]}
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    h = vr.roll(body, time=[0.0, turn / omega], angle=[0.0, turn], mesh=mesh, lattices=2, **options, **moved)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", vr.ResultWarning)  # of strains
+        r = vr.solve(body, angular_speed=omega, drive=drive, accuracy=1e-3, **options)
+    last = h.angle > 0.7 * turn
+    duration = np.ptp(h.time[last])
+    speed = np.ptp(h.center_way[last]) / duration / (omega * body.outer_radius)
+    small = 3e-4 if abs(r.creepage) < 1e-3 else 0.0  # on a half-space, as much as elsewhere is half a percent
+    assert speed - 1.0 == pytest.approx(r.creepage, rel=5e-3, abs=small)
+    assert h.resisting_torque[last].mean() == pytest.approx(r.resisting_torque, rel=5e-3)
+    # What is 0 comes out as 0.
+    assert h.driving_torque[last].mean() == pytest.approx(r.driving_torque, rel=5e-3, abs=1e-7 * r.resisting_torque)
+    pushed = 1e-7 * r.resisting_torque / body.outer_radius
+    assert h.driving_force[last].mean() == pytest.approx(r.driving_force, rel=5e-3, abs=pushed)
+    gained = h.dissipated_energy + h.stored_energy - h.slip_energy
+    counterpart = h.counterpart_dissipated_energy + h.counterpart_stored_energy
+    assert np.ptp(gained[last]) / duration == pytest.approx(r.bulk_power, rel=5e-3)
+    assert np.ptp(counterpart[last]) / duration == pytest.approx(r.counterpart_bulk_power, rel=5e-3)
+    slip = np.ptp(h.slip_energy[last]) / duration
+    assert slip == pytest.approx(r.slip_power, abs=1e-2 * r.dissipated_power)  # half of it in a few nodes
+    assert h.energy_balance_error[-1] < 2e-3
+
+
+#: Coarse meshes leave more open than fine ones.
+MOVED = {
+    "ball on mat": 5e-3, "soft ball on mat": 3e-3, "soft ball in dish": 5e-3, "soft ball in rigid dish": 5e-3,
+    "ball on ball": 3e-3, "roller on mat": 2e-3, "soft roller on roller": 2e-3, "soft roller in ring": 2e-3,
+    "ball on unlike layers": 3e-3, "wheel": 5e-3, "wheel on mat": 5e-3,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("pair", "left"), MOVED.items(), ids=MOVED)
+def test_power_balances_with_slip(pair, left):
+    """Start, stop, turn back: what torque, force and load do is stored or lost, and slip takes, but gives nothing."""
+    body, on, load, nodes = PAIRS[pair]
+    h = vr.roll(
+        body, on=on, time=[0.0, 0.1, 0.2, 0.3], angle=[0.0, 0.2, 0.2, 0.1], load=load * np.array([1.0, 1.1, 0.9, 1.0]),
+        friction=0.2, mesh=vr.Mesh(nodes_per_revolution=nodes // 2), lattices=1,
+    )  # fmt: skip
+    assert h.slip_energy[-1] > 0.0
+    # Where a node turns back within a step, the mean of its tractions is not that of their work.
+    assert (np.diff(h.slip_energy) > -1e-6 * h.work[-1]).all()
+    assert np.abs(h.driving_force).max() < 1e-9 * load, "nothing pushes the center"
+    assert h.energy_balance_error[-1] < left
+
+
+@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft ball in dish", "soft roller on roller"])
+def test_mirrored_motion_has_mirrored_forces(pair):
+    body, on, load, _ = PAIRS[pair]
+    time, angle = [0.0, 0.1, 0.2, 0.25], np.array([0.0, 0.2, 0.2, 0.1])
+    options = {"on": on, "load": load, "mesh": vr.Mesh(nodes_per_revolution=100), "friction": 0.3, "lattices": 1}
+    a, b = (vr.roll(body, time=time, angle=s * angle, drive=TOWED, **options) for s in (1.0, -1.0))
+    for name in ("resisting_torque", "driving_force", "center_way"):
+        there, back = getattr(a, name), getattr(b, name)
+        np.testing.assert_allclose(there, -back, rtol=0, atol=1e-7 * np.abs(there).max(), err_msg=name)
+    np.testing.assert_allclose(a.slip_energy, b.slip_energy, rtol=0, atol=1e-7 * a.slip_energy[-1])
+
+
+def test_a_towed_rigid_ball_starts_on_a_mat():
+    """It has no torque at any instant, and its force is M/R."""
+    motion = {"time": [0.0, 0.2, 0.4], "way": [0.0, 10.5e-3, 10.5e-3], "load": 100.0}
+    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200)}
+    towed = vr.roll(STEEL, **motion, **options, friction=0.3, drive=TOWED)
+    assert np.abs(towed.driving_torque).max() < 1e-12 * 100.0 * 21e-3
+    # Tractions without moment about the center push with their sagitta's share alone, up to (a/R)^2/2 = 1 % of μP.
+    np.testing.assert_allclose(towed.driving_force, towed.resisting_torque / 21e-3, rtol=0, atol=0.01 * 30.0)
+    early = towed.time <= 0.2
+    assert towed.driving_force[early] == pytest.approx(towed.resisting_torque[early] / 21e-3, rel=1e-2, abs=1e-3)
+    assert towed.slip_energy[-1] > 0.0
+    assert towed.driving_force.max() > 3.0 * towed.driving_force[early][-1]  # it must break away
+
+
+def test_little_friction_is_the_next_thing_to_none():
+    motion = {"time": [0.0, 0.1], "angle": [0.0, 0.25], "load": 100.0}
+    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
+    smooth = vr.roll(STEEL, **motion, **options)
+    little, more = (vr.roll(STEEL, **motion, **options, friction=mu, drive=TOWED) for mu in (3e-3, 6e-3))
+    limit = 2.0 * little.resisting_torque - more.resisting_torque  # it counts by its first power
+    np.testing.assert_allclose(limit, smooth.resisting_torque, rtol=0, atol=2e-3 * smooth.resisting_torque.max())
+
+
+def test_either_of_two_rollers_may_be_called_the_one_that_rolls():
+    """At a creepage of 5 %, which is -4.8 % to the other one: forces and slip are the same."""
+    other = vr.CoatedCylinder(core_radius=70e-3, layers=THICK_MAT.layers)
+    elastic = [
+        vr.CoatedCylinder(
+            core_radius=body.core_radius,
+            layers=[one_layer(vr.Elastic(modulus=2e6), thickness=body.layers[0].thickness, poisson_ratio=0.495)],
+        )
+        for body in (ROLLER, other)
+    ]
+    way, creepage = 12e-3, 0.05
+    arc = 2.0 * np.pi * ROLLER.outer_radius / 1000
+
+    def history(body, on, rolled, went):
+        nodes = 2 * round(np.pi * body.outer_radius / arc)  # equal spacings on both
+        return vr.roll(
+            body, on=on, time=[0.0, 0.5], way=[0.0, rolled], center_way=[0.0, went], load=5e3, friction=0.5,
+            mesh=vr.Mesh(nodes_per_revolution=nodes),
+        )  # fmt: skip
+
+    a = history(*elastic, way, (1.0 + creepage) * way)
+    b = history(*elastic[::-1], (1.0 + creepage) * way, way)
+    assert a.slip_energy[-1] == pytest.approx(b.slip_energy[-1], rel=3e-3)
+    # T_2 = T_1 + Q (R_1 + R_2 - d), about the other one's own axis.
+    height = sum(body.outer_radius for body in elastic) - a.penetration[-1]
+    of_other = a.driving_torque[-1] + a.driving_force[-1] * height
+    assert of_other == pytest.approx(b.driving_torque[-1], rel=1e-3)
+    assert a.driving_force[-1] == pytest.approx(-b.driving_force[-1], rel=1e-3)
+
+
+@pytest.mark.parametrize("pair", ["ball on mat", "soft ball on mat", "soft roller in ring"])
+def test_saved_states_with_friction_go_on_to_the_last_bit(pair):
+    body, on, load, nodes = PAIRS[pair]
+    options = {"on": on, "mesh": vr.Mesh(nodes_per_revolution=nodes // 3), "lattices": 2, "friction": 0.3}
+    whole = vr.RollingHistory(body, load=load, drive=TOWED, **options)
+    whole.advance(time=0.05, way=4e-3, load=load)
+    half = pickle.loads(pickle.dumps(whole))
+    for time, way, share in [(0.1, 7e-3, 1.1), (0.11, 6e-3, 1.0), (0.11, 6e-3, 0.0), (0.15, 9e-3, 0.9)]:
+        expected = astuple(whole.advance(time=time, way=way, load=share * load))
+        np.testing.assert_array_equal(astuple(half.advance(time=time, way=way, load=share * load)), expected)
+
+
+def test_a_locked_ball_slides_over_a_mat():
+    """Friction bears all it can: the force is μP and what the mat's slope adds, the torque μP about the center."""
+    h = vr.roll(
+        STEEL, on=MAT, time=[0.0, 0.5], way=[0.0, 0.0], center_way=[0.0, 5e-3], load=100.0, friction=0.2,
+        mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
+    )  # fmt: skip
+    assert h.stick_share[-1] == 0.0
+    pushed_back = h.resisting_torque[-1] / 21e-3
+    assert h.driving_force[-1] == pytest.approx(20.0 + pushed_back, rel=1e-3)
+    assert -h.driving_torque[-1] == pytest.approx(20.0 * 21e-3, rel=1e-2)  # less the sagitta of the contact
+    assert h.slip_energy[-1] == pytest.approx(20.0 * 5e-3, rel=0.05)  # sticks at first
+
+
+def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
+    """Mirror images never slide, so friction changes nothing but terms of the order (a/R)^4."""
+    twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
+    motion = {"time": [0.0, 0.1], "angle": [0.0, 0.2], "load": 100.0}
+    options = {"on": twin, "mesh": vr.Mesh(nodes_per_revolution=120), "lattices": 1}
+    smooth, rough = (vr.roll(BALL, **motion, **options, friction=friction) for friction in (0.0, 0.3))
+    atol = 1e-4 * smooth.resisting_torque.max()
+    np.testing.assert_allclose(rough.resisting_torque, smooth.resisting_torque, rtol=0, atol=atol)
+    assert rough.slip_energy[-1] < 1e-4 * rough.work[-1]
