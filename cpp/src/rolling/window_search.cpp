@@ -89,16 +89,24 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
 }
 
 /// The same without friction, on a mesh that leaves a window kRoughNodes to a side.
-bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, Curvature curvature) {
+/// @param[in] simplified whether by pressure along the radius alone, on the torus where the sphere is exact
+bool holds_contact_roughly(const Assembly& assembly, const HalfWidths& half, bool simplified) {
   const double coarsening = static_cast<double>(half.phi) / kRoughNodes;
   const auto coarsened = [coarsening](int nodes) { return static_cast<int>(nodes / coarsening); };
   const Mesh& fine = assembly.model.mesh;
   const Mesh mesh{.nodes_per_revolution = coarsened(fine.nodes_per_revolution),
                   .theta_nodes_per_revolution = coarsened(theta_nodes_per_revolution(fine))};
   const LoadCase& load_case = assembly.load_case;
+  Options options = assembly.options;
+  Curvature curvature = assembly.model.curvature;
+  if (simplified) {
+    options.compliance = Compliance::radial;
+    options.patch_load = PatchLoad::flat;
+    if (curvature == Curvature::exact) curvature = Curvature::sphere;
+  }
   const MeshModel rough = make_model(assembly.pair(), load_case.angular_speed, mesh, curvature, assembly.execution);
   const LoadCase pressed{.load = load_case.load, .angular_speed = load_case.angular_speed};
-  const Assembly roughly = assemble(rough, pressed, assembly.options, assembly.execution.watch);
+  const Assembly roughly = assemble(rough, pressed, options, assembly.execution.watch);
   const int to_side = assembly.has_sides() ? roughly.nodes.widest.theta.last : std::numeric_limits<int>::max();
   const HalfWidths width{.phi = coarsened(half.phi) + 1, .theta = std::min(coarsened(half.theta) + 1, to_side)};
   return solve_in_window(roughly, width.window(), false, true).has_value();
@@ -117,13 +125,11 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
   const auto reject_if_beyond = [&](double depth) {
     if (depth > bearable_depth) reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
   };
-  // Where the torus says that a larger window is needed and the sphere does not, it costs little; unless there is none,
-  // and the load would be refused that the sphere might bear.
+  // Where simpler equations ask for a larger window than the given ones, it costs little; unless there is none, and the
+  // load would be refused that those might bear.
   const bool is_decisive = is_widest && depth_at_edge <= bearable_depth;
-  const bool torus_will_do = assembly.model.curvature == Curvature::exact && !is_decisive;
-  const Curvature curvature = torus_will_do ? Curvature::sphere : assembly.model.curvature;
   try {
-    if (holds_contact_roughly(assembly, half, curvature)) return true;
+    if (holds_contact_roughly(assembly, half, !is_decisive)) return true;
   } catch (const ConvergenceError&) {
     reject_if_beyond(assembly.estimated_depth);  // estimates are from above, if not by so much
     throw;
