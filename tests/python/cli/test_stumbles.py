@@ -209,7 +209,9 @@ def test_errors_within_a_call_stay_as_they_are():
 
 
 def test_discrete_elements_need_a_result():
-    with pytest.raises(TypeError, match=r"source must be a viscoroll.Result or a study of viscoroll.sweep, got 'r'"):
+    with pytest.raises(
+        TypeError, match=r"source must be a viscoroll.Result, a StrainSoftening, or a study of viscoroll.sweep, got 'r'"
+    ):
         vr.dem("r", code="lammps")
 
 

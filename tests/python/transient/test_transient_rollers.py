@@ -76,7 +76,10 @@ def test_a_half_plane_is_hunters():
     assert steady(h.resisting_torque, h.angle, 1.0) == pytest.approx(4.26712, rel=5e-4)
     assert np.isnan(h.penetration).all()
     assert h.energy_balance_error[-1] < 1e-3
-    np.testing.assert_allclose(h.driving_force, h.resisting_torque / 50e-3, rtol=1e-12)
+    # At rest both are round-off.
+    np.testing.assert_allclose(
+        h.driving_force, h.resisting_torque / 50e-3, rtol=1e-12, atol=1e-12 * h.driving_force.max()
+    )
 
 
 def test_two_alike_are_one_on_the_plane():
