@@ -34,8 +34,9 @@ ContactSets sets_of(const StickSlipSystem& system, double friction, const std::v
 ContactSolution slide_kept_nodes(const ContactProblem& problem, ContactSolution state) {
   const double friction = problem.friction->coefficient;
   StickSlipByProducts system(problem);
-  std::vector<char> sticks;
-  for (const Index node : state.contact) sticks.push_back(std::ranges::binary_search(state.stick, node) ? 1 : 0);
+  std::vector<char> sticks(state.contact.size());
+  std::ranges::transform(state.contact, sticks.begin(),
+                         [&](Index node) { return std::ranges::binary_search(state.stick, node) ? 1 : 0; });
   if (const auto given = problem.friction->drive->given_creepage()) state.creepage = given;
   system.find_displacements(state);
   double change = 1.0;
