@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
 from .. import _core
 from .._support.arguments import Floats
-from ..bodies import Counterpart, HalfSpace, Layer, Mesh, RollingBody
+from ..bodies import Counterpart, Drive, HalfSpace, Layer, Mesh, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials.moduli import to_core
 from ..solution import Solution
@@ -50,6 +50,7 @@ class Given:
     load: float
     angular_speed: float
     friction: float
+    drive: Drive
 
 
 #: Called with a relative change; returns the input that has it.
@@ -126,11 +127,15 @@ def places_of(given: Given) -> Iterator[Place]:
 
 
 def numbers_of(given: Given) -> Iterator[Number]:
-    """Yield what is more than 0 of load, speed and friction, and of all materials."""
+    """Yield what is not 0 of load, speed, friction and drive, and of all materials."""
     for name in ("load", "angular_speed", "friction"):
         value = getattr(given, name)
         if 0.0 < value < math.inf:
             yield Number(name, _change_of(given, name, value))
+    for field in fields(given.drive):
+        value = getattr(given.drive, field.name)
+        if value:
+            yield Number(f"drive.{field.name}", _change_of_drive(given, field.name, value))
     for place in places_of(given):
         for name in ("thickness", "poisson_ratio", "bulk_modulus", "density"):
             value = getattr(place.material(given), name, None)
@@ -141,6 +146,10 @@ def numbers_of(given: Given) -> Iterator[Number]:
 
 def _change_of(given: Given, name: str, value: float) -> Change:
     return lambda share: replace(given, **{name: value * (1.0 + share)})  # type: ignore[arg-type]
+
+
+def _change_of_drive(given: Given, name: str, value: float) -> Change:
+    return lambda share: replace(given, drive=replace(given.drive, **{name: value * (1.0 + share)}))
 
 
 def _change_at(given: Given, place: Place, name: str, value: float) -> Change:

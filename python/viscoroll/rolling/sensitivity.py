@@ -30,6 +30,9 @@ __all__ = ["Sensitivity", "sensitivity"]
 #: Of a parameter, in a difference quotient: what is left out is its square, and round-off of solutions 1e-6 of it.
 _STEP = 1e-4
 
+#: What a result may change by as it is solved again: tables that reach farther change the exact sphere's by 1e-5.
+_SAME = 1e-4
+
 #: Numbers of a result that are asked for unless told otherwise.
 _ANSWERS = ("resisting_torque", "penetration", "max_pressure")
 
@@ -148,15 +151,16 @@ def sensitivity(
     Returns
     -------
     Sensitivity
-        Of load, angular_speed, friction if there is any, and thickness, Poisson's ratio or bulk modulus, density and
-        modulus of all materials.
+        Of load, angular_speed, friction and drive where they are not 0, and thickness, Poisson's ratio or bulk modulus,
+        density and modulus of all materials.
 
     Raises
     ------
     ValueError
         For an answer that is no scalar, or none of this result.
     ConvergenceError
-        Where the contact is not that of a solution: after `Status.MAX_ITERATIONS`.
+        Where the same input does not give the result back: after `Status.MAX_ITERATIONS`, or with
+        `SlipKinematics.FLAT`.
 
     Examples
     --------
@@ -169,8 +173,8 @@ def sensitivity(
     per_decade = as_int("bands_per_decade", bands_per_decade)
     if per_decade < 1:
         raise ValueError(f"bands_per_decade must be >= 1, got {per_decade}")
-    given = Given(self.ball, self.on, self.load, self.angular_speed, self.friction)
-    quotients = _Quotients(self, answers, threads)
+    given = Given(self.ball, self.on, self.load, self.angular_speed, self.friction, self.drive)
+    quotients = _Quotients(self, given, answers, threads)
     numbers = list(numbers_of(given))
     moduli = [(place, bands_of(place.rolling_speed(self), self.mesh, per_decade)) for place in places_of(given)]
     total = len(numbers) + sum(2 * bands.middles.size for _, bands in moduli)
@@ -217,9 +221,11 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
 class _Quotients:
     """Difference quotients of solutions with the same nodes in contact."""
 
-    def __init__(self, result: Solution, answers: tuple[str, ...], threads: int) -> None:
+    def __init__(self, result: Solution, given: Given, answers: tuple[str, ...], threads: int) -> None:
         self._result, self._answers, self._threads = result, answers, threads
-        self._here = np.array([getattr(result, answer) for answer in answers])
+        again = self._solved(given)
+        self._require_same(again)
+        self._here = self._read(again)
 
     def __call__(self, change: Change, *, downwards: bool) -> Floats:
         """Return relative changes of the answers by a parameter that is changed to both sides, or downwards alone."""
@@ -231,16 +237,37 @@ class _Quotients:
         relative: Floats = np.divide(quotient, self._here, out=np.zeros_like(quotient), where=self._here != 0.0)
         return relative
 
-    def _answers_of(self, given: Given) -> Floats:
+    def _require_same(self, again: _core.Result) -> None:
+        """Refuse a result that is another one than what its input gives in the same contact."""
         result = self._result
-        solution = _core.solve_kept(
+        changes = {"max_pressure": again.max_pressure - result.max_pressure}
+        sizes = {"max_pressure": result.max_pressure}
+        if result.friction > 0.0:
+            changes["driving_force"] = again.driving_force - result.driving_force
+            sizes["driving_force"] = min(result.friction, 1.0) * result.load
+        for name, change in changes.items():
+            if not abs(change) <= _SAME * sizes[name]:
+                raise _core.ConvergenceError(
+                    f"{name} changes by {abs(change) / sizes[name]:.2g} as the contact is solved again as it is: it is "
+                    "not that of a solution"
+                )
+
+    def _answers_of(self, given: Given) -> Floats:
+        return self._read(self._solved(given))
+
+    def _read(self, solution: _core.Result) -> Floats:
+        return np.array([getattr(solution, answer) for answer in self._answers])
+
+    def _solved(self, given: Given) -> _core.Result:
+        result = self._result
+        return _core.solve_kept(
             given.ball._to_core(),
             core_counterpart(given.on),
             load=given.load,
             angular_speed=given.angular_speed,
             mesh=result.mesh._to_core(),
             friction=given.friction,
-            drive=result.drive._to_core(),
+            drive=given.drive._to_core(),
             compliance=result.compliance,
             curvature=result.curvature,
             patch_load=result.patch_load,
@@ -253,7 +280,6 @@ class _Quotients:
             threads=self._threads,
             progress=None,
         )
-        return np.array([getattr(solution, answer) for answer in self._answers])
 
 
 def _write_csv(found: Sensitivity, path: Path) -> None:

@@ -84,10 +84,9 @@ def test_derivatives_are_those_of_whole_solves(solved, change):
 
 def test_forces_and_moduli_have_one_unit(solved):
     """Torque and pressure are of the first degree in load and all moduli together, the penetration of degree 0."""
-    _, given, _, found = solved
-    if given.get("drive") and given["drive"].torque:
-        pytest.skip("the torque that drives it is a load, too, and no parameter")
-    total = np.array(list(found["load"].values()))
+    _, _, _, found = solved
+    loads = [name for name in found.parameters if name in ("load", "drive.torque", "drive.force")]
+    total = np.sum([list(found[name].values()) for name in loads], axis=0)
     for modulus in found.moduli:
         total += np.array(list(found[modulus.name].values()))
     np.testing.assert_allclose(total, [1.0, 0.0, 1.0], atol=2e-5)
@@ -131,6 +130,13 @@ def test_what_it_tells(tmp_path):
     assert dataset["loss_0"].sizes == {"frequency_0": found.moduli[0].frequency.size, "answer": 1}
     picture = found.plot()
     assert picture.axes[0].get_xlabel() == "frequency [rad/s]"
+
+
+def test_only_solutions_have_derivatives():
+    given = {"load": 50.0, "angular_speed": 5.0, "mesh": MESH, "friction": 0.3, "drive": vr.Drive(creepage=1e-3)}
+    flat = vr.solve(BALL, **given, slip_kinematics=vr.SlipKinematics.FLAT)
+    with pytest.raises(vr.ConvergenceError, match=r"max_pressure changes by .* as the contact is solved again"):
+        flat.sensitivity()
 
 
 def test_bad_questions():
