@@ -144,21 +144,23 @@ ThreadPool& the_pool() {
 #ifdef VISCOROLL_POSIX
 /// No thread waits while the process forks, and none when the library is unloaded.
 struct Precautions {
-  Precautions() {
+  Precautions() noexcept {
+    the_pool();
     pthread_atfork([] { the_pool().before_fork(); }, [] { the_pool().after_fork_in_parent(); },
                    [] { the_pool().after_fork_in_child(); });
   }
   ~Precautions() { the_pool().retire(); }
 };
+
+/// Taken when the library is loaded: a process that forks while another thread takes them would leave them half taken,
+/// and its child waiting for them for ever.
+const Precautions kPrecautions;
 #endif
 
 }  // namespace
 
 void run_together(std::size_t helpers, const std::function<void(std::size_t)>& work,
                   const std::function<void()>& waiting) {
-#ifdef VISCOROLL_POSIX
-  static const Precautions precautions;
-#endif
   the_pool().run(helpers, work, waiting);
 }
 
