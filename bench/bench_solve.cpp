@@ -323,7 +323,7 @@ void revolution(benchmark::State& state, int nodes, int lattices, int threads, d
 void start_rolling(benchmark::State& state, const RollingBody& body, const Counterpart& on, const LoadCase& rolling,
                    int nodes, double turn, double steady_moment) {
   const RollingHistory still(body, on, rolling.load, Start::relaxed,
-                             {.mesh = Mesh{nodes}, .lattices = 1, .threads = 1});
+                             {.mesh = Mesh{nodes}, .friction = rolling.friction, .lattices = 1, .threads = 1});
   const Motion motion{
       .time = {0.0, turn / rolling.angular_speed}, .angle = {0.0, turn}, .load = {rolling.load, rolling.load}};
   double steps = 0.0;
@@ -341,6 +341,7 @@ void start_rolling(benchmark::State& state, const RollingBody& body, const Count
 }
 
 const CoatedSphere kSteel{.core_radius = 21e-3, .layers = {}};
+const LoadCase kRubbing{.load = 100.0, .angular_speed = 2.5, .friction = 0.3};
 constexpr double kFiftyMillimeters = 50.0 / 21.0;  // of the steel ball's way [rad]
 
 constexpr auto kUnit = benchmark::kMillisecond;
@@ -437,6 +438,19 @@ BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300, kSteel, cases::mat(false), cas
     ->UseRealTime();
 BENCHMARK_CAPTURE(start_rolling, ball_on_unlike_layers_300, kSteel, cases::mat(true), cases::kRolling, 300,
                   kFiftyMillimeters, 40.136e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+// With friction, limits of the steady solver on 800 to 3200 nodes; on its like a ball does not slip.
+BENCHMARK_CAPTURE(start_rolling, ball_on_mat_300_friction, kSteel, cases::mat(false), kRubbing, 300, kFiftyMillimeters,
+                  9.340e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(start_rolling, two_balls_300, cases::paper_sphere(0.0), cases::paper_sphere(0.0), cases::kRolling,
+                  300, 1.0, 11.407e-3)
+    ->Unit(kUnit)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(start_rolling, two_balls_300_friction, cases::paper_sphere(0.0), cases::paper_sphere(0.0), kRubbing,
+                  300, 1.0, 11.407e-3)
     ->Unit(kUnit)
     ->UseRealTime();
 BENCHMARK_CAPTURE(start_rolling, roller_1000, cases::roller(), CoatedPlane{},

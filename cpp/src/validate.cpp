@@ -10,7 +10,8 @@
 
 namespace viscoroll::detail {
 
-#ifdef __cpp_lib_to_chars
+// The library of Clang does not say so until it can read such numbers, too; Emscripten's writes them.
+#if defined(__cpp_lib_to_chars) || defined(__EMSCRIPTEN__)
 
 std::string text(double value) {
   std::array<char, 32> buffer{};

@@ -96,6 +96,8 @@ void bind_result(py::module_& m) {
              "the error estimate is above what was asked for")
       .value("COARSE_MESH", WarningKind::coarse_mesh, "a given mesh has few nodes across the contact")
       .value("POWER_BALANCE", WarningKind::power_balance, "a given mesh leaves the power balance open")
+      .value("PRESSURE_PEAK", WarningKind::pressure_peak,
+             "the largest pressure is less certain than what was asked for, or on a given mesh than a tenth")
       .value("LARGE_STRAIN", WarningKind::large_strain, "beyond what linear theory is good for")
       .value("CONTACT_AT_SIDE", WarningKind::contact_at_side,
              "the contact of a crowned wheel reaches its sides; with endless ones, ends nearer than the tread is thick")

@@ -17,6 +17,7 @@
 #include "influence/side_sum.hpp"
 #include "influence/table.hpp"
 #include "section/side_difference.hpp"
+#include "section/tread_store.hpp"
 #include "viscoroll/solve.hpp"
 
 namespace viscoroll::detail {
@@ -71,8 +72,8 @@ class SideInfluence : public testing::Test {
         sections_.sampled(HarmonicBody(layers_, kSpeed, orders_of_samples()), 1, watch_));
   }
   [[nodiscard]] SideSum sum(std::vector<OrderBand> bands) {
-    const HarmonicBody body(layers_, kSpeed, all_orders(bands));
-    return {sampled(), std::move(bands), body, mesh_};
+    const Eigen::VectorXcd softness = outer_softness(HarmonicBody(layers_, kSpeed, all_orders(bands)));
+    return {sampled(), std::move(bands), softness, mesh_};
   }
 };
 
@@ -186,6 +187,28 @@ CoatedWheel thick_wheel(double width, double crown, Sides sides = Sides::free) {
           .width = width,
           .crown_radius = crown,
           .sides = sides};
+}
+
+/// Though nothing but the radius of the crown tells them apart, which is infinite of one of them.
+TEST(TreadStore, TellsCrownedTreadsFromFlatOnes) {
+  const Observer silent;
+  Watch watch(silent);
+  const auto of_tread = [&](double crown, auto find) {
+    const CoatedWheel wheel = thick_wheel(30e-3, crown);
+    const Eigen::ArrayXd orders = sampled_orders(wheel);
+    return find(wheel, HarmonicBody(layered_body(wheel), 2.5, {orders.begin(), orders.end()}));
+  };
+  const auto kept = [&](double crown) {
+    return of_tread(crown, [&](const CoatedWheel& wheel, const HarmonicBody& body) {
+      return kept_difference(wheel, body, false, 1, watch)->parts[kEvenPart];
+    });
+  };
+  const Eigen::MatrixXcd flat = kept(INFINITY);
+  const Eigen::MatrixXcd crowned = of_tread(0.1, [&](const CoatedWheel& wheel, const HarmonicBody& body) {
+    return SideDifference(wheel, false).sampled(body, 1, watch).parts[kEvenPart];
+  });
+  EXPECT_EQ(kept(0.1), crowned);
+  EXPECT_EQ(kept(INFINITY), flat);
 }
 
 Result rolled(const CoatedWheel& wheel, double load, double speed, double friction = 0.0) {

@@ -16,6 +16,7 @@
 #include "modal/harmonic_body.hpp"
 #include "modal/order_by_order.hpp"
 #include "modal/spectrum.hpp"
+#include "surface/patch_slope.hpp"
 #include "surface/sum_operator.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/modal.hpp"
@@ -412,6 +413,28 @@ TEST_F(PlaneContact, EqualSurfacesHaveTwiceTheComplianceAndNoCrossTerms) {
                 1e-13 * local.table(Entry::rr)(0, 0));
   }
   EXPECT_GT(std::abs(lower->local().table(Entry::rphi)(2, 0)), 1e-3 * local.table(Entry::rr)(0, 0));
+}
+
+TEST(PatchSlope, DisplacementsDownstreamLeadBackToTheNodes) {
+  constexpr Eigen::Index kRow = 2;
+  constexpr Eigen::Index kRows = 12;
+  const auto cubic = [](double row, Eigen::Index column) {
+    return std::pow(row - 4.3, 3) - 2.0 * row * row + static_cast<double>(column);
+  };
+  for (const double downstream : {0.0, 0.07, 0.25}) {
+    Eigen::ArrayXd values(kRows * kRow);
+    Eigen::ArrayXd expected(kRows * kRow);
+    for (Eigen::Index node = 0; node < values.size(); ++node) {
+      const Eigen::Index number = node / kRow;
+      const auto row = static_cast<double>(number);
+      values[node] = cubic(row + downstream, node % kRow);
+      expected[node] = cubic(row, node % kRow);
+    }
+    const Eigen::Index inner = (kRows - 3) * kRow;
+    const Eigen::ArrayXd found = at_nodes(values, kRow, downstream);
+    EXPECT_LT((found - expected).segment(2 * kRow, inner).abs().maxCoeff(), 1e-12 * expected.abs().maxCoeff());
+    if (downstream == 0.0) EXPECT_TRUE((found == values).all());
+  }
 }
 
 }  // namespace

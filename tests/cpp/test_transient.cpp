@@ -158,7 +158,7 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
     return range;
   };
   const Axes own;  // of no interest in the frame of a single body
-  const StepOperator surface({{1.0, &tables, &own}});
+  const StepOperator surface({{1.0, &tables, &own}}, [] {});
   ContactStiffness stiffness;
   EXPECT_TRUE(stiffness.cover(surface, nodes(10, 14)));
   EXPECT_TRUE(stiffness.cover(surface, nodes(10, 15)));

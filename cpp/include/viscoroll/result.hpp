@@ -27,6 +27,7 @@ enum class WarningKind {
   accuracy_not_reached,  ///< the error estimate stays above the accuracy that was asked for
   coarse_mesh,           ///< fewer than ten nodes across the contact on a given mesh
   power_balance,         ///< open by more than a twentieth on a given mesh that is not coarse
+  pressure_peak,         ///< the largest pressure is less certain than asked for, or on a given mesh than a tenth
   large_strain,          ///< beyond what linear theory is good for
   contact_at_side,       ///< of a crowned wheel; with endless sides also where it ends nearer to them than the tread is
                          ///< thick

@@ -1,76 +1,15 @@
 #include "influence/side_product.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "dense_products.hpp"
-#include "influence/gauss_legendre.hpp"
 
 namespace viscoroll::detail {
 namespace {
 
-using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-/// The shares of lines in what is at a place, which lies on one of the elements between every other line, or too far
-/// from the faces to feel them.
-void add_shares(const ArrayXd& lines, double z, double weight, Eigen::Ref<Eigen::VectorXd> shares) {
-  const double place = std::min(std::abs(z), lines[lines.size() - 1]);
-  if (place < lines[0]) return;
-  Index first = 0;
-  while (first + 4 < lines.size() && place > lines[first + 2]) first += 2;
-  const auto values = quadratic_shares((place - lines[first + 1]) / (0.5 * (lines[first + 2] - lines[first])));
-  for (std::size_t n = 0; n < 3; ++n) shares[first + static_cast<Index>(n)] += weight * values[n];
-}
-
-/// Places between which the shares are polynomials, on both sides of the middle.
-std::vector<double> pieces(const ArrayXd& lines, double from, double to) {
-  std::vector<double> places{from, to};
-  for (Index i = 0; i < lines.size(); i += 2) {
-    for (const double z : {lines[i], -lines[i]}) {
-      if (z > from && z < to) places.push_back(z);
-    }
-  }
-  std::ranges::sort(places);
-  return places;
-}
-
-/// +1, or -1 on the other side of the middle.
-double side(double z, bool odd) { return odd && z < 0.0 ? -1.0 : 1.0; }
-
-/// The means of the shares over patches, as far as these lie on the tread.
-MatrixXd means(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
-  MatrixXd shares = MatrixXd::Zero(lines.size(), count);
-  const auto [abscissas, weights] = gauss_legendre(2);  // exact for polynomials of third degree
-  const double face = lines[lines.size() - 1];
-  for (Index k = 0; k < count; ++k) {
-    const double middle = columns.spacing * static_cast<double>(columns.first + k);
-    const double from = std::max(middle - 0.5 * columns.spacing, -face);
-    const double to = std::min(middle + 0.5 * columns.spacing, face);
-    if (!(from < to)) continue;  // beyond a face, where nothing presses
-    const std::vector<double> places = pieces(lines, from, to);
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      const double length = places[i + 1] - places[i];
-      for (Index point = 0; point < abscissas.size(); ++point) {
-        const double z = places[i] + 0.5 * length * (1.0 + abscissas[point]);
-        add_shares(lines, z, side(z, odd) * 0.5 * weights[point] * length / (to - from), shares.col(k));
-      }
-    }
-  }
-  return shares;
-}
-
-MatrixXd values(const ArrayXd& lines, const TreadColumns& columns, Index count, bool odd) {
-  MatrixXd shares = MatrixXd::Zero(lines.size(), count);
-  for (Index k = 0; k < count; ++k) {
-    const double z = columns.spacing * static_cast<double>(columns.first + k);
-    if (odd && z == 0.0) continue;
-    add_shares(lines, z, side(z, odd), shares.col(k));
-  }
-  return shares;
-}
 
 /// Transforms of real lines, one for each column: [frequency, column].
 Eigen::MatrixXcd transformed(const RealFft& fft, int period, int reach, const Eigen::Ref<const MatrixXd>& columns) {
@@ -106,8 +45,8 @@ SideProduct::SideProduct(WindowShape shape, const TreadColumns& columns, const S
     Part& part = parts_[p];
     for (Index component = 0; component < components_; ++component) {
       const bool odd = (component == 2) == (p == kEvenPart);
-      part.gathered.push_back(means(difference.z, columns, shape.theta_nodes, odd));
-      part.read.push_back(average ? part.gathered.back() : values(difference.z, columns, shape.theta_nodes, odd));
+      part.gathered.push_back(mean_shares(difference.z, columns, shape.theta_nodes, odd));
+      part.read.push_back(average ? part.gathered.back() : node_shares(difference.z, columns, shape.theta_nodes, odd));
     }
     // Re(factors samples) is the sum of two products, each of which is real before the transform.
     const MatrixXd samples_real = difference.parts[p].real();

@@ -10,14 +10,9 @@
 #include "influence/fft.hpp"
 #include "influence/side_sum.hpp"
 #include "influence/spectral_product.hpp"
+#include "influence/tread_shares.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief Where the columns of a window lie across the tread.
-struct TreadColumns {
-  int first;       ///< number of the first one, from the middle
-  double spacing;  ///< of columns, and width of their patches [m]
-};
 
 /// @brief Forces on patches are gathered on the section's lines of nodes, which are few; there a transform along phi
 /// and a matrix for each frequency make displacements of them, which are read where they are asked for.

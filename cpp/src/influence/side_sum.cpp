@@ -75,15 +75,21 @@ MatrixXd shares_of_samples(const Eigen::ArrayXd& sampled, const Eigen::ArrayXd& 
   return shares;
 }
 
+Eigen::VectorXcd outer_softness(const HarmonicBody& body) {
+  Eigen::VectorXcd softness(static_cast<Index>(body.orders().size()));
+  for (Index i = 0; i < softness.size(); ++i) softness[i] = 1.0 / body.outer_modulus(static_cast<std::size_t>(i));
+  return softness;
+}
+
 SideSum::SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
-                 const HarmonicBody& body, const MeshOnBody& mesh)
+                 const Eigen::VectorXcd& softness, const MeshOnBody& mesh)
     : difference_(std::move(difference)), bands_(std::move(bands)), mesh_(mesh) {
-  std::size_t order = 0;
+  Index first = 0;
   for (const OrderBand& band : bands_) {
-    Eigen::VectorXcd softness(band.orders.size());
-    for (cplx& value : softness) value = 1.0 / body.outer_modulus(order++);
-    softness.array() *= band.weights / (2.0 * std::numbers::pi);
-    shares_.emplace_back(softness.asDiagonal() * shares_of_samples(difference_->orders, band.orders).cast<cplx>());
+    const Eigen::VectorXcd factors =
+        softness.segment(first, band.orders.size()).array() * (band.weights / (2.0 * std::numbers::pi));
+    shares_.emplace_back(factors.asDiagonal() * shares_of_samples(difference_->orders, band.orders).cast<cplx>());
+    first += band.orders.size();
   }
 }
 

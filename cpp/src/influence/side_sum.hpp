@@ -35,15 +35,18 @@ struct SideRequest {
   bool power = false;      ///< the power lost per radian in place of displacement, as `TableRequest` says
 };
 
+/// @return the inverse of the outermost layer's modulus at the orders of a body [1/Pa]
+[[nodiscard]] Eigen::VectorXcd outer_softness(const HarmonicBody& body);
+
 /// @brief The sums over all orders, on a mesh and at a speed.
 class SideSum {
  public:
-  /// @param[in] difference by the modulus of the outermost layer
+  /// @param[in] difference times a modulus
   /// @param[in] bands along phi
-  /// @param[in] body layers at the orders of all bands
+  /// @param[in] softness the inverse of that modulus at the orders of all bands [1/Pa]
   /// @param[in] mesh on the body
-  SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands, const HarmonicBody& body,
-          const MeshOnBody& mesh);
+  SideSum(std::shared_ptr<const SampledDifference> difference, std::vector<OrderBand> bands,
+          const Eigen::VectorXcd& softness, const MeshOnBody& mesh);
 
   [[nodiscard]] const std::shared_ptr<const SampledDifference>& difference() const { return difference_; }
   [[nodiscard]] SideFactors factors(const SideRequest& request) const;

@@ -53,10 +53,11 @@ std::complex<double> interpolate(const MasterCurve& curve, double omega) {
   const std::size_t high = curve.frequency.size() - 1;
   if (omega < curve.frequency[low] || omega > curve.frequency[high]) {
     if (curve.extrapolation == Extrapolation::error) {
+      // A static modulus is that of 0 rad/s alone; orders of a plane, which need not be whole, come near to that.
+      const std::string at_rest = low == 0 ? ", give the static modulus as a first entry at 0 rad/s," : "";
       reject("frequency",
              "within the master curve's table, " + text(curve.frequency[low]) + " to " + text(curve.frequency[high]) +
-                 " rad/s (widen the table, give the static modulus as a first entry at "
-                 "0 rad/s, or choose to hold the end values)",
+                 " rad/s (widen the table" + at_rest + " or choose to hold the end values)",
              text(omega) + " rad/s");
     }
     return entry(omega < curve.frequency[low] ? low : high);

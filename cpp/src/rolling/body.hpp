@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,8 +85,10 @@ struct Body {
   /// Its tables and what else it does as material crosses the contact. Refuses meshes and curvatures that the body
   /// knows nothing of, and critical speeds.
   std::function<BodySurface(const Crossing&)> surface;
-  /// Its layers as they are in the contact, where influence is a function of offsets alone. Not of a rigid body.
+  /// Its layers as they are in the contact, as if without sides. Not of a rigid body.
   std::function<LayeredBody(const Crossing&)> layered;
+  /// The tread that ends at free faces, beside which influence is no function of offsets; none of other bodies.
+  std::optional<CoatedWheel> free_tread = {};
   std::function<Profile(const SurfaceWindow&)> profile;
   /// Refuses what has no room to roll on it.
   std::function<void(const Body&)> require_room_for = [](const Body&) {};

@@ -13,8 +13,8 @@ FreeSideTables::FreeSideTables(std::unique_ptr<const SurfaceTables> endless, Coa
     : endless_(std::move(endless)),
       wheel_(std::move(wheel)),
       layers_(std::move(layers)),
-      mesh_(crossing.mesh_at(layers_.metric.radius)),
-      angular_speed_(crossing.angular_speed_at(layers_.metric.radius)) {}
+      rolling_{.mesh = crossing.mesh_at(layers_.metric.radius),
+               .angular_speed = crossing.angular_speed_at(layers_.metric.radius)} {}
 
 std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
@@ -32,15 +32,22 @@ std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const Surface
 std::shared_ptr<const SideSum> FreeSideTables::sum(bool tangential, const Execution& execution) const {
   const auto lock = lock_watched(mutex_, execution.watch, "waiting for another thread's tables");
   auto& sum = sums_[tangential ? 1 : 0];
-  if (sum) return sum;
-  const Eigen::ArrayXd samples = sampled_orders(wheel_);
-  const double limit = measured_order(mesh_.rounded());
-  const HarmonicBody sampled(layers_, angular_speed_, {samples.begin(), samples.end()}, limit);
-  auto difference = kept_difference(wheel_, sampled, tangential, execution.threads, execution.watch);
-  std::vector<OrderBand> bands = phi_bands(layers_, angular_speed_, mesh_.rounded());
-  const HarmonicBody harmonics(layers_, angular_speed_, all_orders(bands), limit);
-  sum = std::make_shared<const SideSum>(std::move(difference), std::move(bands), harmonics, mesh_);
+  if (!sum) {
+    sum = std::make_shared<const SideSum>(sum_of_sides(wheel_, layers_, rolling_, tangential, execution));
+  }
   return sum;
+}
+
+SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const MeshAtSpeed& rolling, bool tangential,
+                     const Execution& execution) {
+  const auto& [mesh, angular_speed] = rolling;
+  const Eigen::ArrayXd samples = sampled_orders(wheel);
+  const double limit = measured_order(mesh.rounded());
+  const HarmonicBody sampled(layers, angular_speed, {samples.begin(), samples.end()}, limit);
+  auto difference = kept_difference(wheel, sampled, tangential, execution.threads, execution.watch);
+  std::vector<OrderBand> bands = phi_bands(layers, angular_speed, mesh.rounded());
+  const HarmonicBody harmonics(layers, angular_speed, all_orders(bands), limit);
+  return {std::move(difference), std::move(bands), outer_softness(harmonics), mesh};
 }
 
 }  // namespace viscoroll::detail

@@ -13,6 +13,21 @@
 
 namespace viscoroll::detail {
 
+/// @brief How nodes of a body cross the contact.
+struct MeshAtSpeed {
+  MeshOnBody mesh;
+  double angular_speed;  ///< of this body [rad/s]
+};
+
+/// @brief What the faces of a tread add, summed over all orders.
+/// @param[in] wheel at least one layer
+/// @param[in] layers of it
+/// @param[in] rolling nodes on it
+/// @param[in] tangential whether loads along phi and z occur, or those along r alone
+/// @param[in] execution threads, progress and cancellation
+[[nodiscard]] SideSum sum_of_sides(const CoatedWheel& wheel, const LayeredBody& layers, const MeshAtSpeed& rolling,
+                                   bool tangential, const Execution& execution);
+
 /// @brief Tables of the endless tread, and sums of what the faces add, made as they are first asked for.
 class FreeSideTables final : public SurfaceTables {
  public:
@@ -33,8 +48,7 @@ class FreeSideTables final : public SurfaceTables {
   std::unique_ptr<const SurfaceTables> endless_;
   CoatedWheel wheel_;
   LayeredBody layers_;
-  MeshOnBody mesh_;
-  double angular_speed_;  // of this body [rad/s]
+  MeshAtSpeed rolling_;
   mutable std::timed_mutex mutex_;
   mutable std::array<std::shared_ptr<const SideSum>, 2> sums_;  // of loads along r alone, and of all
 };

@@ -12,12 +12,17 @@ namespace {
 
 /// Loads that alternate from row to row see the mesh's highest order m. The displacement at the nodes resists them with
 /// the real part of its compliance alone, |C| cos(a), which dies out as the phase a comes close to 90 degrees, as that
-/// of a Kelvin-Voigt material does. Displacements that are taken s spacings downstream resist with |C| cos(a - pi s):
-/// at 45 degrees and less s = 0, beyond so much that a - pi s stays there. Theory.md section 5.
+/// of a Kelvin-Voigt material does, and lets pressures zigzag behind the leading edge long before. Displacements that
+/// are taken s spacings downstream resist with |C| cos(a - pi s), in full at s = a / pi. Up to the phase that a modulus
+/// with one relaxation time has where it falls by half, as the paper's rubber, they are taken at the nodes, as the
+/// paper has it. Theory.md section 5.
 /// @param[in] normal,along compliance of that order
 double stable_collocation(std::complex<double> normal, std::complex<double> along) {
-  const double phase = std::max(-std::arg(normal), -std::arg(along));
-  return std::clamp(phase / std::numbers::pi - 0.25, 0.0, 0.25);
+  const double halved = std::atan(1.0 / std::sqrt(8.0)) / std::numbers::pi;
+  constexpr double kOnset = 4.0;  // from none to a / pi at four thirds of that phase, so that torques do not jump
+  constexpr double kMost = 0.25;  // of what is all but viscous the balance of power opens with more
+  const double full = std::max(-std::arg(normal), -std::arg(along)) / std::numbers::pi;
+  return std::clamp(std::min(full, kOnset * (full - halved)), 0.0, kMost);
 }
 
 }  // namespace

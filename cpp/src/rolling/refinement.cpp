@@ -24,6 +24,12 @@ constexpr double kMostContactNodes = 3e6;            // a third of a gigabyte of
 constexpr double kInertiaShare = 1e-3;               // of the accuracy, that inertia may miss
 constexpr double kMostFrictionalContactNodes = 4e5;  // whose Krylov methods keep some tens of vectors
 constexpr double kMostFurtherEffort = 6e6;           // nodes in contact times operator applications
+constexpr double kMostNodesForPressure = 5e4;        // in contact, where all else is settled: a second or two
+constexpr double kMostLineNodesForPressure = 4e3;    // in line contact, likewise
+constexpr double kMostEffortForPressure = 1e6;       // nodes of a line times operator applications: half a second
+constexpr double kFruitful = 0.9;                    // of the error on the mesh before
+constexpr int kMostFruitlessMeshes = 2;              // one may be the first that sees a narrow peak
+constexpr double kLeftByMesh = 0.25;                 // of an error on the mesh before, where it falls as it may hope to
 
 int whole_nodes(double nodes_per_revolution) {
   const double nodes = std::round(nodes_per_revolution);
@@ -93,6 +99,12 @@ double largest_change(const std::vector<Answer>& now, const std::vector<Answer>&
   return largest;
 }
 
+/// Relative to the larger one.
+double change_of_pressure(const Result& now, const Result& before) {
+  return std::abs(now.max_pressure - before.max_pressure) /
+         std::max({now.max_pressure, before.max_pressure, std::numeric_limits<double>::min()});
+}
+
 /// Meshes of twice the nodes each, until two of them agree.
 class Refiner {
  public:
@@ -142,8 +154,29 @@ class Refiner {
       failure_ = std::current_exception();
       return !best_ && first_failure && go_on_with(2.0 * mesh_.nodes_per_revolution);
     }
-    if (best_->error_estimate <= options_.accuracy || best_->status != Status::converged) return false;
-    return !is_finest() && go_on_with(2.0 * mesh_.nodes_per_revolution);
+    if (has_ended_) return false;
+    const bool goes_on = is_settled(*best_) ? may_settle_pressure() : !is_finest();
+    return goes_on && go_on_with(2.0 * mesh_.nodes_per_revolution);
+  }
+
+  /// But for the largest pressure.
+  [[nodiscard]] bool is_settled(const Result& result) const {
+    return result.status == Status::converged && result.error_estimate <= options_.accuracy;
+  }
+
+  /// Whether meshes that a pressure is worth would settle the largest one: of a peak that none of them resolves the
+  /// caller is told.
+  [[nodiscard]] bool may_settle_pressure() const {
+    const bool is_line = best_->theta_nodes == 1;
+    const double nodes = refinements_.back().contact_nodes;
+    const double most = std::min(is_line ? kMostLineNodesForPressure : kMostNodesForPressure,
+                                 most_contact_nodes(load_case_, options_, 0.0, best_->operator_applications));
+    const double per_mesh = is_line ? 2.0 : 4.0;
+    const double meshes = std::floor(std::log(most / nodes) / std::log(per_mesh));
+    const bool is_cheap = !is_line || nodes * best_->operator_applications < kMostEffortForPressure;
+    return best_->max_pressure_error > options_.accuracy && meshes >= 1.0 && is_cheap &&
+           fruitless_ < kMostFruitlessMeshes &&
+           best_->max_pressure_error * std::pow(kLeftByMesh, meshes) <= options_.accuracy;
   }
 
   /// Whether the next mesh would ask for more than is at hand.
@@ -171,11 +204,19 @@ class Refiner {
   }
 
   void note(Result&& result) {
+    if (best_) {
+      result.max_pressure_error = std::max(
+          {result.max_pressure_error, change_of_pressure(result, *best_), kLeftByMesh * best_->max_pressure_error});
+    }
+    if (best_ && is_settled(*best_) && result.max_pressure_error > kFruitful * best_->max_pressure_error) ++fruitless_;
     Refinement& step = result.refinements.back();
     std::vector<Answer> found = answers(result, load_case_, pair_.body.radius);
     // There is nothing to compare the first mesh with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;
+    has_ended_ = result.status != Status::converged;
+    // What was sought for the pressure alone is no reason to lose the rest.
+    if (has_ended_ && best_ && is_settled(*best_)) return;
     refinements_.push_back(step);
     answers_ = std::move(found);
     best_ = std::move(result);
@@ -187,6 +228,8 @@ class Refiner {
   Watch& watch_;
   std::optional<double> aspect_;  // of patches, where those of the body are not square
   Mesh mesh_;
+  bool has_ended_ = false;
+  int fruitless_ = 0;           // meshes on which the largest pressure is hardly more certain than on those before
   std::optional<Result> best_;  // on the finest mesh that was solved
   std::vector<Answer> answers_;
   std::vector<Refinement> refinements_;

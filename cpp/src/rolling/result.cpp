@@ -9,6 +9,7 @@
 #include "contact/contact_extent.hpp"
 #include "rolling/drives.hpp"
 #include "rolling/initial_gap.hpp"
+#include "rolling/pressure_peak.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -149,6 +150,7 @@ class Summary {
     shear.col(0) = contact_.force.col(kForward) / patch_area;
     shear.col(1) = contact_.force.col(kSideways) / patch_area;
     r.max_pressure = pressure.maxCoeff();
+    r.max_pressure_error = unseen_peak(pressure, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;

@@ -34,7 +34,7 @@ double chebyshev_sum(std::size_t count, const Coefficient& coefficient, double x
 }
 
 void require_fitted(std::string_view name, double value, double from, double to, std::string_view unit) {
-  if (value >= from * (1.0 - kSlack) && value <= to * (1.0 + kSlack)) return;
+  if (value >= from - kSlack * std::abs(from) && value <= to + kSlack * std::abs(to)) return;
   reject(name, "in [" + text(from) + ", " + text(to) + "] " + std::string(unit) + ", where it was fitted", value);
 }
 
@@ -69,7 +69,7 @@ double resisting_torque(const RollingResistance& surface, double load, double an
   const double speed = std::abs(angular_speed);
   if (outside == Extrapolation::error) {
     require_fitted("load", load, surface.load[0], surface.load[1], "N");
-    require_fitted("angular_speed", speed, 0.0, surface.angular_speed[1], "rad/s in size");
+    require_fitted("angular_speed", angular_speed, -surface.angular_speed[1], surface.angular_speed[1], "rad/s");
   }
   const double fitted_load = std::clamp(load, surface.load[0], surface.load[1]);
   const double fitted_speed = std::clamp(speed, surface.angular_speed[0], surface.angular_speed[1]);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -26,13 +27,15 @@ void require_curvature_of_wheel(Curvature curvature) {
          curvature == Curvature::exact ? "EXACT" : "PAPER");
 }
 
+bool has_free_sides(const CoatedWheel& wheel) { return wheel.sides == Sides::free && !wheel.layers.empty(); }
+
 /// The tread without sides, and what they add to it where they are free.
 BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
   require_curvature_of_wheel(crossing.curvature);
   if (wheel.layers.empty()) return {};
   const LayeredBody layers = layered_body(wheel);
   BodySurface surface = surface_under_spot(layers, crossing);
-  if (wheel.sides == Sides::free) {
+  if (has_free_sides(wheel)) {
     surface.tables = std::make_unique<const FreeSideTables>(std::move(surface.tables), wheel, layers, crossing);
   }
   return surface;
@@ -40,10 +43,6 @@ BodySurface surface_of(const CoatedWheel& wheel, const Crossing& crossing) {
 
 LayeredBody layers_of(const CoatedWheel& wheel, const Crossing& crossing) {
   require_curvature_of_wheel(crossing.curvature);
-  if (wheel.sides == Sides::free && !wheel.layers.empty()) {
-    reject("sides", "ENDLESS where memory is followed in time (influence near free sides is no function of offsets)",
-           "FREE");
-  }
   return layered_body(wheel);
 }
 
@@ -153,6 +152,7 @@ Body make_body(const CoatedWheel& wheel) {
           .curvatures = {.along = 1.0 / outer_radius(wheel), .across = 1.0 / wheel.crown_radius},
           .surface = [wheel](const Crossing& crossing) { return surface_of(wheel, crossing); },
           .layered = [wheel](const Crossing& crossing) { return layers_of(wheel, crossing); },
+          .free_tread = has_free_sides(wheel) ? std::optional(wheel) : std::nullopt,
           .profile = [wheel](const SurfaceWindow& points) { return profile_of(wheel, points); },
           .width = wheel.width,
           .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },

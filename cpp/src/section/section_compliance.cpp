@@ -81,7 +81,7 @@ SectionCompliance::SectionCompliance(SectionMesh mesh, bool tangential)
     }
     turn_surface(column, elements_.back());
   }
-  for (const Parity part : {kEvenPart, kOddPart}) parts_[part] = elimination(part);
+  for (const Parity part : kBothParts) parts_[part] = elimination(part);
 }
 
 void SectionCompliance::turn_surface(std::size_t column, ElementStiffness& stiffness) const {
@@ -153,14 +153,15 @@ SectionCompliance::Elimination SectionCompliance::elimination(Parity part) const
 }
 
 template <class Scalar>
-std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(
-    double m, const std::vector<SectionMedium<Scalar>>& layers) const {
+std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(double m,
+                                                                       const std::vector<SectionMedium<Scalar>>& layers,
+                                                                       std::span<const Parity> parts) const {
   std::array<Triplets, 2> lower;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const SectionMedium<Scalar>& medium = layers[mesh_.layer(e % mesh_.element_rows())];
     const ElementMatrix shear = at_order(elements_[e].shear, m);
     const ElementMatrix volumetric = at_order(elements_[e].volumetric, m);
-    for (const Parity part : {kEvenPart, kOddPart}) {
+    for (const Parity part : parts) {
       const std::vector<int>& place = parts_[part].place;
       for (Index i = 0; i < kElementUnknowns; ++i) {
         const int row = place[3 * nodes_[e][static_cast<std::size_t>(i / 3)] + static_cast<std::size_t>(i % 3)];
@@ -175,7 +176,7 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(
   std::array<Matrix<Scalar>, 2> result;
   const Eigen::VectorXd lengths = this->lengths();
   const Index rows = lengths.size();
-  for (const Parity part : {kEvenPart, kOddPart}) {
+  for (const Parity part : parts) {
     const auto& [place, within, loaded] = parts_[part];
     const Index all = within + static_cast<Index>(loaded.size());
     const Matrix<Scalar> moved =
@@ -188,8 +189,9 @@ std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCompliance::at(
 }
 
 template std::array<SectionCompliance::Matrix<double>, 2> SectionCompliance::at(
-    double, const std::vector<SectionMedium<double>>&) const;
-template std::array<SectionCompliance::Matrix<cplx>, 2> SectionCompliance::at(
-    double, const std::vector<SectionMedium<cplx>>&) const;
+    double, const std::vector<SectionMedium<double>>&, std::span<const Parity>) const;
+template std::array<SectionCompliance::Matrix<cplx>, 2> SectionCompliance::at(double,
+                                                                              const std::vector<SectionMedium<cplx>>&,
+                                                                              std::span<const Parity>) const;
 
 }  // namespace viscoroll::detail

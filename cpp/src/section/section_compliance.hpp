@@ -6,6 +6,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "section/section_element.hpp"
@@ -22,6 +23,9 @@ struct SectionMedium {
 
 /// @brief Which part of displacements: that with U and V even about the middle of the tread, and W odd, or the other.
 enum Parity : std::size_t { kEvenPart, kOddPart };
+
+/// @brief Of all loads; those that are mirror images about the middle displace the even part alone.
+inline constexpr std::array kBothParts{kEvenPart, kOddPart};
 
 /// @brief The section's stiffness condensed onto the lines of nodes that may bear loads. Eliminating the surface last
 /// leaves its own stiffness as the last corner of the factors: nothing is solved for.
@@ -41,10 +45,12 @@ class SectionCompliance {
 
   /// @param[in] m order, >= 0, not necessarily whole
   /// @param[in] layers what they are made of, from the hub outwards
+  /// @param[in] parts that are asked for
   /// @return [part] displacements per load on half of the section, per radian: rows and columns component (U, V, W) *
   /// `loaded_lines()` + line, zero where the middle of the tread cannot move [1/(unit of stress)/m]
   template <class Scalar>
-  [[nodiscard]] std::array<Matrix<Scalar>, 2> at(double m, const std::vector<SectionMedium<Scalar>>& layers) const;
+  [[nodiscard]] std::array<Matrix<Scalar>, 2> at(double m, const std::vector<SectionMedium<Scalar>>& layers,
+                                                 std::span<const Parity> parts = kBothParts) const;
 
  private:
   /// Places of the unknowns in the order in which they are eliminated.

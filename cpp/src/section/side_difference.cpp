@@ -72,18 +72,6 @@ std::optional<std::vector<SectionMedium<double>>> real_media(const std::vector<S
   return real;
 }
 
-/// Half of the difference, since forces on lines and on their mirror images are counted together, with the factors of
-/// u_phi = i V.
-template <class Scalar>
-Eigen::MatrixXcd physical(const SectionCompliance::Matrix<Scalar>& face,
-                          const SectionCompliance::Matrix<Scalar>& endless, Index lines) {
-  Eigen::MatrixXcd difference = (0.5 * (face - endless)).template cast<cplx>();
-  if (difference.rows() == lines) return difference;
-  difference.middleRows(lines, lines) *= cplx(0.0, 1.0);
-  difference.middleCols(lines, lines) *= cplx(0.0, -1.0);
-  return difference;
-}
-
 }  // namespace
 
 ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness) {
@@ -95,14 +83,32 @@ ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness
   return orders;
 }
 
-std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::size_t order) {
-  std::vector<SectionMedium<cplx>> layers;
-  for (const Medium<cplx>& medium : body.layers_at(order).media) {
-    const cplx shear = medium.mu / body.outer_modulus(order);
-    const cplx ratio = std::abs(medium.b) < kLeastShearRatio ? kLeastShearRatio : medium.b;
-    layers.push_back({.shear = shear, .lame = shear * (1.0 / ratio - 2.0)});
+/// With the factors of u_phi = i V.
+void SampledDifference::set(Parity part, Index order, Eigen::MatrixXcd matrix) {
+  const Index lines = z.size();
+  if (components > 1) {
+    matrix.middleRows(lines, lines) *= cplx(0.0, 1.0);
+    matrix.middleCols(lines, lines) *= cplx(0.0, -1.0);
   }
-  return layers;
+  parts[part].row(order) = matrix.reshaped().transpose();
+}
+
+template <class Scalar>
+std::vector<SectionMedium<cplx>> section_media(const LayerStack<Scalar>& layers, const Scalar& unit) {
+  std::vector<SectionMedium<cplx>> media;
+  for (const Medium<Scalar>& medium : layers.media) {
+    const cplx shear = medium.mu / unit;
+    const cplx ratio = std::abs(medium.b) < kLeastShearRatio ? kLeastShearRatio : medium.b;
+    media.push_back({.shear = shear, .lame = shear * (1.0 / ratio - 2.0)});
+  }
+  return media;
+}
+
+template std::vector<SectionMedium<cplx>> section_media(const LayerStack<double>&, const double&);
+template std::vector<SectionMedium<cplx>> section_media(const LayerStack<cplx>&, const cplx&);
+
+std::vector<SectionMedium<cplx>> section_media(const HarmonicBody& body, std::size_t order) {
+  return section_media(body.layers_at(order), body.outer_modulus(order));
 }
 
 SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const SectionFineness& fineness)
@@ -113,12 +119,13 @@ SectionCrown::SectionCrown(const CoatedWheel& wheel, bool tangential, const Sect
       lengthening_(outer_radius(straight_along(wheel, kFlat)) / outer_radius(wheel)) {}
 
 template <class Scalar>
-std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(
-    double m, const std::vector<SectionMedium<Scalar>>& layers) const {
-  auto change = crowned_.at(lengthening_ * m, layers);
-  const auto straight = straight_.at(lengthening_ * m, layers);
+std::array<SectionCompliance::Matrix<Scalar>, 2> SectionCrown::at(double m,
+                                                                  const std::vector<SectionMedium<Scalar>>& layers,
+                                                                  std::span<const Parity> parts) const {
+  auto change = crowned_.at(lengthening_ * m, layers, parts);
+  const auto straight = straight_.at(lengthening_ * m, layers, parts);
   // Loads per radian are spread over as much longer ones.
-  for (std::size_t part = 0; part < 2; ++part) {
+  for (const Parity part : parts) {
     change[part] = proportion_ * lengthening_ * (change[part] - straight[part]);
   }
   return change;
@@ -132,36 +139,44 @@ SideDifference::SideDifference(const CoatedWheel& wheel, bool tangential, const 
   if (std::isfinite(wheel.crown_radius)) crown_.emplace(wheel, tangential, fineness);
 }
 
-SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads, Watch& watch) const {
-  const auto lines = static_cast<Index>(face_.mesh().loaded_lines());
-  const std::vector<double>& orders = body.orders();
-  SampledDifference result{.orders = Eigen::Map<const ArrayXd>(orders.data(), static_cast<Index>(orders.size())),
-                           .z = left_out_ + face_.mesh().z().head(lines),
-                           .components = tangential_ ? 3 : 1,
-                           .parts = {}};
-  const Index entries = result.amplitudes() * result.amplitudes();
-  for (Eigen::MatrixXcd& part : result.parts) part.resize(result.orders.size(), entries);
-  parallel_for(orders.size(), threads, watch, "solving the section", [&](std::size_t order, const Worker& worker) {
-    const auto row = static_cast<Index>(order);
-    const auto store = [&](const auto& layers) {
-      const auto face = face_.at(orders[order], layers);
-      worker.checkpoint();
-      auto endless = endless_.at(orders[order], layers);
-      if (crown_) {
-        const auto crown = crown_->at(orders[order], layers);
-        for (std::size_t part = 0; part < 2; ++part) endless[part] += crown[part];
-      }
-      for (std::size_t part = 0; part < 2; ++part) {
-        result.parts[part].row(row) = physical(face[part], endless[part], lines).reshaped().transpose();
-      }
-      worker.checkpoint();
-    };
-    const auto layers = section_media(body, order);
-    if (const auto real = real_media(layers)) {
-      store(*real);
-    } else {
-      store(layers);
+SampledDifference SideDifference::at_orders(const ArrayXd& orders) const {
+  SampledDifference room{.orders = orders,
+                         .z = left_out_ + face_.mesh().z().head(static_cast<Index>(face_.mesh().loaded_lines())),
+                         .components = tangential_ ? 3 : 1,
+                         .parts = {}};
+  const Index entries = room.amplitudes() * room.amplitudes();
+  for (Eigen::MatrixXcd& part : room.parts) part.resize(orders.size(), entries);
+  return room;
+}
+
+/// Half of it, since forces on lines and on their mirror images are counted together.
+std::array<Eigen::MatrixXcd, 2> SideDifference::at(double m, const std::vector<SectionMedium<cplx>>& layers,
+                                                   std::span<const Parity> parts, const Worker& worker) const {
+  const auto solved = [&](const auto& media) {
+    const auto face = face_.at(m, media, parts);
+    worker.checkpoint();
+    auto endless = endless_.at(m, media, parts);
+    if (crown_) {
+      const auto crown = crown_->at(m, media, parts);
+      for (const Parity part : parts) endless[part] += crown[part];
     }
+    worker.checkpoint();
+    std::array<Eigen::MatrixXcd, 2> difference;
+    for (const Parity part : parts) {
+      difference[part] = (0.5 * (face[part] - endless[part])).template cast<cplx>();
+    }
+    return difference;
+  };
+  const auto real = real_media(layers);
+  return real ? solved(*real) : solved(layers);
+}
+
+SampledDifference SideDifference::sampled(const HarmonicBody& body, int threads, Watch& watch) const {
+  const std::vector<double>& orders = body.orders();
+  SampledDifference result = at_orders(Eigen::Map<const ArrayXd>(orders.data(), static_cast<Index>(orders.size())));
+  parallel_for(orders.size(), threads, watch, "solving the section", [&](std::size_t order, const Worker& worker) {
+    const auto difference = at(orders[order], section_media(body, order), kBothParts, worker);
+    for (const Parity part : kBothParts) result.set(part, static_cast<Index>(order), difference[part]);
   });
   return result;
 }

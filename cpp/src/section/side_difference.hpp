@@ -7,6 +7,7 @@
 #include <array>
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "modal/harmonic_body.hpp"
@@ -15,7 +16,8 @@
 
 namespace viscoroll::detail {
 
-/// @brief The difference at some orders, times the modulus of the outermost layer at each. Between them it is smooth.
+/// @brief The difference at some orders, times a modulus: that of the outermost layer at each. Between them it is
+/// smooth.
 struct SampledDifference {
   Eigen::ArrayXd orders;  ///< `sampled_orders`
   Eigen::ArrayXd z;       ///< of the lines, from the middle of the tread, or as far as it is felt, to its face [m]
@@ -26,12 +28,21 @@ struct SampledDifference {
   std::array<Eigen::MatrixXcd, 2> parts;
 
   [[nodiscard]] Eigen::Index amplitudes() const { return components * z.size(); }
+  /// @brief Have one part at one of the orders.
+  /// @param[in] part of the section
+  /// @param[in] order its number
+  /// @param[in] matrix as `SideDifference::at` has it
+  void set(Parity part, Eigen::Index order, Eigen::MatrixXcd matrix);
 };
 
 /// @return orders at which the difference is to be known: 0, and from 1 on at equal ratios
 [[nodiscard]] Eigen::ArrayXd sampled_orders(const CoatedWheel& wheel, const SectionFineness& fineness = {});
 
-/// @return layers per modulus of the outermost one, from the hub outwards, as an order sees them
+/// @return layers from the hub outwards, by a unit of stress
+template <class Scalar>
+[[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const LayerStack<Scalar>& layers,
+                                                                             const Scalar& unit);
+/// @return the same per modulus of the outermost one, as an order sees them
 [[nodiscard]] std::vector<SectionMedium<std::complex<double>>> section_media(const HarmonicBody& body,
                                                                              std::size_t order);
 
@@ -46,10 +57,12 @@ class SectionCrown {
 
   /// @param[in] m order of the wheel
   /// @param[in] layers what they are made of, from the hub outwards
+  /// @param[in] parts that are asked for
   /// @return as `SectionCompliance::at`
   template <class Scalar>
-  [[nodiscard]] std::array<SectionCompliance::Matrix<Scalar>, 2> at(
-      double m, const std::vector<SectionMedium<Scalar>>& layers) const;
+  [[nodiscard]] std::array<SectionCompliance::Matrix<Scalar>, 2> at(double m,
+                                                                    const std::vector<SectionMedium<Scalar>>& layers,
+                                                                    std::span<const Parity> parts) const;
 
  private:
   SectionCompliance straight_;
@@ -72,6 +85,20 @@ class SideDifference {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   [[nodiscard]] SampledDifference sampled(const HarmonicBody& body, int threads, Watch& watch) const;
+
+  /// @brief The difference at one order, for loads and displacements (U, V, W) e^(i m phi), of which V lags by a
+  /// quarter of a turn: real for real media, and analytic in theirs.
+  /// @param[in] m order
+  /// @param[in] layers from the hub outwards, with positive real parts
+  /// @param[in] parts that are asked for
+  /// @param[in] worker whose step this is
+  /// @return [part] as in `SampledDifference` [1/(unit of stress)/m]
+  [[nodiscard]] std::array<Eigen::MatrixXcd, 2> at(double m,
+                                                   const std::vector<SectionMedium<std::complex<double>>>& layers,
+                                                   std::span<const Parity> parts, const Worker& worker) const;
+
+  /// @return room for the difference at some orders, at which the parts have a row each
+  [[nodiscard]] SampledDifference at_orders(const Eigen::ArrayXd& orders) const;
 
  private:
   double left_out_;  // of half the width, in the middle [m]

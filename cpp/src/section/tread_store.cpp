@@ -12,48 +12,57 @@
 namespace viscoroll::detail {
 namespace {
 
-/// As many as a study takes turns with; some megabytes each.
+/// As many as a study takes turns with; some megabytes each, of layers that do not creep alike some ten times as many.
 constexpr std::size_t kKept = 8;
+constexpr Eigen::Index kMostNumbers = 16777216;  // of them all: 256 MB
 
 /// All that a difference depends on.
 using Key = std::vector<double>;
 
-Key key_of(const CoatedWheel& wheel, const HarmonicBody& body, bool tangential) {
+Key key_of(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers) {
   Key key{tangential ? 1.0 : 0.0, wheel.core_radius, wheel.width, wheel.crown_radius,
           wheel.hub == Hub::crowned ? 1.0 : 0.0};
   for (const Layer& layer : wheel.layers) key.push_back(layer.thickness);
-  for (std::size_t order = 0; order < body.orders().size(); ++order) {
-    for (const auto& [shear, lame] : section_media(body, order)) {
-      key.insert(key.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
-    }
-  }
+  key.insert(key.end(), numbers.begin(), numbers.end());
   return key;
 }
 
-/// But for the round-off of ratios of moduli.
+/// But for the round-off of ratios of moduli. What is infinite, as the radius of no crown, is like nothing else.
 bool are_alike(const Key& first, const Key& second) {
   constexpr double kRoundOff = 1e-12;
   return std::ranges::equal(first, second, [](double a, double b) {
-    return a == b || std::abs(a - b) <= kRoundOff * std::max(std::abs(a), 1.0);
+    return a == b || std::abs(a - b) <= kRoundOff * std::max(std::min(std::abs(a), std::abs(b)), 1.0);
   });
 }
 
+using Differences = std::shared_ptr<const std::vector<SampledDifference>>;
+
 class TreadStore {
  public:
-  [[nodiscard]] std::shared_ptr<const SampledDifference> find(const Key& key) {
+  [[nodiscard]] Differences find(const Key& key) {
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find_if(entries_, [&](const Entry& entry) { return are_alike(entry.first, key); });
     return found == entries_.end() ? nullptr : found->second;
   }
 
-  void add(Key key, std::shared_ptr<const SampledDifference> difference) {
+  void add(Key key, Differences differences) {
     const std::scoped_lock lock(mutex_);
-    entries_.emplace_front(std::move(key), std::move(difference));
-    if (entries_.size() > kKept) entries_.pop_back();
+    entries_.emplace_front(std::move(key), std::move(differences));
+    while (entries_.size() > 1 && (entries_.size() > kKept || numbers() > kMostNumbers)) entries_.pop_back();
   }
 
  private:
-  using Entry = std::pair<Key, std::shared_ptr<const SampledDifference>>;
+  using Entry = std::pair<Key, Differences>;
+
+  [[nodiscard]] Eigen::Index numbers() const {
+    Eigen::Index sum = 0;
+    for (const auto& [key, differences] : entries_) {
+      for (const SampledDifference& one : *differences) {
+        for (const Eigen::MatrixXcd& part : one.parts) sum += part.size();
+      }
+    }
+    return sum;
+  }
 
   std::mutex mutex_;
   std::deque<Entry> entries_;  // the latest first
@@ -66,15 +75,28 @@ TreadStore& treads() {
 
 }  // namespace
 
-std::shared_ptr<const SampledDifference> kept_difference(const CoatedWheel& wheel, const HarmonicBody& body,
-                                                         bool tangential, int threads, Watch& watch) {
-  Key key = key_of(wheel, body, tangential);
+Differences kept_differences(const CoatedWheel& wheel, bool tangential, const std::vector<double>& numbers,
+                             const std::function<std::vector<SampledDifference>()>& find) {
+  Key key = key_of(wheel, tangential, numbers);
   if (auto kept = treads().find(key)) return kept;
   // Not under the lock: others may want another tread meanwhile.
-  auto difference =
-      std::make_shared<const SampledDifference>(SideDifference(wheel, tangential).sampled(body, threads, watch));
-  treads().add(std::move(key), difference);
-  return difference;
+  auto differences = std::make_shared<const std::vector<SampledDifference>>(find());
+  treads().add(std::move(key), differences);
+  return differences;
+}
+
+std::shared_ptr<const SampledDifference> kept_difference(const CoatedWheel& wheel, const HarmonicBody& body,
+                                                         bool tangential, int threads, Watch& watch) {
+  std::vector<double> numbers;
+  for (std::size_t order = 0; order < body.orders().size(); ++order) {
+    for (const auto& [shear, lame] : section_media(body, order)) {
+      numbers.insert(numbers.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
+    }
+  }
+  const auto kept = kept_differences(wheel, tangential, numbers, [&] {
+    return std::vector{SideDifference(wheel, tangential).sampled(body, threads, watch)};
+  });
+  return {kept, &kept->front()};
 }
 
 }  // namespace viscoroll::detail

@@ -15,4 +15,11 @@ namespace viscoroll::detail {
 /// @return at every node, 0 in the first and the last row
 [[nodiscard]] Eigen::ArrayXd patch_slope(const Eigen::ArrayXd& values, Eigen::Index row, double distance);
 
+/// @brief What displacements that are taken downstream of the nodes are at these, by cubics through four rows.
+/// @param[in] values downstream of the nodes, row by row
+/// @param[in] row nodes in a row
+/// @param[in] downstream by how much, see `SurfaceOperator::collocation` [rows], >= 0
+/// @return at every node; in the first two and the last row, where nothing presses, as they are
+[[nodiscard]] Eigen::ArrayXd at_nodes(const Eigen::ArrayXd& values, Eigen::Index row, double downstream);
+
 }  // namespace viscoroll::detail

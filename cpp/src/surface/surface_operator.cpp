@@ -14,8 +14,9 @@ Displacements SurfaceOperator::displacements(const VectorField& force) const {
 
 double SurfaceOperator::pushback(const VectorField& force) const {
   if (deforming() != Deforming::counterpart) return 0.0;
-  const Eigen::ArrayXd depth = -displacement(force).col(kDown);
-  return -(force.col(kDown) * patch_slope(depth, shape().theta_nodes, row_distance())).sum();
+  const Eigen::Index row = shape().theta_nodes;
+  const Eigen::ArrayXd depth = at_nodes(-displacement(force).col(kDown), row, collocation());
+  return -(force.col(kDown) * patch_slope(depth, row, row_distance())).sum();
 }
 
 Losses SurfaceOperator::losses(double lost) const {

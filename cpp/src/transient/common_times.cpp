@@ -87,17 +87,16 @@ Eigen::VectorXcd shares(std::span<const double> times, const cplx& lambda) {
   return shares;
 }
 
-Contour contour_around(std::span<const TimeRange> intervals) {
+Contour contour_around(std::span<const TimeRange> intervals, double left) {
   // The shares grow with the angle of lambda up to a quarter of a turn, and have their poles at half of one; a third
   // of that takes few points, and costs few digits.
   constexpr double kHeight = pi / 3.0;
-  constexpr double kDigits = 40.0;  // -ln of what the rule leaves
   const double half_width = 0.5 * std::log(intervals.back().longest / intervals.front().shortest);
   const cplx center = 0.5 * std::log(intervals.back().longest * intervals.front().shortest);
   const double half_length = std::hypot(half_width, kHeight);
-  const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : kDigits;
-  constexpr double kFewest = 16.0;  // for the poles outside, three times as far from a single time as the contour is
-  const int count = static_cast<int>(std::ceil(std::max(0.5 * kDigits / decay, kFewest)));
+  const double decay = half_width > 0.0 ? std::asinh(kHeight / half_width) : left;
+  constexpr double kFewest = 0.4;  // for the poles outside, three times as far from a single time as the contour is
+  const int count = static_cast<int>(std::ceil(std::max(0.5 * left / decay, kFewest * left)));
   Contour contour;
   for (int q = 0; q < count; ++q) {
     const double angle = pi * (q + 0.5) / count;  // the lower half is the conjugate of the upper one

@@ -41,6 +41,7 @@ struct Contour {
 
 /// @brief An ellipse in the plane of ln(lambda), with the trapezoidal rule around it.
 /// @param[in] intervals which it goes around, all at once
-[[nodiscard]] Contour contour_around(std::span<const TimeRange> intervals);
+/// @param[in] left -ln of what the rule may leave of a sum
+[[nodiscard]] Contour contour_around(std::span<const TimeRange> intervals, double left);
 
 }  // namespace viscoroll::detail

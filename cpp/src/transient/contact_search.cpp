@@ -22,7 +22,7 @@ StepOperator surface_of(const Touch& touch, const std::vector<Axes>& level_axes)
                      .axes = &touch.place.axes[b],
                      .level_axes = &level_axes[b]});
   }
-  return StepOperator(std::move(parts));
+  return {std::move(parts), touch.checkpoint};
 }
 
 /// By which share of its speed the counterpart's surface lags on the way from one place to another, by Simpson's rule:

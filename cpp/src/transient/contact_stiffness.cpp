@@ -47,6 +47,7 @@ bool ContactStiffness::cover(const StepOperator& surface, const std::vector<Inde
     inverse = *inverse_;
   }
   for (std::size_t first = 0; first < missing.size(); first += kTogether) {
+    surface.checkpoint();
     const std::size_t last = std::min(first + kTogether, missing.size());
     inverse = bordered(inverse, surface,
                        {missing.begin() + static_cast<Index>(first), missing.begin() + static_cast<Index>(last)});

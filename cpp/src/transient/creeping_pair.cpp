@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "modal/spectrum.hpp"
-#include "rolling/line_surface.hpp"
-#include "rolling/spot_surface.hpp"
-#include "transient/weight_sums.hpp"
+#include "transient/body_tables.hpp"
 #include "validate.hpp"
 
 namespace viscoroll::detail {
@@ -55,23 +53,6 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
         "one that they miss by " + rounded(result.spectrum.error));
   }
   return result;
-}
-
-/// Tables of elastic layers at rest, or of each of their retardation times.
-CreepingTables tables_of(const BodySpectrum& spectrum, const Body& at_rest, const Crossing& crossing,
-                         const RowShape& shape) {
-  const auto& [threads, watch] = crossing.execution;
-  const bool under_line = crossing.form.is_line();
-  if (!spectrum.layers) {
-    const LayeredBody layers = at_rest.layered(crossing);
-    const auto sum = under_line ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
-    return CreepingTables({MirroredTables(*sum, shape, threads, watch)});
-  }
-  const LayerSpectrum layers = spectrum.layers->with_orders_of(at_rest.layered(crossing).metric.radius);
-  const MeshOnBody mesh = crossing.mesh_at(layers.metric().radius);
-  const auto sums =
-      under_line ? weights_under_line(layers, mesh, threads, watch) : weights_under_spot(layers, mesh, threads, watch);
-  return CreepingTables(MirroredTables::of_all(sums, shape, threads, watch));
 }
 
 /// Elastic layers without inertia have the same tables at any speed.
@@ -189,11 +170,11 @@ CreepingPair creeping_pair(const RollingPair& at_rest, const std::vector<BodySpe
     const Body& body = spectrum.rolls ? at_rest.body : at_rest.on;
     shape.ring = ring_of(body, creeping.nodes.grid);
     shape.most = shape.ring ? *shape.ring / 2 : size.track_reach;
-    creeping.bodies.push_back(
-        {.rolls = spectrum.rolls,
-         .spectrum = spectrum.spectrum,
-         .ring = shape.ring,
-         .tables = tables_of(spectrum, body, shape.ring ? crossing : on_track(crossing, shape.most), shape)});
+    creeping.bodies.push_back({.rolls = spectrum.rolls,
+                               .spectrum = spectrum.spectrum,
+                               .ring = shape.ring,
+                               .tables = tables_of(body, spectrum.layers.get(),
+                                                   shape.ring ? crossing : on_track(crossing, shape.most), shape)});
   }
   return creeping;
 }

@@ -48,14 +48,15 @@ Yielding Lattice::yielding(const Parts& parts_in) {
   return yielding;
 }
 
-Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
-                     const CenterCondition& center) {
+Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepEnd& end, const CenterCondition& center,
+                     const Checkpoint& checkpoint) {
   for (;;) {
     Touch touch{.place = place_at(*pair_, shift_, half_rows_, end.angle),
                 .yielding = yielding,
                 .known = {},
                 .contact = {},
-                .moved = {}};
+                .moved = {},
+                .checkpoint = checkpoint};
     require_reach(touch.place);
     const auto& [first, count] = std::pair(touch.place.first, touch.place.count);
     for (std::size_t b = 0; b < memories_.size(); ++b) {
@@ -178,7 +179,7 @@ double Lattice::slip_work(const Touch& touch) const {
   return -0.5 * (force.col(kForward) * slip.col(0) + force.col(kSideways) * slip.col(1)).sum();
 }
 
-void Lattice::start(Start start, const StepEnd& at, double center_speed) {
+void Lattice::start(Start start, const StepEnd& at, double center_speed, const Checkpoint& checkpoint) {
   const bool relaxed = start == Start::relaxed;
   const Yielding yielding = this->yielding([&](std::size_t b) {
     const CreepingBody& body = pair_->bodies[b];
@@ -190,7 +191,7 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed) {
   for (int i = 1; i <= count; ++i) {
     StepEnd end = at;
     end.load *= static_cast<double>(i) / count;
-    const Touch contact = touch(nullptr, yielding, end, {});
+    const Touch contact = touch(nullptr, yielding, end, {}, checkpoint);
     take(contact, end);
     for (std::size_t b = 0; b < memories_.size(); ++b) {
       if (relaxed) {
@@ -205,12 +206,12 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed) {
   now_.center_speed = center_speed;
 }
 
-void Lattice::advance(const PairStep& step, const StepEnd& end) {
+void Lattice::advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint) {
   const RollingInstant before = now_;
   const CenterPower power = power_;
   const double duration = step.duration;
   const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
-  const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end));
+  const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end), checkpoint);
   take(contact, end);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -54,19 +55,22 @@ inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
 /// @brief Nodes at angles (I + shift) spacing + angle turned, what they bear, and what each body remembers of it.
 class Lattice {
  public:
+  using Checkpoint = std::function<void()>;
+
   /// @param[in] pair shared by all lattices
   /// @param[in] shift of the nodes at angle 0 [spacings], in [0, 1)
   /// @param[in] half_rows rows on either side of the lowest one that may touch, to begin with
   Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Eigen::Index half_rows);
 
   /// @brief The first contact, at rest.
-  void start(Start start, const StepEnd& at, double center_speed);
+  /// @param[in] checkpoint called every few milliseconds, here and below
+  void start(Start start, const StepEnd& at, double center_speed, const Checkpoint& checkpoint);
 
   /// @brief Turn and load linearly in time.
   /// @param[in] step weights of the time that it takes
   /// @param[in] end of the step
   /// @throws ContactTooWide, TrackTooLong, ConvergenceError
-  void advance(const PairStep& step, const StepEnd& end);
+  void advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint);
 
   /// @brief The same history on wider tables.
   void widen(std::shared_ptr<const CreepingPair> pair);
@@ -84,7 +88,7 @@ class Lattice {
   [[nodiscard]] Yielding yielding(const Parts& parts_in);
   /// @param[in] step none for a first contact, on bodies that bear nothing else
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
-                            const CenterCondition& center);
+                            const CenterCondition& center, const Checkpoint& checkpoint);
   [[nodiscard]] StickSlip search(const Touch& touch, const StepEnd& end, const CenterCondition& center);
   void require_reach(const ContactPlace& place) const;
   void require_open_track(const ContactPlace& place) const;

@@ -61,14 +61,28 @@ LayerSpectrum::LayerSpectrum(LayeredBody body, const TimeRange& range, double to
   // Orders that do not reach below the outermost layer creep as it does: that their kernels, which are singular, weigh
   // its own times alone keeps the others smooth.
   times_ = common_times(intervals, moduli_.back().creep.retardation_times, tolerance);
-  const Contour contour = contour_around(intervals);
-  sums_.resize(static_cast<Index>(times_.size()), static_cast<Index>(contour.times.size()));
-  for (std::size_t q = 0; q < contour.times.size(); ++q) {
-    const cplx time = contour.times[q];
-    on_contour_.push_back(
-        stack_at<cplx>(body_, moduli_, [time](const CreepingModulus& layer) { return layer.at(time); }));
-    sums_.col(static_cast<Index>(q)) = contour.weights[q] * shares(times_, time);
+  constexpr double kToTheLastDigit = 40.0;
+  WeighedContour contour = this->contour(kToTheLastDigit);
+  for (const cplx& time : contour.times) on_contour_.push_back(layers_at(time));
+  sums_ = std::move(contour.sums);
+}
+
+LayerSpectrum::WeighedContour LayerSpectrum::contour(double left) const {
+  Contour contour = contour_around(intervals_of(body_, moduli_), left);
+  WeighedContour weighed{.times = std::move(contour.times), .sums = {}};
+  weighed.sums.resize(static_cast<Index>(times_.size()), static_cast<Index>(weighed.times.size()));
+  for (std::size_t q = 0; q < weighed.times.size(); ++q) {
+    weighed.sums.col(static_cast<Index>(q)) = contour.weights[q] * shares(times_, weighed.times[q]);
   }
+  return weighed;
+}
+
+LayerStack<cplx> LayerSpectrum::layers_at(const cplx& time) const {
+  return stack_at<cplx>(body_, moduli_, [&](const CreepingModulus& layer) { return layer.at(time); });
+}
+
+LayerStack<double> LayerSpectrum::layers_at_once() const {
+  return stack_at<double>(body_, moduli_, [](const CreepingModulus& layer) { return layer.instantaneous(); });
 }
 
 LayerSpectrum LayerSpectrum::with_orders_of(double radius) const {
@@ -79,8 +93,7 @@ LayerSpectrum LayerSpectrum::with_orders_of(double radius) const {
 }
 
 std::vector<std::vector<Eigen::Matrix3d>> LayerSpectrum::weights_of(std::span<const SurfaceOrder> orders) const {
-  const auto at_once =
-      stack_at<double>(body_, moduli_, [](const CreepingModulus& layer) { return layer.instantaneous(); });
+  const auto at_once = layers_at_once();
   std::vector<OrderInLayers<double>> yielding;
   std::vector<OrderInLayers<cplx>> creeping;
   for (const SurfaceOrder& order : orders) yielding.push_back({.layers = at_once, .m = order.m, .n = order.n});

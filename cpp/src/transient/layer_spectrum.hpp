@@ -46,6 +46,18 @@ class LayerSpectrum {
   /// @return [order][weight], symmetric [m/Pa]
   [[nodiscard]] std::vector<std::vector<Eigen::Matrix3d>> weights_of(std::span<const SurfaceOrder> orders) const;
 
+  /// @brief Points around the retardation times of all orders, and what sums over these take of what an order is there.
+  struct WeighedContour {
+    std::vector<std::complex<double>> times;  ///< in place of -1/s [s]
+    Eigen::MatrixXcd sums;                    ///< [time][point], of which the real part is taken
+  };
+  /// @param[in] left -ln of what sums may leave
+  [[nodiscard]] WeighedContour contour(double left) const;
+  /// @return the layers at one of its points,
+  [[nodiscard]] LayerStack<std::complex<double>> layers_at(const std::complex<double>& time) const;
+  /// @return and as they yield at once
+  [[nodiscard]] LayerStack<double> layers_at_once() const;
+
   /// @return the compliance that the weights stand for, at a frequency [m/Pa]
   [[nodiscard]] Eigen::Matrix3cd compliance(std::span<const Eigen::Matrix3d> weights, double omega) const;
 
@@ -59,8 +71,8 @@ class LayerSpectrum {
   LayeredBody at_rest_;
   std::vector<CreepingModulus> moduli_;
   std::vector<double> times_;
-  std::vector<LayerStack<std::complex<double>>> on_contour_;  // layers at every point of the contour
-  Eigen::MatrixXcd sums_;                                     // [time][point], of compliances around the contour
+  std::vector<LayerStack<std::complex<double>>> on_contour_;  // layers at every point of the contour,
+  Eigen::MatrixXcd sums_;                                     // and what sums take of compliances there
 };
 
 /// @return the compliance of an order of layers at a frequency, without inertia [m/Pa]

@@ -60,7 +60,7 @@ Eigen::ArrayXd half_weights(Index half_nodes) {
 
 MirroredTables::MirroredTables(const TableSum& sum, const RowShape& shape, int threads, Watch& watch) {
   const std::vector<std::vector<Table>> tables{summed(sum, shape, threads, watch)};
-  *this = MirroredTables(tables.front(), shape, extent_of(tables, shape));
+  *this = MirroredTables(tables.front(), shape, extent_of(tables, shape), watch);
 }
 
 std::vector<MirroredTables> MirroredTables::of_all(const std::vector<std::unique_ptr<const TableSum>>& sums,
@@ -71,7 +71,7 @@ std::vector<MirroredTables> MirroredTables::of_all(const std::vector<std::unique
   const Extent extent = extent_of(tables, shape);
   std::vector<MirroredTables> mirrored;
   mirrored.reserve(sums.size());
-  for (const auto& of_sum : tables) mirrored.push_back(MirroredTables(of_sum, shape, extent));
+  for (const auto& of_sum : tables) mirrored.push_back(MirroredTables(of_sum, shape, extent, watch));
   return mirrored;
 }
 
@@ -94,7 +94,8 @@ MirroredTables::Extent MirroredTables::extent_of(const std::vector<std::vector<T
   return {.reach = useful_reach(tables), .dies_out = shape.ring || std::abs(end) < kLeft * center};
 }
 
-MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent)
+MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent,
+                               Watch& watch)
     : shape_(shape), extent_(extent) {
   const Index half_nodes = shape.half_nodes;
   const Eigen::ArrayXd weights = half_weights(half_nodes);
@@ -115,6 +116,7 @@ MirroredTables::MirroredTables(const std::vector<Table>& tables, const RowShape&
   };
   ahead_.resize((extent_.reach + 1) * height(), height());
   for (Index j = 0; j <= extent_.reach; ++j) {
+    watch.poll("mirroring tables", static_cast<double>(j) / static_cast<double>(extent_.reach + 1));
     for (Index p = 0; p < components(); ++p) {
       for (Index q = 0; q < components(); ++q)
         fill(p, q, static_cast<int>(j), ahead_.middleRows(j * height(), height()));
@@ -178,10 +180,9 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
   return matrix;
 }
 
-void MirroredTables::add(const HalfField& loads, Index first, Index last, Index shift, Index reach,
-                         HalfField& result) const {
+void MirroredTables::add(const HalfField& loads, Index first, Index last, const Frame& frame, HalfField& result) const {
+  const auto [shift, reach] = frame;
   const Index count = last - first + 1;
-  if (count <= 0) return;
   // The nodes beside the loaded ones are left out of the product.
   const auto sources = loads.middleCols(first, count);
   const auto is_loaded = [&](Index node) {
@@ -223,16 +224,26 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, Index 
   }
 }
 
-HalfField MirroredTables::displacement(const HalfField& loads, Index first, Index last) const {
-  HalfField result = HalfField::Zero(height(), loads.cols());
-  add(loads, first, last, 0, std::min(extent_.reach, std::max(last, loads.cols() - 1 - first)), result);
+HalfField MirroredTables::displaced(const HalfField& loads, Index first, Index last, const Frame& frame,
+                                    const std::function<void()>& checkpoint) const {
+  constexpr Index kTogether = 32;  // rows, for products to be quick and the fields between them not too large
+  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * frame.shift);
+  for (Index row = first; row <= last; row += kTogether) {
+    checkpoint();
+    add(loads, row, std::min(row + kTogether - 1, last), frame, result);
+  }
   return result;
 }
 
-HalfField MirroredTables::displacement_in_reach(const HalfField& loads, Index first, Index last) const {
-  HalfField result = HalfField::Zero(height(), loads.cols() + 2 * extent_.reach);
-  add(loads, first, last, extent_.reach, extent_.reach, result);
-  return result;
+HalfField MirroredTables::displacement(const HalfField& loads, Index first, Index last,
+                                       const std::function<void()>& checkpoint) const {
+  const Index needed = std::max(last, loads.cols() - 1 - first);
+  return displaced(loads, first, last, {.shift = 0, .reach = std::min(extent_.reach, needed)}, checkpoint);
+}
+
+HalfField MirroredTables::displacement_in_reach(const HalfField& loads, Index first, Index last,
+                                                const std::function<void()>& checkpoint) const {
+  return displaced(loads, first, last, {.shift = extent_.reach, .reach = extent_.reach}, checkpoint);
 }
 
 }  // namespace viscoroll::detail

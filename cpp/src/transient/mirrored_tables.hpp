@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,6 +52,10 @@ class MirroredTables {
   /// @param[in] factors one for each
   [[nodiscard]] static MirroredTables sum_of(std::span<const MirroredTables> tables, std::span<const double> factors);
 
+  /// @brief Add what else a row displaces.
+  /// @param[in] influence on the rows 0, 1, ... reach() ahead, one below the other [m/N]
+  void superpose(const HalfField& influence) { ahead_ += influence; }
+
   [[nodiscard]] Eigen::Index components() const { return shape_.components; }
   [[nodiscard]] Eigen::Index half_nodes() const { return shape_.half_nodes; }
   /// @return numbers in a column of a field
@@ -80,11 +85,14 @@ class MirroredTables {
   /// @brief Displacements of a window of rows by forces on it.
   /// @param[in] loads a column for each row of the window
   /// @param[in] first,last rows that bear loads, the last one included
-  [[nodiscard]] HalfField displacement(const HalfField& loads, Eigen::Index first, Eigen::Index last) const;
+  /// @param[in] checkpoint called every few milliseconds
+  [[nodiscard]] HalfField displacement(const HalfField& loads, Eigen::Index first, Eigen::Index last,
+                                       const std::function<void()>& checkpoint) const;
 
   /// @brief Displacements of all rows within reach of a window, which is the middle of the result.
-  /// @param[in] loads,first,last as above
-  [[nodiscard]] HalfField displacement_in_reach(const HalfField& loads, Eigen::Index first, Eigen::Index last) const;
+  /// @param[in] loads,first,last,checkpoint as above
+  [[nodiscard]] HalfField displacement_in_reach(const HalfField& loads, Eigen::Index first, Eigen::Index last,
+                                                const std::function<void()>& checkpoint) const;
 
  private:
   struct Extent {
@@ -93,12 +101,18 @@ class MirroredTables {
   };
   /// @param[in] tables of every sum
   [[nodiscard]] static Extent extent_of(const std::vector<std::vector<Table>>& tables, const RowShape& shape);
-  MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent);
+  MirroredTables(const std::vector<Table>& tables, const RowShape& shape, const Extent& extent, Watch& watch);
 
   /// The influence of one node on another, by components.
   [[nodiscard]] Eigen::Matrix3d influence(Eigen::Index displaced, Eigen::Index loaded) const;
-  void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, Eigen::Index shift, Eigen::Index reach,
-           HalfField& result) const;
+  /// Columns of the result begin so many before those of the loads.
+  struct Frame {
+    Eigen::Index shift;
+    Eigen::Index reach;  // to which the influence is wanted
+  };
+  [[nodiscard]] HalfField displaced(const HalfField& loads, Eigen::Index first, Eigen::Index last, const Frame& frame,
+                                    const std::function<void()>& checkpoint) const;
+  void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, const Frame& frame, HalfField& result) const;
 
   RowShape shape_;
   Extent extent_;

@@ -276,7 +276,7 @@ std::vector<RollingInstant> RollingHistory::Impl::follow(std::span<const StepEnd
       watch,
       [&](std::size_t l, Lattice& lattice, const detail::Worker& worker) {
         for (std::size_t i = 0; i < path.size(); ++i) {
-          lattice.advance(steps_ahead[i], path[i]);
+          lattice.advance(steps_ahead[i], path[i], worker.checkpoint);
           instants[i * count + l] = lattice.now();
           ++done;
           worker.checkpoint();
@@ -382,8 +382,8 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, d
     impl.lattices.emplace_back(impl.pair, static_cast<double>(l) / options.lattices, half_rows);
   }
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
-  impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker&) {
-    lattice.start(start, first, options.center_speed);
+  impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker& worker) {
+    lattice.start(start, first, options.center_speed, worker.checkpoint);
   });
   std::vector<RollingInstant> instants;
   instants.reserve(impl.lattices.size());

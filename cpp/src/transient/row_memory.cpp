@@ -242,7 +242,7 @@ HalfField RowMemory::displacement(Index first, Index count) const {
 }
 
 HalfField RowMemory::displaced(const HalfField& force, const MirroredTables& tables) const {
-  return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1));
+  return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1, [] {}));
 }
 
 void RowMemory::displace(const CreepingTables& tables) {

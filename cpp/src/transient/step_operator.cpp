@@ -88,9 +88,9 @@ MatrixXd StepOperator::normal_compliance(const std::vector<Index>& nodes) const 
 
 HalfField StepOperator::normal_displacement(const HalfField& pressing, Index first, Index last) const {
   return summed<HalfField>(parts_, [&](const Part& part) {
-    if (part.tables->components() == 1) return part.tables->displacement(pressing, first, last);
+    if (part.tables->components() == 1) return part.tables->displacement(pressing, first, last, checkpoint_);
     const std::array<HalfField, 3>& down = (*part.axes)[kDown];
-    return along(down, part.tables->displacement(spread(down, pressing), first, last));
+    return along(down, part.tables->displacement(spread(down, pressing), first, last, checkpoint_));
   });
 }
 
@@ -117,7 +117,7 @@ std::vector<HalfField> StepOperator::displaced(const VectorField& force) const {
   displaced.reserve(parts_.size());
   const LoadedRows rows = loaded_rows(force, half_nodes());
   for (const Part& part : parts_) {
-    displaced.push_back(part.tables->displacement(on_plane(*part.axes, force), rows.first, rows.last));
+    displaced.push_back(part.tables->displacement(on_plane(*part.axes, force), rows.first, rows.last, checkpoint_));
   }
   return displaced;
 }
@@ -134,7 +134,8 @@ VectorField StepOperator::excess(const VectorField& force, const std::vector<Hal
   VectorField excess = displacement(displaced);
   const LoadedRows rows = loaded_rows(force, half_nodes());
   for (const Part& part : parts_) {
-    const HalfField level = part.tables->displacement(on_plane(*part.level_axes, force), rows.first, rows.last);
+    const HalfField level =
+        part.tables->displacement(on_plane(*part.level_axes, force), rows.first, rows.last, checkpoint_);
     add_displacement(-part.share, *part.level_axes, level, excess);
   }
   return excess;

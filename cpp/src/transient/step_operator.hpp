@@ -2,6 +2,7 @@
 /// @brief What forces at the end of a step displace: a sum of elastic surfaces, each by the share that has crept.
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,13 @@ class StepOperator {
   };
 
   /// @param[in] parts at least one
-  explicit StepOperator(std::vector<Part> parts) : parts_(std::move(parts)) {}
+  /// @param[in] checkpoint called every few milliseconds
+  StepOperator(std::vector<Part> parts, std::function<void()> checkpoint)
+      : parts_(std::move(parts)), checkpoint_(std::move(checkpoint)) {}
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  /// @brief To be called by what takes long beside the products, which do it themselves.
+  void checkpoint() const { checkpoint_(); }
   [[nodiscard]] Eigen::Index half_nodes() const { return parts_.front().tables->half_nodes(); }
   /// @return displacement of a node in the middle by a unit force on it: along r,
   [[nodiscard]] double own_compliance() const;
@@ -59,6 +64,7 @@ class StepOperator {
   [[nodiscard]] bool is_single() const { return parts_.size() == 1; }
 
   std::vector<Part> parts_;
+  std::function<void()> checkpoint_;
 };
 
 }  // namespace viscoroll::detail

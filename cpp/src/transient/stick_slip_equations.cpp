@@ -16,13 +16,13 @@ using Eigen::VectorXd;
 
 constexpr double kExactness = 1e-13;  // of linear systems, as relative residuals
 
+constexpr Index kColumns = 100;  // of the largest systems some milliseconds
+
 }  // namespace
 
-StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, ContactStiffness& stiffness)
-    : problem_(problem), stiffness_(stiffness), gap_(problem.gap), way_(problem.way) {
-  const Index half_nodes = problem.surface.half_nodes();
-  own_compliance_ = problem.surface.compliance_along(problem.gap.size() / half_nodes / 2 * half_nodes);
-}
+StickSlipEquations::StickSlipEquations(const StickSlipProblem& problem, double own_compliance,
+                                       ContactStiffness& stiffness)
+    : problem_(problem), stiffness_(stiffness), own_compliance_(own_compliance), gap_(problem.gap), way_(problem.way) {}
 
 /// What follows from the nodes alone: the forces if all of them touched and stuck, by the penetration and the way.
 void StickSlipEquations::cover(const std::vector<Index>& contact) {
@@ -103,6 +103,7 @@ StickSlipForces StickSlipEquations::solve(const std::vector<Condition>& conditio
   }
   VectorXd by_move(closed_.rows());
   for (Index column = 0; column < free; ++column) {
+    if (column % kColumns == 0) problem_.surface.checkpoint();
     const Condition& moved = conditions[static_cast<std::size_t>(column)];
     const auto direction = to_frame_[static_cast<std::size_t>(moved.place)].col(moved.axis);
     by_move.setZero();

@@ -6,30 +6,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <utility>
 #include <vector>
 
 #include "dense_solvers.hpp"
-#include "transient/center_motion.hpp"
 #include "transient/contact_stiffness.hpp"
+#include "transient/stick_slip_problem.hpp"
 
 namespace viscoroll::detail {
-
-/// @brief An elastic problem in scaled forces, whose stick and slip belong to the way of this step. Arrays have the
-/// nodes row by row.
-struct StickSlipProblem {
-  const StepOperator& surface;
-  Eigen::ArrayXd gap;   ///< without these forces, up to a constant
-  Eigen::ArrayX2d way;  ///< of the nodes along x and z over what they touch, without these forces and the center's
-  Eigen::ArrayX2d by_center;  ///< what the way of the center adds to it, for a unit
-  Eigen::ArrayXd weights;     ///< of `half_weights`
-  double load;                ///< sum of the pressing forces
-  double friction;            ///< coefficient
-  /// What holds for the center, in scaled forces, by what these displace (`StepOperator::displaced`)
-  std::function<CenterRow(const std::vector<HalfField>& displaced)> center;
-  bool center_moves;  ///< whether that depends on displacements
-};
 
 /// @brief What holds where a displacement is free: on_force . (forces on the node) + on_move . (its free displacements)
 /// = 0.
@@ -52,8 +36,9 @@ struct StickSlipForces {
 class StickSlipEquations {
  public:
   /// @param[in] problem which outlives this object
+  /// @param[in] own_compliance of a node along the plane, which weighs conditions against forces
   /// @param[in,out] stiffness of an earlier contact
-  StickSlipEquations(const StickSlipProblem& problem, ContactStiffness& stiffness);
+  StickSlipEquations(const StickSlipProblem& problem, double own_compliance, ContactStiffness& stiffness);
 
   /// @brief Have some nodes in the equations, and such as touched lately.
   void cover(const std::vector<Eigen::Index>& contact);
@@ -65,9 +50,6 @@ class StickSlipEquations {
 
   /// @brief What is to hold for the center.
   void drive(CenterRow row);
-
-  /// @return displacement of a node along the plane by a unit force there
-  [[nodiscard]] double own_compliance() const { return own_compliance_; }
 
   /// @param[in] conditions one for each displacement that is free; what is not, touches and sticks
   /// @return not finite where the equations are singular

@@ -5,7 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "transient/stick_slip_equations.hpp"
+#include "transient/contact_stiffness.hpp"
+#include "transient/stick_slip_problem.hpp"
 
 namespace viscoroll::detail {
 

@@ -33,10 +33,10 @@ void find_displacements(const CreepingPair& pair, Touch& touch) {
     touch.moved.emplace_back();
     const HalfField pressing = by_components(pair, touch, b);
     for (const MirroredTables& tables : body.all()) {
-      touch.moved.back().push_back(
-          nodes.empty()
-              ? HalfField::Zero(pressing.rows(), touch.place.count + 2 * tables.reach())
-              : tables.displacement_in_reach(pressing, nodes.front() / half_nodes, nodes.back() / half_nodes));
+      touch.moved.back().push_back(nodes.empty()
+                                       ? HalfField::Zero(pressing.rows(), touch.place.count + 2 * tables.reach())
+                                       : tables.displacement_in_reach(pressing, nodes.front() / half_nodes,
+                                                                      nodes.back() / half_nodes, touch.checkpoint));
     }
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "transient/contact_place.hpp"
@@ -26,6 +27,7 @@ struct Touch {
   StickSlip contact;             ///< without friction only with what presses
   /// K p' of every body's every tables, over their reach
   std::vector<std::vector<HalfField>> moved;
+  std::function<void()> checkpoint;  ///< to be called every few milliseconds
 };
 
 /// @return displacements of all bodies along an axis, against the sense of the forces

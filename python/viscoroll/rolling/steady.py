@@ -14,6 +14,7 @@ from .._support.progress import ProgressLike, reporting
 from .._support.text import shown
 from ..bodies import Counterpart, Drive, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints
+from ..solution.text import cautions
 from .result import Result
 
 __all__ = ["RollingModel", "solve"]
@@ -60,7 +61,8 @@ def solve(
     accuracy : float, default 0.01
         Wanted relative error [-], in [1e-4, 0.5]; only without `mesh`. The estimate is the largest of the power-balance
         error and the changes, from the mesh before, of all that is not given: penetration, torques, forces, speed and
-        powers.
+        powers. The largest pressure has an estimate of its own, `Result.max_pressure_error`; for it meshes are refined
+        on as far as some seconds go, and where that does not do a warning says so.
     friction : float, default 0
         Coulomb's coefficient μ between coating and plane [-], in [0, 4]. With ``math.inf`` all of the contact sticks; a
         `ConvergenceError` says where that asks for tension.
@@ -106,8 +108,9 @@ def solve(
     Warns
     -----
     ResultWarning
-        Where the accuracy was not reached, a given mesh is coarse (fewer than ten nodes across the contact), or the
-        strain is above 0.2; also in `Result.warnings`.
+        Where the accuracy was not reached, by the estimate or by that of the largest pressure, a given mesh is coarse
+        (fewer than ten nodes across the contact), or the strain is above 0.2; also in `Result.warnings`. Where lengths
+        or moduli are none of any product in SI units.
 
     References
     ----------
@@ -285,5 +288,5 @@ def _result(
     result = Result._from_core(
         solution, ball=ball, on=on, angular_speed=angular_speed, drive=drive, curvature=curvature, **given
     )
-    warn(result.warnings.values())
+    warn(cautions(result))
     return result

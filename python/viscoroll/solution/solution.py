@@ -12,7 +12,6 @@ from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
 from .._support.units import PER_LENGTH
 from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
-from ..bodies.si_hints import si_hint
 from .scalars import SCALARS, ScalarFields, scalar_units, with_scalars
 
 if TYPE_CHECKING:
@@ -159,9 +158,6 @@ class Solution(ScalarFields):
         values["refinements"] = tuple(Refinement._from_core(step) for step in solution.refinements)
         for name in ("contact", "stick", "slip"):
             values[name] = getattr(solution, name).view(np.bool_)
-        hint = si_hint(inputs["ball"], inputs["on"])
-        if hint and WarningKind.LARGE_STRAIN in solution.warnings:
-            values["warnings"][WarningKind.LARGE_STRAIN] += f"; {hint}"
         return cls(**inputs, **values)
 
     def unit(self, name: str) -> str:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from .._support.tables import handy, html_table, number_text, unit_text
+from ..bodies.si_hints import unit_doubt
 from .loss_spectrum import extrapolated_loss
 from .scalars import SCALARS
 from .solution import Solution
 
-__all__ = ["result_html", "result_lines", "result_summary", "result_title", "with_unit"]
+__all__ = ["cautions", "result_html", "result_lines", "result_summary", "result_title", "with_unit"]
 
 
 def result_summary(result: Solution) -> str:
@@ -21,7 +22,7 @@ def result_summary(result: Solution) -> str:
         ),
         ("resisting torque T_r", _quantity(result, "resisting_torque")),
         *_shape_rows(result),
-        ("largest pressure", f"{result.max_pressure:.5g} Pa"),
+        ("largest pressure", f"{result.max_pressure:.5g} Pa, to {result.max_pressure_error:.2g} (estimate)"),
         *_friction_rows(result),
         ("power lost in the coating", _quantity(result, "bulk_power")),
         *_pair_rows(result),
@@ -31,12 +32,17 @@ def result_summary(result: Solution) -> str:
         ("nodes in contact", f"{int(result.contact.sum())} of {result.contact.size}"),
         ("effort", f"{result.iterations} iterations with {result.operator_applications} operator applications"),
         ("status", f"{result.status.name}, residual {result.residual:.1e}"),
-        *(("warning", message) for message in result.warnings.values()),
+        *(("warning", message) for message in cautions(result)),
     ]
     width = max(len(label) for label, _ in rows)
     model = f"{result.compliance.name} compliance, {result.curvature.name} curvature"
     head = f"Result of P = {result.load:g} {result.unit('load')} at Ω = {result.angular_speed:g} rad/s ({model})"
     return "\n".join([head, *(f"  {label:<{width}}  {value}" for label, value in rows)])
+
+
+def cautions(result: Solution) -> list[str]:
+    """Return what to know before relying on a result: its warnings, and how lengths and moduli read in SI units."""
+    return [*result.warnings.values(), *filter(None, [unit_doubt(result.ball, result.on)])]
 
 
 def result_lines(result: Solution) -> list[tuple[str, str]]:
@@ -65,7 +71,7 @@ def result_html(result: Solution) -> str:
     """Return the table of a notebook."""
     rows = [(label, number_text(value), unit_text(unit)) for label, value, unit in _scalar_rows(result)]
     rows += [("mesh", str(result.mesh), ""), ("status", result.status.name, "")]
-    rows += [("warning", message, "") for message in result.warnings.values()]
+    rows += [("warning", message, "") for message in cautions(result)]
     return html_table(f"Result of {result_title(result)}", rows)
 
 

@@ -50,7 +50,7 @@ def roll(
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid; a wheel with endless sides.
+        What rolls, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane. A plane and a
         groove remember where it has been: who comes back finds the track as it was left, but for what has crept back.
@@ -95,7 +95,7 @@ def roll(
     ConvergenceError
         Where no contact was found.
     KeyboardInterrupt
-        On Ctrl-C, within 0.3 s.
+        On Ctrl-C, within 0.3 s; with thousands of nodes in contact, some seconds.
 
     Examples
     --------
@@ -115,6 +115,7 @@ def roll(
     require_type("ball", ball, RollingBody)
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
+    _require_length("way", way, time)
     motion = _motion(time=time, angle=as_angles(ball, angle, way), load=load, center_way=center_way)
     knots, angles = motion["time"], motion["angle"]
     spacing = 2.0 * np.pi / (chosen.mesh.nodes_per_revolution if chosen.mesh is not None else 500)
@@ -187,12 +188,16 @@ def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:
     for name, values in arrays.items():
         if values.ndim != 1:
             raise ValueError(f"{name} must be one-dimensional, got shape {values.shape}")
-        if len(values) != len(arrays["time"]):
-            raise ValueError(f"{name} must be as long as time ({len(arrays['time'])}), got {len(values)}")
+        _require_length(name, values, arrays["time"])
     if len(arrays["time"]) < 2:
         raise ValueError(f"time must hold at least two knots, got {len(arrays['time'])}")
     _core.check_motion(**_lists(arrays))
     return arrays
+
+
+def _require_length(name: str, values: ArrayLike | None, time: ArrayLike) -> None:
+    if values is not None and np.size(values) != np.size(time):
+        raise ValueError(f"{name} must be as long as time ({np.size(time)}), got {np.size(values)}")
 
 
 def _lists(motion: dict[str, NDArray[np.float64]]) -> dict[str, list[float]]:

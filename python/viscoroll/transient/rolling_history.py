@@ -13,9 +13,10 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float, as_member, require_type
+from .._support.cautions import warn
 from .._support.progress import ProgressLike, reporting
 from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
-from ..bodies.si_hints import si_hints
+from ..bodies.si_hints import si_hints, unit_doubt
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .way import as_angle
 
@@ -155,7 +156,7 @@ class RollingHistory:
     Parameters
     ----------
     ball : CoatedSphere, CoatedCylinder or CoatedWheel
-        What rolls, with layers or rigid; a wheel with endless sides.
+        What rolls, with layers or rigid.
     on : CoatedPlane, Groove, CoatedSphere, CoatedCylinder or CoatedWheel, optional
         What it rolls on, as of `viscoroll.solve`, with layers likewise; without it the rigid plane.
     load : float
@@ -227,6 +228,7 @@ class RollingHistory:
                 angle=first,
                 progress=report,
             )
+        warn(filter(None, [unit_doubt(ball, on)]))
         self._lock = threading.Lock()
         if state is not None:
             self._history.restore(state.numbers)

@@ -36,7 +36,7 @@ POSITIVE = [
     (vr.FractionalZener, ZENER, "relaxed_modulus", "Pa"),
     (vr.FractionalZener, ZENER, "relaxation_time", "s"),
     (vr.Layer, LAYER, "thickness", "m"),
-    (vr.CoatedSphere, BALL, "core_radius", "m"),
+    (vr.CoatedSphere, {"core_radius": 20e-3}, "core_radius", "m"),
     (solve, CASE, "load", "N"),
     (solve, CASE, "angular_speed", "rad/s"),
 ]

@@ -1,4 +1,4 @@
-"""The worked example docs/isolation_platform.py: its mechanics, and what its rubber loses."""
+"""The worked example docs/jobs/isolation_platform.py: its mechanics, and what its rubber loses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 import viscoroll as vr
 from specimens import one_layer
 
-DOCS = Path(__file__).parents[3] / "docs"
+DOCS = Path(__file__).parents[3] / "docs" / "jobs"
 MESH = vr.Mesh(nodes_per_revolution=100)
 RELEASED = 80e-3  # displacement from which it swings freely [m]
 

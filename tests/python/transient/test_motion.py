@@ -16,6 +16,7 @@ BAD = [
     ({"time": [0.0, np.nan]}, r"time\[1\] must be finite, got nan"),
     ({"angle": [0.0, np.inf]}, r"angle\[1\] must be finite, got inf"),
     ({"angle": [0.0, 1.0, 2.0]}, r"angle must be as long as time \(2\), got 3"),
+    ({"angle": None, "way": [0.0, 1.0, 2.0]}, r"way must be as long as time \(2\), got 3"),
     ({"load": [100.0]}, r"load must be as long as time \(2\), got 1"),
     ({"load": [100.0, -1.0]}, r"load\[1\] must be >= 0 N, got -1"),
     ({"load": 1e7}, "load must be small enough for the coating"),

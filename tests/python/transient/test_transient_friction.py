@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
+from specimens import one_layer
 from viscoroll import paper
 
 MILLI = 1e3
@@ -67,6 +68,29 @@ def test_energy_balance_with_friction(compliance):
     assert (np.diff(h.slip_energy) > -1e-12).all()
     assert np.abs(h.driving_force).max() < 1e-6
     assert h.energy_balance_error[-1] < 3e-3
+
+
+@pytest.mark.parametrize("load", [1e-4, 0.1])
+@pytest.mark.parametrize("friction", [0.05, 1.0])
+def test_a_load_that_a_single_node_bears(load, friction):
+    """Hundreds of nodes are guessed to touch where the sphere falls by many penetrations within a spacing."""
+    mesh = vr.Mesh(nodes_per_revolution=60)
+    pressed, smooth = (vr.RollingHistory(BALL, load=load, mesh=mesh, lattices=1, friction=mu) for mu in (friction, 0.0))
+    assert np.count_nonzero(pressed.contact.pressure) == 1
+    assert pressed.now.penetration == pytest.approx(smooth.now.penetration, rel=1e-9)
+
+
+@pytest.mark.parametrize("lattices", [2, 3, 4])
+@pytest.mark.parametrize(("load", "nodes"), [(5e3, 200), (5e3, 400), (5e4, 200), (5e4, 800)])
+def test_a_roller_is_pressed_with_little_friction(load, nodes, lattices):
+    """On shifted lattices no node rests in the middle: all slip but one, whose traction closes the balance."""
+    roller = vr.CoatedCylinder(core_radius=50e-3, layers=[one_layer(thickness=10e-3)])
+    mesh = vr.Mesh(nodes_per_revolution=nodes)
+    pressed, smooth = (
+        vr.RollingHistory(roller, load=load, mesh=mesh, lattices=lattices, friction=mu) for mu in (0.01, 0.0)
+    )
+    assert pressed.now.penetration == pytest.approx(smooth.now.penetration, rel=0.02)
+    assert abs(pressed.now.driving_force) < 1e-9 * load
 
 
 def test_a_force_on_the_center():

@@ -276,10 +276,3 @@ BAD = [
 def test_bad_input(change, message):
     with pytest.raises(ValueError, match=message):
         vr.roll(STEEL, **{"on": MAT, "time": [0.0, 1.0], "load": 100.0} | change)
-
-
-def test_layers_that_are_not_for_this():
-    motion = {"time": [0.0, 1.0], "angle": [0.0, 0.1], "load": 100.0}
-    free = vr.CoatedWheel(**TYRE | {"sides": vr.Sides.FREE})
-    with pytest.raises(ValueError, match="sides must be ENDLESS where memory is followed in time"):
-        vr.roll(free, **motion)

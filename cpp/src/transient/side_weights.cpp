@@ -1,0 +1,112 @@
+#include "transient/side_weights.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "section/tread_store.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using cplx = std::complex<double>;
+using Eigen::Index;
+using WeighedContour = LayerSpectrum::WeighedContour;
+
+/// 3e-5 of the difference at any frequency is left by these sums; elements know it to a thousandth.
+constexpr double kLeft = 14.0;
+
+/// Layers in a unit in which the real part of every modulus is positive. At a point off the axis of real times all
+/// moduli lie on one side of that axis, within half a turn.
+struct UprightMedia {
+  cplx unit;  // [Pa]
+  std::vector<SectionMedium<cplx>> layers;
+};
+
+template <class Scalar>
+UprightMedia upright(const LayerStack<Scalar>& layers) {
+  const double size = std::abs(layers.media.back().mu);
+  double least = std::numbers::pi;
+  double most = -std::numbers::pi;
+  std::vector<SectionMedium<cplx>> media = section_media(layers, Scalar(size));
+  for (const auto& [shear, lame] : media) {
+    for (const cplx& modulus : {shear, lame + 2.0 / 3.0 * shear}) {
+      least = std::min(least, std::arg(modulus));
+      most = std::max(most, std::arg(modulus));
+    }
+  }
+  const cplx turn = std::polar(1.0, 0.5 * (least + most));
+  for (auto& [shear, lame] : media) {
+    shear /= turn;
+    lame /= turn;
+  }
+  return {.unit = size * turn, .layers = std::move(media)};
+}
+
+/// All that the weights depend on beside the dimensions.
+std::vector<double> numbers_of(const LayerSpectrum& layers, const WeighedContour& contour) {
+  std::vector<double> numbers;
+  const auto put = [&](const UprightMedia& media) {
+    numbers.insert(numbers.end(), {media.unit.real(), media.unit.imag()});
+    for (const auto& [shear, lame] : media.layers) {
+      numbers.insert(numbers.end(), {shear.real(), shear.imag(), lame.real(), lame.imag()});
+    }
+  };
+  put(upright(layers.layers_at_once()));
+  for (const cplx& time : contour.times) put(upright(layers.layers_at(time)));
+  for (const cplx& sum : contour.sums.reshaped()) numbers.insert(numbers.end(), {sum.real(), sum.imag()});
+  return numbers;
+}
+
+std::vector<SampledDifference> found(const LayerSpectrum& layers, const WeighedContour& contour,
+                                     const SideDifference& sections, const Eigen::ArrayXd& orders, int threads,
+                                     Watch& watch) {
+  constexpr std::array kEven{kEvenPart};
+  SampledDifference room = sections.at_orders(orders);
+  room.parts[kOddPart].resize(0, 0);
+  std::vector<SampledDifference> weights(layers.weights(), room);
+  parallel_for(static_cast<std::size_t>(orders.size()), threads, watch, "solving the section",
+               [&](std::size_t number, const Worker& worker) {
+                 const auto order = static_cast<Index>(number);
+                 const auto difference = [&](const auto& stack) -> Eigen::MatrixXcd {
+                   const UprightMedia media = upright(stack);
+                   return sections.at(orders[order], media.layers, kEven, worker)[kEvenPart] / media.unit;
+                 };
+                 const Eigen::MatrixXcd at_once = difference(layers.layers_at_once());
+                 weights.front().set(kEvenPart, order, at_once);
+                 std::vector<Eigen::MatrixXcd> sums(layers.weights() - 1,
+                                                    Eigen::MatrixXcd::Zero(at_once.rows(), at_once.cols()));
+                 for (std::size_t q = 0; q < contour.times.size(); ++q) {
+                   const Eigen::MatrixXcd there = difference(layers.layers_at(contour.times[q]));
+                   for (std::size_t j = 0; j < sums.size(); ++j) {
+                     sums[j].real() += (contour.sums(static_cast<Index>(j), static_cast<Index>(q)) * there).real();
+                   }
+                 }
+                 for (std::size_t j = 0; j < sums.size(); ++j) weights[j + 1].set(kEvenPart, order, sums[j]);
+               });
+  return weights;
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<SampledDifference>> side_weights(const LayerSpectrum& layers,
+                                                                   const CoatedWheel& tread, bool tangential,
+                                                                   int threads, Watch& watch) {
+  const WeighedContour contour = layers.contour(kLeft);
+  return kept_differences(tread, tangential, numbers_of(layers, contour), [&] {
+    return found(layers, contour, SideDifference(tread, tangential), sampled_orders(tread), threads, watch);
+  });
+}
+
+SideSum sum_of_side_weights(const std::shared_ptr<const std::vector<SampledDifference>>& weights,
+                            const LayerSpectrum& layers, const MeshOnBody& mesh) {
+  constexpr double kAnySpeed = 1.0;  // without inertia it enters nothing
+  std::vector<OrderBand> bands = phi_bands(layers.body_at_rest(), kAnySpeed, mesh.rounded());
+  const auto count = static_cast<Index>(all_orders(bands).size());
+  const std::shared_ptr<const SampledDifference> first{weights, &weights->front()};
+  return {first, std::move(bands), Eigen::VectorXcd::Ones(count), mesh};  // per Pa as they are
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,141 @@
+// Stick and slip of an instant: dense factors and products come to the same state, and can be stopped on the way.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "cases.hpp"
+#include "contact/semismooth_newton.hpp"
+#include "contact/stick_slip_conditions.hpp"
+#include "influence/coating_sum.hpp"
+#include "modal/layered_body.hpp"
+#include "transient/matched_by_factors.hpp"
+#include "transient/matched_by_products.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+
+/// A dome pressed on a coated plane and pushed along it, whose nodes come with slips that grow to one side.
+class MatchedSurfacesTest : public testing::Test {
+ protected:
+  static constexpr Index kRows = 25;
+  static constexpr Index kHalfNodes = 9;
+
+  MatchedSurfacesTest() {
+    const Observer silent;
+    Watch watch(silent);
+    const Mesh mesh{.nodes_per_revolution = 200};
+    const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh,
+                         1, watch);
+    tables_ = std::make_unique<const MirroredTables>(
+        sum, RowShape{.components = 3, .half_nodes = kHalfNodes, .ring = 200, .most = 100}, 1, watch);
+    const HalfField zero = HalfField::Zero(kHalfNodes, kRows);
+    const HalfField one = HalfField::Ones(kHalfNodes, kRows);
+    axes_[kForward] = {zero, one, zero};
+    axes_[kDown] = {-one, zero, zero};
+    axes_[kSideways] = {zero, zero, one};
+    surface_ = std::make_unique<const StepOperator>(
+        std::vector<StepOperator::Part>{{1.0, tables_.get(), &axes_, &axes_}}, [this] { checkpoint_(); });
+    weights_ = half_weights(kHalfNodes).replicate(kRows, 1);
+  }
+
+  [[nodiscard]] StickSlipProblem problem() const {
+    constexpr Index kSize = kRows * kHalfNodes;
+    StickSlipProblem problem{.surface = *surface_,
+                             .gap = ArrayXd(kSize),
+                             .way = Eigen::ArrayX2d::Zero(kSize, 2),
+                             .by_center = Eigen::ArrayX2d::Zero(kSize, 2),
+                             .weights = weights_,
+                             .load = 1.0,
+                             .friction = 0.3,
+                             .center = {},
+                             .center_moves = false};
+    const double yielding = surface_->own_compliance();
+    for (Index node = 0; node < kSize; ++node) {
+      const Index row = node / kHalfNodes;
+      const double x = static_cast<double>(row) - 12.0;
+      const auto z = static_cast<double>(node % kHalfNodes);
+      problem.gap[node] = weights_[node] * 2e-3 * yielding * (x * x + z * z);
+      problem.way.row(node) << weights_[node] * 1e-4 * yielding * x, weights_[node] * 2e-4 * yielding * z;
+    }
+    problem.by_center.col(0) = weights_;
+    CenterRow center{.on_force = VectorField::Zero(kSize, 3), .way = 0.0, .value = 0.1};
+    center.on_force.col(kForward) = weights_;
+    problem.center = [center](const std::vector<HalfField>&) { return center; };
+    return problem;
+  }
+
+  /// Pressed alike, also where nothing will touch.
+  [[nodiscard]] VectorField guess() const {
+    VectorField force = VectorField::Zero(kRows * kHalfNodes, 3);
+    for (Index row = 1; row < 24; ++row) force.col(kDown).segment(row * kHalfNodes, 8).setConstant(-0.006);
+    return force;
+  }
+
+  std::unique_ptr<const MirroredTables> tables_;
+  Axes axes_;
+  std::unique_ptr<const StepOperator> surface_;
+  ArrayXd weights_;
+  std::function<void()> checkpoint_ = [] {};
+};
+
+struct Found {
+  ContactSolution state;
+  ContactSets sets;
+  bool converged;
+};
+
+Found found_by(StickSlipSystem& system, const VectorField& guess) {
+  ContactSolution start;
+  start.force = guess;
+  start.gap = ArrayXd::Zero(guess.rows());
+  start.slip = Eigen::ArrayX2d::Zero(guess.rows(), 2);
+  start.creepage = 0.0;
+  const ContactSets sets = find_sets(system, 0.3, start);
+  SemismoothNewton newton(system, {.tolerance = 1e-12, .round_off = 1e-10, .free_steps = 8});
+  newton.start_from(std::move(start));
+  newton.take_step(0.3, sets, 1e-6);
+  const bool converged = newton.iterate(0.3);
+  return {newton.state(), newton.sets(), converged};
+}
+
+TEST_F(MatchedSurfacesTest, ProductsAndFactorsComeToTheSameState) {
+  const StickSlipProblem problem = this->problem();
+  ContactStiffness stiffness;
+  MatchedByFactors dense(problem, guess(), stiffness);
+  MatchedByProducts sparse(problem, guess());
+  const Found expected = found_by(dense, guess());
+  const Found found = found_by(sparse, guess());
+  ASSERT_TRUE(expected.converged);
+  ASSERT_TRUE(found.converged);
+  ASSERT_EQ(found.sets.contact, expected.sets.contact);
+  std::size_t sticking = 0;
+  for (std::size_t i = 0; i < found.sets.contact.size(); ++i) {
+    EXPECT_EQ(found.sets.states[i].stick, expected.sets.states[i].stick);
+    sticking += found.sets.states[i].stick ? 1 : 0;
+  }
+  EXPECT_GT(sticking, 5U);
+  EXPECT_LT(sticking + 5, found.sets.contact.size());
+  const double load = expected.state.force.col(kDown).abs().maxCoeff();
+  EXPECT_LT((found.state.force - expected.state.force).abs().maxCoeff(), 1e-9 * load);
+  EXPECT_NEAR(found.state.penetration, expected.state.penetration, 1e-9 * expected.state.penetration);
+  EXPECT_NEAR(*found.state.creepage, *expected.state.creepage, 1e-9 * std::abs(*expected.state.creepage));
+}
+
+TEST_F(MatchedSurfacesTest, ArePolledAtEveryProduct) {
+  int calls = 0;
+  checkpoint_ = [&] {
+    if (++calls == 7) throw std::runtime_error("stopped");
+  };
+  const StickSlipProblem problem = this->problem();
+  MatchedByProducts surfaces(problem, guess());
+  EXPECT_THROW(found_by(surfaces, guess()), std::runtime_error);
+  EXPECT_EQ(calls, 7);
+}
+
+}  // namespace
+}  // namespace viscoroll::detail
