@@ -12,6 +12,7 @@ import numpy as np
 from .._core import ConvergenceError
 from .arguments import Floats
 from .extras import extra
+from .intervals import student
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -102,7 +103,7 @@ class Fit:
             [(self._model(x, *(values + s)) - self._model(x, *(values - s))) / (2.0 * s.sum()) for s in np.diag(steps)]
         )
         variance = np.einsum("i...,ij,j...->...", slopes, self.covariance, slopes)
-        margin = _student(self.confidence, self.degrees_of_freedom) * np.sqrt(np.maximum(variance, 0.0))
+        margin = student(self.confidence, self.degrees_of_freedom) * np.sqrt(np.maximum(variance, 0.0))
         torque = self.predict(x)
         return torque - margin, torque + margin
 
@@ -173,15 +174,8 @@ def with_intervals(
     units: Mapping[str, str], values: Floats, covariance: Floats, confidence: float, degrees_of_freedom: int
 ) -> dict[str, Parameter]:
     """Return the parameters that `units` names, with their intervals by the quantiles of Student."""
-    margins = _student(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
+    margins = student(confidence, degrees_of_freedom) * np.sqrt(np.diag(covariance))
     return {
         name: Parameter(value=float(v), lower=float(v - m), upper=float(v + m), unit=unit)
         for (name, unit), v, m in zip(units.items(), values, margins, strict=True)
     }
-
-
-def _student(confidence: float, degrees_of_freedom: int) -> float:
-    with extra("studies"):
-        from scipy.stats import t
-
-    return float(t.ppf(0.5 + 0.5 * confidence, degrees_of_freedom))

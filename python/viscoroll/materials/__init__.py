@@ -1,5 +1,6 @@
 """Shear moduli, and how temperature shifts them."""
 
+from .draws import Draws
 from .loss_factor import LossFactor
 from .moduli import (
     Elastic,
@@ -18,6 +19,7 @@ from .strain_sweep import StrainKind, StrainSweep
 
 __all__ = [
     "Arrhenius",
+    "Draws",
     "Elastic",
     "FractionalZener",
     "KelvinVoigt",

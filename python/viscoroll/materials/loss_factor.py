@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import _core
-from .moduli import ShearModulus
+from .moduli import Prony, ShearModulus
 
 __all__ = ["LossFactor"]
 
@@ -55,7 +55,14 @@ class LossFactor(ShearModulus):
     reference_frequency: float
     decades: float = 3.0
 
-    def _to_core(self) -> _core.Prony:
+    def prony(self) -> Prony:
+        """Return the sum of relaxations that stands for the law.
+
+        Raises
+        ------
+        ValueError
+            For parameters out of range.
+        """
         for name, low, high, unit in (
             ("modulus", 0.0, math.inf, " Pa"),
             ("reference_frequency", 0.0, math.inf, " rad/s"),
@@ -70,11 +77,14 @@ class LossFactor(ShearModulus):
         x = times
         storage = relaxed + float((weights * x**2 / (1.0 + x**2)).sum())
         instantaneous = self.modulus * (relaxed + float(weights.sum())) / storage
-        return _core.Prony(
+        return Prony(
             instantaneous_modulus=instantaneous,
             weights=tuple(weights / (relaxed + weights.sum())),
             relaxation_times=tuple(times / self.reference_frequency),
         )
+
+    def _to_core(self) -> _core.Prony:
+        return self.prony()._to_core()
 
 
 def _spectrum(alpha: float, reach: float) -> tuple[np.ndarray, np.ndarray, float]:

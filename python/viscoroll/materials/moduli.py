@@ -324,6 +324,7 @@ def _way_to_a_modulus(measured: object) -> str:
         "series": "its series",
         "isotherms": "superpose(...).at(temperature=...) of it",
         "storage": "fit_prony(...).series of it",
+        "middle": "its middle, or all of them to sweep",
     }
     return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")
 

@@ -9,10 +9,13 @@ from .hardness import hardness_to_modulus, rebound_to_loss_factor
 from .material_file import load_material, save_material
 from .network_fit import NetworkFit, fit_network
 from .prony_fit import PronyFit, fit_prony
+from .published import PublishedMaterial, example_material
+from .ramps import TemperatureRamp
 from .reading import Isotherm, RheologyData, read_rheology
 from .shift_laws import ShiftFactors, ShiftLaw
+from .shifting import superpose
 from .strain_sweeps import read_strain_sweep
-from .superposition import Superposition, superpose
+from .superposition import Superposition
 
 __all__ = [
     "Check",
@@ -20,13 +23,16 @@ __all__ = [
     "LossFactor",
     "NetworkFit",
     "PronyFit",
+    "PublishedMaterial",
     "RheologyData",
     "ShiftFactors",
     "ShiftLaw",
     "Superposition",
+    "TemperatureRamp",
     "check_modulus",
     "check_range",
     "example_data",
+    "example_material",
     "fit_network",
     "fit_prony",
     "hardness_to_modulus",

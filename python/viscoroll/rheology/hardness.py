@@ -13,6 +13,12 @@ __all__ = ["hardness_to_modulus", "rebound_to_loss_factor"]
 #: Hardness that instruments and laboratories differ by at the least [Shore].
 _REPRODUCIBILITY = 2.0
 
+#: Data sheets give rebounds in whole percent.
+_ROUNDED = 0.005
+
+#: Qi's scale of hardness, on which Shore A and D meet: S = S_A = S_D + 50.
+_A_OF_D = 50.0
+
 #: Young's modulus / shear modulus of what keeps its volume.
 _INCOMPRESSIBLE = 3.0
 
@@ -66,30 +72,40 @@ def hardness_to_modulus(hardness: float, *, scale: str = "A") -> Parameter:
         raise TypeError(f"{error}; its scale is given apart, as scale='A' or scale='D'") from None
     low, high = ranges[shore_scale]
     if not low <= shore <= high:
-        harder = "; give what is harder in Shore D" if shore_scale == "A" and shore > high else ""
+        harder = ""
+        if shore_scale == "A" and high < shore <= 100.0:
+            harder = (
+                f"; give what is harder in Shore D, where {shore:g} Shore A is about {shore - _A_OF_D:g}: scale='D'"
+            )
         raise ValueError(f"hardness must be in [{low:g}, {high:g}] Shore {shore_scale}, got {shore:g}{harder}")
     if shore_scale == "D":
-        value = _qi(shore + 50.0)
+        value = _qi(shore + _A_OF_D)
         return Parameter(value=value, lower=0.5 * value, upper=2.0 * value, unit="Pa")
     bounds = [law(shore + change) for law in (_gent, _qi) for change in (-_REPRODUCIBILITY, _REPRODUCIBILITY)]
     return Parameter(value=math.sqrt(_gent(shore) * _qi(shore)), lower=min(bounds), upper=max(bounds), unit="Pa")
 
 
-def rebound_to_loss_factor(rebound: float) -> float:
-    """Estimate the loss factor from the rebound resilience that data sheets give.
+def rebound_to_loss_factor(rebound: float) -> Parameter:
+    """Estimate the loss factor from the rebound resilience that data sheets give, by ISO 4662, DIN 53512 or ASTM D2632.
 
-    The pendulum that strikes the rubber and returns is half a swing of an oscillator, which keeps e^(-π η) of its
-    energy. The blow lasts some milliseconds: the loss factor is one of some hundred rad/s.
+    What strikes the rubber and returns, a pendulum or a plunger, is half a swing of an oscillator, which keeps
+    e^(-π η) of its energy. The blow lasts some milliseconds: the loss factor is one of some hundred rad/s.
+
+    The interval is of what a rounded percent and the end of the blow leave open: after half a swing, or sooner, where
+    the force is gone, which of a Kelvin-Voigt solid of damping ratio ζ = η/2 leaves the share
+    exp(-2 ζ (π - 2 arcsin ζ) / √(1 - ζ²)). What another instrument or temperature would give is not in it: "resilience
+    values from one type of rebound instrument may not, in general, be predicted from results on another type of rebound
+    instrument" (ASTM D2632, 4.1).
 
     Parameters
     ----------
     rebound : float
-        Share of the energy that the pendulum keeps [-], in [0.01, 1): 0.55 for the 55 % of a data sheet.
+        Share of the energy that is kept [-], in [0.02, 1): 0.55 for the 55 % of a data sheet.
 
     Returns
     -------
-    float
-        Loss factor η = tan δ [-].
+    Parameter
+        Loss factor η = tan δ [-] with its bounds.
 
     Raises
     ------
@@ -100,14 +116,33 @@ def rebound_to_loss_factor(rebound: float) -> float:
 
     Examples
     --------
-    >>> round(rebound_to_loss_factor(0.55), 3)
-    0.19
+    >>> loss = rebound_to_loss_factor(0.55)
+    >>> print(f"{loss.value:.2f} in [{loss.lower:.2f}, {loss.upper:.2f}]")
+    0.19 in [0.19, 0.21]
     """
     share = as_float("rebound", rebound)
-    if not 0.01 <= share < 1.0:
+    if not 0.02 <= share < 1.0:
         percent = f"; {share:g} % is {share / 100.0:g}" if 1.0 < share <= 100.0 else ""
-        raise ValueError(f"rebound must be in [0.01, 1), a share of the energy, got {share:g}{percent}")
+        raise ValueError(f"rebound must be in [0.02, 1), a share of the energy, got {share:g}{percent}")
+    highest = min(share + _ROUNDED, 1.0)
+    return Parameter(
+        value=_half_swing(share), lower=_half_swing(highest), upper=_until_free(max(share - _ROUNDED, 0.0)), unit="1"
+    )
+
+
+def _half_swing(share: float) -> float:
+    """Loss factor of what keeps a share of its energy in half a swing."""
     return -math.log(share) / math.pi
+
+
+def _until_free(share: float) -> float:
+    """Loss factor of the Kelvin-Voigt solid that keeps a share of the energy until its force is gone."""
+    least, most = 0.0, 1.0 - 1e-9
+    for _ in range(60):  # of doubles
+        ratio = 0.5 * (least + most)
+        kept = math.exp(-2.0 * ratio * (math.pi - 2.0 * math.asin(ratio)) / math.sqrt(1.0 - ratio**2))
+        least, most = (ratio, most) if kept > share else (least, ratio)
+    return 2.0 * least
 
 
 def _gent(shore: float) -> float:

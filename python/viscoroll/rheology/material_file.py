@@ -10,10 +10,11 @@ import numpy as np
 
 from .._core import Extrapolation
 from .._support.text import one_line, shown
-from ..materials import MasterCurve, Prony
+from ..materials import Draws, MasterCurve, Prony
 from .prony_fit import PronyFit, fit_prony
 from .shift_laws import ShiftFactors
-from .superposition import Superposition, tabulated
+from .superposition import Superposition
+from .tabulated import tabulated
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -25,7 +26,13 @@ __all__ = ["load_material", "save_material"]
 Form = Literal["table", "prony"]
 
 
-def save_material(path: str | Path, curve: Superposition | Isotherm, *, fit: PronyFit | None = None) -> None:
+def save_material(
+    path: str | Path,
+    curve: Superposition | Isotherm,
+    *,
+    fit: PronyFit | None = None,
+    draws: Draws[Superposition] | Draws[Prony] | None = None,
+) -> None:
     """Write a measured material to a TOML file that `load_material` and case files read.
 
     Parameters
@@ -36,11 +43,13 @@ def save_material(path: str | Path, curve: Superposition | Isotherm, *, fit: Pro
         The modulus; of a superposition the shift factors are kept, too, for other temperatures.
     fit : PronyFit, optional
         A Prony series of the same curve, to be kept beside the table.
+    draws : Draws, optional
+        Of the superposition or of the fit, to be kept beside it; of a superposition with their own shift factors.
 
     Raises
     ------
     ValueError
-        For another suffix.
+        For another suffix, and for draws without a fit.
     """
     path = Path(path)
     if path.suffix != ".toml":
@@ -58,12 +67,18 @@ def save_material(path: str | Path, curve: Superposition | Isotherm, *, fit: Pro
     if fit is not None:
         lines += ["", "[prony]", f"instantaneous_modulus = {fit.series.instantaneous_modulus!r}"]
         lines += _columns(fit.series, ("weights", "relaxation_times"))
+    if draws is not None:
+        if fit is None:
+            raise ValueError("fit must be given with draws: they are series")
+        lines += ["", "[draws]", *_rows_of_draws(draws)]
     if isinstance(curve, Superposition):
         lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def load_material(path: str | Path, *, temperature: float | None = None, form: Form = "table") -> MasterCurve | Prony:
+def load_material(
+    path: str | Path, *, temperature: float | None = None, form: Form = "table", draw: int | None = None
+) -> MasterCurve | Prony:
     """Read a measured material.
 
     Parameters
@@ -74,6 +89,8 @@ def load_material(path: str | Path, *, temperature: float | None = None, form: F
         [°C], among those that were measured; by default that of the file's curve.
     form : {"table", "prony"}
         The measured table itself, with its end values held, or the Prony series that smooths it.
+    draw : int, optional
+        Number of one of the draws that the file keeps, from 0, in place of its Prony series.
 
     Returns
     -------
@@ -90,7 +107,7 @@ def load_material(path: str | Path, *, temperature: float | None = None, form: F
     path = Path(path)
     try:
         document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-        return _material(document, temperature, form)
+        return _material(document, temperature, form) if draw is None else _draw(document, temperature, form, draw)
     except (TypeError, ValueError) as error:
         raise ValueError(one_line(f"material {path}: {error}")) from None
 
@@ -114,12 +131,41 @@ def _material(document: dict[str, Any], temperature: float | None, form: Form) -
     return MasterCurve(frequency, table["storage"], table["loss"], extrapolation=Extrapolation.HOLD)
 
 
-def _shift(document: dict[str, Any], temperature: float | None) -> float:
-    """Return log₁₀ a_T; by it times grow and frequencies shrink."""
+def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw: int) -> Prony:
+    draws = _part(document, "draws", "save it with draws")
+    count = len(draws["instantaneous_modulus"])
+    if form != "prony":
+        raise ValueError(f"form must be 'prony' where a draw is taken, got {shown(form)}")
+    if not 0 <= draw < count:
+        raise ValueError(f"draw must be in [0, {count - 1}], got {draw}")
+    factors = draws["log10_factor"][draw] if "log10_factor" in draws else None
+    times = np.asarray(draws["relaxation_times"][draw], dtype=float)
+    return Prony(
+        instantaneous_modulus=draws["instantaneous_modulus"][draw],
+        weights=draws["weights"][draw],
+        relaxation_times=times * 10.0 ** _shift(document, temperature, factors),
+    )
+
+
+def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
+    """Return series, and of superpositions shift factors, a row for each draw."""
+    series = [draw.fit.series if isinstance(draw, Superposition) else draw for draw in draws]
+    lines = [f"instantaneous_modulus = {_list(s.instantaneous_modulus for s in series)}"]
+    columns = {name: [getattr(s, name) for s in series] for name in ("weights", "relaxation_times")}
+    if factors := [draw.factors.log10_factor for draw in draws if isinstance(draw, Superposition)]:
+        columns["log10_factor"] = factors
+    for name, rows in columns.items():
+        lines += [f"{name} = [", *(f"    {_list(row)}," for row in rows), "]"]
+    return lines
+
+
+def _shift(document: dict[str, Any], temperature: float | None, factors: Iterable[float] | None = None) -> float:
+    """Return log₁₀ a_T, of the file or of a draw; by it times grow and frequencies shrink."""
     if temperature is None or temperature == document.get("reference_temperature"):
         return 0.0
     shift = _part(document, "shift", "its temperature cannot be changed")
-    return ShiftFactors(temperature=shift["temperature"], log10_factor=shift["log10_factor"])(float(temperature))
+    known = shift["log10_factor"] if factors is None else tuple(factors)
+    return ShiftFactors(temperature=shift["temperature"], log10_factor=known)(float(temperature))
 
 
 def _part(document: dict[str, Any], name: str, meaning: str) -> dict[str, Any]:
@@ -141,7 +187,11 @@ class _Named(dict[str, Any]):
 
 
 def _columns(holder: object, names: Iterable[str]) -> list[str]:
-    return [f"{name} = [{', '.join(repr(float(value)) for value in getattr(holder, name))}]" for name in names]
+    return [f"{name} = {_list(getattr(holder, name))}" for name in names]
+
+
+def _list(values: Iterable[float]) -> str:
+    return f"[{', '.join(repr(float(value)) for value in values)}]"
 
 
 def _quoted(text: str) -> str:

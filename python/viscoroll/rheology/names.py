@@ -48,6 +48,7 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
 #: The kind of quantity that each column holds.
 _KIND = {
     "frequency": "frequency",
+    "second_frequency": "frequency",
     "strain": "strain",
     "storage": "modulus",
     "loss": "modulus",
@@ -56,7 +57,7 @@ _KIND = {
     "sweep": "ratio",
 }
 
-_FREQUENCY = {"f", "freq", "frequency", "test frequency"}
+_FREQUENCY = {"f", "freq", "frequency", "test frequency", "frequenz"}
 _ANGULAR = {
     "w",
     "ω",
@@ -66,8 +67,9 @@ _ANGULAR = {
     "ang frequency",
     "angular freq",
     "angularfrequency",
+    "kreisfrequenz",
 }
-_TEMPERATURE = {"t", "temp", "temperature", "sample temperature", "sample temp"}
+_TEMPERATURE = {"t", "temp", "temperature", "sample temperature", "sample temp", "temperatur"}
 _TAN_DELTA = {
     "tan delta",
     "tan(delta)",
@@ -79,8 +81,8 @@ _TAN_DELTA = {
     "loss factor",
     "damping factor",
 }
-_STORAGE = {"storage modulus", "storage"}
-_LOSS = {"loss modulus", "loss"}
+_STORAGE = {"storage modulus", "storage", "speichermodul"}
+_LOSS = {"loss modulus", "loss", "verlustmodul"}
 _SWEEP = {"set", "sweep"}
 _STRAIN = {
     "strain",
@@ -112,7 +114,8 @@ class Column:
     name, unit : str
         As the file gives them; the unit is empty where there is none.
     role : str
-        "frequency", "strain", "storage", "loss", "tan_delta", "temperature" or "sweep".
+        "frequency", "strain", "storage", "loss", "tan_delta", "temperature" or "sweep"; "second_frequency" where a
+        table gives it twice.
     """
 
     index: int
@@ -127,6 +130,16 @@ class Column:
         if _TENSILE.match(name):
             return True
         return False if _SHEAR.match(name) else None
+
+    @property
+    def has_unit(self) -> bool:
+        """Whether the file gives a unit that is known."""
+        return _known_unit(_KIND[self.role], self.unit) is not None
+
+    @property
+    def is_angular(self) -> bool:
+        """Whether a frequency is one of radians."""
+        return (_known_unit("frequency", self.unit) or "").startswith("rad")
 
     def converted(self, values: list[float], path: object) -> np.ndarray:
         """Return the column in rad/s, Pa, °C or as plain numbers, strain as a ratio.
@@ -143,7 +156,8 @@ class Column:
             allowed = ", ".join(f"{name!r}" for name in known)
             raise ValueError(
                 f"{path}: column {self.name!r} ({self.role}) must have a unit of {allowed}, got {found}; "
-                f'pass columns={{"{self.role}": ("{self.name}", unit)}}'
+                f'pass columns={{"{self.role}": ("{self.name}", unit)}}, '
+                f"in the shell --columns {self.role}={self.name}:unit"
             )
         if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
             raise ValueError(f"{path}: column {self.name!r} must be in 'rad/s' by its name, got {self.unit!r}")

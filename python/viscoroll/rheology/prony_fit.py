@@ -3,44 +3,29 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float, as_float_array, as_int
-from .._support.extras import extra
-from .._support.text import shown
-from ..materials import Prony
-from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, nonnegative, time_grid
+from .._support.intervals import as_confidence, half_width
+from ..materials import Draws, Prony
+from .bootstrap import wild_copies
+from .measured import MeasuredModulus, measured
+from .series import MARGIN, SeriesFit, basis, fit_series, fit_sparse, time_grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["MeasuredModulus", "PronyFit", "fit_prony"]
+__all__ = ["PronyFit", "fit_prony"]
 
 #: Least relaxed modulus, relative to the lowest storage modulus measured.
 _FLOOR = 1e-2
 
 #: Places of the grid of times that are tried, of which the best is kept: a material of few sharp terms shows them.
 _PLACES = 8
-
-
-class MeasuredModulus(Protocol):
-    """What has been measured: angular frequency [rad/s] and shear moduli [Pa], as long as one another."""
-
-    @property
-    def frequency(self) -> ArrayLike:
-        """Angular frequency [rad/s]."""
-
-    @property
-    def storage(self) -> ArrayLike:
-        """Storage modulus [Pa]."""
-
-    @property
-    def loss(self) -> ArrayLike:
-        """Loss modulus [Pa]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
@@ -70,6 +55,8 @@ class PronyFit:
     scatter: float
     _fit: SeriesFit
     _floor: float
+    _per_decade: float
+    _most_terms: int | None
 
     @property
     def relaxed_modulus(self) -> float:
@@ -86,13 +73,48 @@ class PronyFit:
         """Root mean square of the relative error of the loss modulus [-]."""
         return float(np.sqrt(np.mean(self.loss_error**2)))
 
-    def confidence_band(
-        self, angular_frequency: ArrayLike, *, confidence: float = 0.95, trials: int = 300, seed: int = 0
-    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-        """Return bounds of μ*(ω), point by point, by parametric bootstrap.
+    def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Prony]:
+        """Return series that the data might have given as well: fitted anew to data with other signs of the errors.
 
-        Noise of the size of `scatter` is put on the fit, independently at every point, and fitted again with the same
-        times. The intervals hold what such fits scatter by; they know nothing of errors that points have in common.
+        A bootstrap of the data (`docs/theory.md`, section 9). It knows nothing of errors that points have in common, as
+        of a specimen's dimensions, nor of shift factors: `Superposition.draws` finds these anew.
+
+        Parameters
+        ----------
+        count : int, default 100
+            Number of draws, ≥ 2.
+        seed : int, default 0
+            Of the signs, ≥ 0.
+
+        Returns
+        -------
+        Draws of Prony
+            With `series` in their middle; `viscoroll.sweep` takes them.
+        """
+        expected = self._expected()
+        used = np.concatenate([[True], self._fit.terms > 0.0])
+        columns = basis(self.frequency, self._fit.times)[:, used] / expected[:, None]
+        data = np.concatenate([self.storage, self.loss])
+        copies = wild_copies(data, expected, columns, count=count, seed=seed)
+        return Draws(self.series, (self._refitted(copy).series for copy in copies))
+
+    def _expected(self) -> Floats:
+        """Return storage and loss of the fit at the frequencies of the data [Pa]."""
+        fitted = self._fit.modulus(self.frequency)
+        return np.concatenate([fitted.real, fitted.imag])
+
+    def _refitted(self, moduli: Floats) -> PronyFit:
+        """Return the fit of other data at the same frequencies: all storage moduli, then all loss moduli [Pa]."""
+        storage, loss = np.split(moduli, 2)
+        fit = _best(self.frequency, storage, loss, self._per_decade, self._floor)
+        if self._most_terms is not None:
+            fit = fit_sparse(fit, self.frequency, storage, loss, terms=self._most_terms, floor=self._floor)
+        return _result(fit, self.frequency, storage, loss, self._floor, self._per_decade, self._most_terms)
+
+    def confidence_band(
+        self, angular_frequency: ArrayLike, *, confidence: float = 0.95, count: int = 100, seed: int = 0
+    ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+        """Return bounds of μ*(ω), point by point, by the scatter of `draws`.
 
         Parameters
         ----------
@@ -100,10 +122,8 @@ class PronyFit:
             ω [rad/s], > 0, one-dimensional.
         confidence : float, default 0.95
             Probability that an interval holds the true value [-].
-        trials : int, default 300
-            Fits to noise, ≥ 20.
-        seed : int, default 0
-            Of the noise.
+        count, seed : int
+            As of `draws`.
 
         Returns
         -------
@@ -111,37 +131,16 @@ class PronyFit:
             Bounds of storage (real part) and loss (imaginary part) [Pa].
         """
         omega = np.atleast_1d(as_float_array("angular_frequency", angular_frequency))
-        if as_int("trials", trials) < 20:
-            raise ValueError(f"trials must be >= 20, got {trials}")
-        if not 0.0 < as_float("confidence", confidence) < 1.0:
-            raise ValueError(f"confidence must be in (0, 1), got {confidence!r}")
-        with extra("studies"):
-            from scipy.stats import norm
-
-        samples = self._resampled(trials, np.random.default_rng(seed))
-        values = basis(omega, self._fit.times) @ samples
-        width = float(norm.ppf(0.5 + 0.5 * confidence)) * values.std(axis=1, ddof=1)
-        middle = self._fit.modulus(omega)
-        half = width[: omega.size] + 1j * width[omega.size :]
+        level = as_confidence(confidence)
+        drawn = np.array([series.complex_modulus(omega) for series in self.draws(count, seed=seed)])
+        half = half_width(drawn.real, level) + 1j * half_width(drawn.imag, level)
+        middle = self.series.complex_modulus(omega)
         return middle - half, middle + half
-
-    def _resampled(self, trials: int, generator: np.random.Generator) -> Floats:
-        """Return relaxed moduli and terms [Pa] of fits to noisy copies of this fit, one to a column."""
-        fitted = self._fit.modulus(self.frequency)
-        expected = np.concatenate([fitted.real, fitted.imag])
-        # Relative to the fit rather than to each noisy copy: one matrix for all, and no bias to low points.
-        matrix = basis(self.frequency, self._fit.times) / expected[:, None]
-        noise = self.scatter * generator.standard_normal((expected.size, trials))
-        size = np.linalg.norm(matrix, axis=0)
-        right = 1.0 + noise - self._floor * matrix[:, :1]
-        found = nonnegative(matrix / size, right) / size[:, None]
-        found[0] += self._floor
-        return np.asarray(found)
 
     def sparse(self, terms: int) -> PronyFit:
         """Return a fit with few terms, for programs that cannot take many: their times are fitted, too.
 
-        Its errors are larger, and `confidence_band` knows nothing of that: use the full series here.
+        Its errors are larger, and its draws know nothing of that: use the full series for intervals.
 
         Parameters
         ----------
@@ -161,7 +160,7 @@ class PronyFit:
         if as_int("terms", terms) < 1:
             raise ValueError(f"terms must be >= 1, got {terms}")
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
-        return _result(fit, self.frequency, self.storage, self.loss, self._floor)
+        return _result(fit, self.frequency, self.storage, self.loss, self._floor, self._per_decade, terms)
 
     @overload
     def plot(self) -> Figure: ...
@@ -241,13 +240,26 @@ def fit_prony(curve: MeasuredModulus, *, terms_per_decade: float = 2.0, relaxed_
     floor = _FLOOR * float(storage.min()) if relaxed_floor is None else as_float("relaxed_floor", relaxed_floor)
     if not 0.0 < floor < np.inf:
         raise ValueError(f"relaxed_floor must be > 0 Pa, got {floor!r}")
+    fit = _best(frequency, storage, loss, per_decade, floor)
+    return _result(fit, frequency, storage, loss, floor, per_decade, None)
+
+
+def _best(frequency: Floats, storage: Floats, loss: Floats, per_decade: float, floor: float) -> SeriesFit:
+    """Return the fit of the best place of the times."""
     times = time_grid(frequency, per_decade, margin=MARGIN)
     moved = (times * 10.0 ** (place / (_PLACES * per_decade)) for place in range(_PLACES))
-    fit = min((fit_series(frequency, storage, loss, t, floor=floor) for t in moved), key=lambda fit: fit.scatter)
-    return _result(fit, frequency, storage, loss, floor)
+    return min((fit_series(frequency, storage, loss, t, floor=floor) for t in moved), key=lambda fit: fit.scatter)
 
 
-def _result(fit: SeriesFit, frequency: Floats, storage: Floats, loss: Floats, floor: float) -> PronyFit:
+def _result(
+    fit: SeriesFit,
+    frequency: Floats,
+    storage: Floats,
+    loss: Floats,
+    floor: float,
+    per_decade: float,
+    most_terms: int | None,
+) -> PronyFit:
     used = fit.terms > 0.0
     instantaneous = fit.relaxed + float(fit.terms.sum())
     return PronyFit(
@@ -264,31 +276,6 @@ def _result(fit: SeriesFit, frequency: Floats, storage: Floats, loss: Floats, fl
         scatter=fit.scatter,
         _fit=fit,
         _floor=floor,
+        _per_decade=per_decade,
+        _most_terms=most_terms,
     )
-
-
-def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
-    """Return frequency, storage and loss of measured moduli, by increasing frequency and without rest.
-
-    Raises
-    ------
-    TypeError
-        For something without these attributes.
-    ValueError
-        For columns of unlike length, fewer than three points, and values that are not positive.
-    """
-    try:
-        columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]
-    except AttributeError:
-        raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}") from None
-    frequency, storage, loss = columns
-    if frequency.ndim != 1 or not frequency.shape == storage.shape == loss.shape:
-        raise ValueError(f"curve must have columns of one length, got {[column.shape for column in columns]}")
-    order = np.argsort(frequency, kind="stable")
-    order = order[frequency[order] > 0.0]
-    if order.size < 3:
-        raise ValueError(f"curve must have at least 3 points above 0 rad/s, got {order.size}")
-    for name, column in (("storage", storage), ("loss", loss)):
-        if not (np.isfinite(column[order]).all() and (column[order] > 0.0).all()):
-            raise ValueError(f"curve.{name} must be > 0 Pa at every point, got {column[order].min():g}")
-    return frequency[order], storage[order], loss[order]

@@ -13,6 +13,7 @@ import numpy as np
 from .._support.arguments import Floats, as_float
 from .._support.text import shown
 from .names import role_of
+from .ramps import TemperatureRamp
 from .text import Table, find_tables, read_text
 
 if TYPE_CHECKING:
@@ -24,6 +25,12 @@ _ROLES = ("frequency", "storage", "loss", "tan_delta", "temperature", "sweep")
 
 #: Sweeps without numbers of their own are told apart by gaps of this size between their temperatures [K].
 _TEMPERATURE_GAP = 1.0
+
+#: What spans more [K] is no sweep at a temperature: it was heated all the while.
+_WIDEST_SWEEP = 2.0
+
+#: Frequencies that differ by less are one, which instruments hold no better.
+_ONE_FREQUENCY = 0.01
 
 Columns: TypeAlias = Mapping[str, "str | tuple[str, str]"]
 
@@ -64,6 +71,8 @@ class RheologyData:
         ν [-] with which that was done.
     dropped : int
         Points left out because a modulus was not positive, or not a number.
+    remarks : tuple of str
+        What else was found out about the file.
     """
 
     isotherms: tuple[Isotherm, ...]
@@ -71,6 +80,22 @@ class RheologyData:
     is_tensile: bool
     poisson_ratio: float
     dropped: int
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def ramp(self) -> TemperatureRamp | None:
+        """The measurement as a temperature ramp, where all of it is at one frequency; else None."""
+        frequency = np.concatenate([sweep.frequency for sweep in self.isotherms])
+        temperature = np.array([sweep.temperature for sweep in self.isotherms])
+        if temperature.size < 2 or np.isnan(temperature).any() or np.ptp(frequency) > _ONE_FREQUENCY * frequency[0]:
+            return None
+        moduli = [
+            np.array([np.exp(np.mean(np.log(getattr(sweep, name)))) for sweep in self.isotherms])
+            for name in ("storage", "loss")
+        ]
+        return TemperatureRamp(
+            frequency=float(frequency.mean()), temperature=temperature, storage=moduli[0], loss=moduli[1]
+        )
 
     def between(self, lowest: float, highest: float) -> RheologyData:
         """Return the sweeps at temperatures from `lowest` to `highest` [°C].
@@ -87,15 +112,19 @@ class RheologyData:
 
     def __repr__(self) -> str:
         """Return what was read."""
+        kind = f"tension, by 2 (1 + {self.poisson_ratio:g}) to shear" if self.is_tensile else "shear"
+        end = "; ".join([f"moduli of {kind}; {self.dropped} points dropped", *self.remarks])
+        if (ramp := self.ramp) is not None:
+            first, *others = repr(ramp).splitlines()
+            return "\n".join([f"RheologyData of {self.source}: {first}, {end}", *others])
         points = sum(isotherm.frequency.size for isotherm in self.isotherms)
         low = min(isotherm.frequency[0] for isotherm in self.isotherms)
         high = max(isotherm.frequency[-1] for isotherm in self.isotherms)
-        kind = f"tension, by 2 (1 + {self.poisson_ratio:g}) to shear" if self.is_tensile else "shear"
         degrees = [isotherm.temperature for isotherm in self.isotherms]
         at = "" if math.isnan(degrees[0]) else f" at {degrees[0]:.4g} to {degrees[-1]:.4g} °C"
         return (
             f"RheologyData of {self.source}: {points} points in {len(self.isotherms)} sweeps{at}, "
-            f"{low:.4g} to {high:.4g} rad/s, moduli of {kind}; {self.dropped} points dropped"
+            f"{low:.4g} to {high:.4g} rad/s, {end}"
         )
 
 
@@ -105,8 +134,9 @@ def read_rheology(
     columns: Columns | None = None,
     tensile: bool | None = None,
     poisson_ratio: float = 0.5,
+    frequency: float | None = None,
 ) -> RheologyData:
-    """Read frequency sweeps from a text or CSV export.
+    """Read frequency sweeps, or a temperature ramp at one frequency, from a text or CSV export.
 
     Understood are rows of names and units as TA's TRIOS ("LIMS" and "Plain Text"), Anton Paar's RheoCompass, Netzsch's
     Proteus, pyvisco and people write them: comma, semicolon or tab; UTF-8, UTF-16 or Windows' code page; units in a row
@@ -124,18 +154,21 @@ def read_rheology(
         Whether the moduli are those of tension, E', E'', or of shear, G', G''; needed where names do not tell.
     poisson_ratio : float, default 0.5
         ν [-] by which moduli of tension become those of shear, G = E / (2 (1 + ν)), in (-1, 0.5].
+    frequency : float, optional
+        Angular frequency of a ramp [rad/s], 2π times the Hz of the instrument, where the file has no column of it.
 
     Returns
     -------
     RheologyData
         Shear moduli over angular frequency, sweep by sweep. Points with a modulus that is not positive are dropped and
-        counted.
+        counted. Of a ramp, its `ramp` says what it can and cannot give. Where a file has a frequency in rad/s and one
+        in Hz, that in rad/s is taken, if they agree.
 
     Raises
     ------
     ValueError
-        Where the file has no table with frequency and moduli, where a unit is missing or unknown, and where it is not
-        said whether moduli are of tension; the message says what to pass.
+        Where the file has no table with frequency and moduli, where a unit is missing or unknown, where two columns of
+        frequency disagree, and where it is not said whether moduli are of tension; the message says what to pass.
     OSError
         Where it cannot be read.
 
@@ -154,26 +187,36 @@ def read_rheology(
         raise ValueError(f"poisson_ratio must be in (-1, 0.5], got {nu!r}")
     if tensile is not None and not isinstance(tensile, bool):
         raise TypeError(f"tensile must be True, False or None, got {shown(tensile)}")
+    held = None if frequency is None else as_float("frequency", frequency)
+    if held is not None and not 0.0 < held < math.inf:
+        raise ValueError(f"frequency must be > 0 rad/s and finite, got {held!r}")
     text = read_text(path)
     try:
-        tables = find_tables(text, names)
+        tables = find_tables(text, names, over="frequency" if held is None else "temperature")
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
     if not tables:
-        raise ValueError(_nothing_found(path, text))
+        raise ValueError(_nothing_found(path, text, names))
+    if held is not None and any("frequency" in table.columns for table in tables):
+        raise ValueError(f"{path}: frequency must be left out where the file has a column of it, got {held:g} rad/s")
     is_tensile = moduli_are_tensile(path, tables) if tensile is None else tensile
     divisor = 2.0 * (1.0 + nu) if is_tensile else 1.0
     isotherms: list[Isotherm] = []
     dropped = 0
     for table in tables:
-        found, left_out = _isotherms(table, path, divisor)
+        found, left_out = _isotherms(table, path, divisor, held)
         isotherms += found
         dropped += left_out + table.unreadable
     if not isotherms:
         raise ValueError(f"{path}: needs points with moduli > 0, got none in {dropped}")
     isotherms.sort(key=lambda isotherm: (isotherm.temperature, isotherm.frequency[0]))
     return RheologyData(
-        isotherms=tuple(isotherms), source=path.name, is_tensile=is_tensile, poisson_ratio=nu, dropped=dropped
+        isotherms=tuple(isotherms),
+        source=path.name,
+        is_tensile=is_tensile,
+        poisson_ratio=nu,
+        dropped=dropped,
+        remarks=tuple(dict.fromkeys(table.remark for table in tables if table.remark)),
     )
 
 
@@ -201,7 +244,14 @@ def named_columns(columns: Columns | None, roles: Sequence[str]) -> dict[str, tu
     return names
 
 
-def _nothing_found(path: Path, text: str) -> str:
+def _nothing_found(path: Path, text: str, names: Mapping[str, tuple[str, str | None]]) -> str:
+    if ramps := find_tables(text, names, over="temperature"):
+        unknown = ", ".join(shown(name) for name in ramps[0].unknown)
+        other = f'; or columns={{"frequency": (name, unit)}}, in the shell --columns, if it is one of {unknown}'
+        return (
+            f"{path}: has moduli over temperature and no column of the frequency, as a ramp at one: pass frequency=... "
+            f"in rad/s, 2 pi times the Hz of the instrument, in the shell --frequency{other if unknown else ''}"
+        )
     lines = [line for line in text.splitlines() if line.strip()]
     first = next((line for line in lines if any(role_of(cell) for cell in line.replace(";", ",").split(","))), None)
     line = first or (lines[0] if lines else "")
@@ -224,7 +274,7 @@ def moduli_are_tensile(path: Path, tables: list[Table]) -> bool:
     )
 
 
-def _isotherms(table: Table, path: Path, divisor: float) -> tuple[list[Isotherm], int]:
+def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> tuple[list[Isotherm], int]:
     columns = table.columns
     values = {
         role: column.converted([row[role] for row in table.rows], path)
@@ -237,10 +287,12 @@ def _isotherms(table: Table, path: Path, divisor: float) -> tuple[list[Isotherm]
         if "tan_delta" not in columns:
             raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
         values["loss"] = values["storage"] * np.array([row["tan_delta"] for row in table.rows])
+    if held is not None:
+        values["frequency"] = np.full(values["storage"].size, held)
     valid = (values["frequency"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
     temperature = values.get("temperature", np.full(valid.size, np.nan))
     numbers = np.array([row.get("sweep", math.nan) for row in table.rows])
-    sweeps = _grouped(numbers, temperature)
+    sweeps = _grouped(numbers, temperature, values["frequency"])
     isotherms = []
     for sweep in np.unique(sweeps[valid]):
         chosen = np.flatnonzero(valid & (sweeps == sweep))
@@ -256,12 +308,26 @@ def _isotherms(table: Table, path: Path, divisor: float) -> tuple[list[Isotherm]
     return isotherms, int((~valid).sum())
 
 
-def _grouped(numbers: Floats, temperature: Floats) -> NDArray[np.int64]:
+def _grouped(numbers: Floats, temperature: Floats, frequency: Floats) -> NDArray[np.int64]:
     """Return the numbers of the sweeps of a table: as its column says, else by gaps between temperatures."""
     if not np.isnan(numbers).any():
         return np.unique(numbers, return_inverse=True)[1].astype(np.int64)
     order = np.argsort(temperature, kind="stable")
     steps = np.diff(temperature[order], prepend=temperature[order[0]] if order.size else np.nan)
+    starts = steps > _TEMPERATURE_GAP
+    for group in np.split(np.arange(order.size), np.flatnonzero(starts)):
+        if group.size and temperature[order[group[-1]]] - temperature[order[group[0]]] > _WIDEST_SWEEP:
+            starts[group] |= _returns(frequency[order[group]])
     groups = np.zeros(temperature.size, dtype=np.int64)
-    groups[order] = np.cumsum(steps > _TEMPERATURE_GAP)
+    groups[order] = np.cumsum(starts)
     return groups
+
+
+def _returns(frequency: Floats) -> NDArray[np.bool_]:
+    """Return where one of the frequencies since the last such place comes again, as while something is heated."""
+    starts = np.zeros(frequency.size, dtype=np.bool_)
+    since = 0
+    for place, value in enumerate(frequency):
+        if np.any(np.abs(frequency[since:place] / value - 1.0) <= _ONE_FREQUENCY):
+            starts[place], since = True, place
+    return starts

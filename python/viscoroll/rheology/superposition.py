@@ -1,34 +1,39 @@
-"""Time-temperature superposition: one master curve from sweeps at several temperatures."""
+"""One master curve from sweeps at several temperatures, and what can be made of it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from .._core import Extrapolation
-from .._support.arguments import Floats, as_float, require_type
-from ..materials import MasterCurve, Prony
-from .alignment import align, shift_pairs, undetermined_pairs
+from .._support.arguments import Floats, as_float
+from ..materials import Draws, MasterCurve, Prony
+from .alignment import align
+from .bootstrap import wild_copies
 from .prony_fit import PronyFit, fit_prony
-from .reading import Isotherm, RheologyData
-from .series import fit_series, time_grid
+from .reading import RheologyData
+from .series import basis
 from .shift_laws import ShiftFactors, ShiftLaw, fit_arrhenius, fit_wlf
+from .tabulated import tabulated
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
-__all__ = ["Superposition", "superpose", "tabulated"]
+__all__ = ["Superposition", "aligned"]
 
 #: A law is as good as can be seen that leaves so much of the shift factors [decades].
 _ENOUGH = 0.01
 
-#: Entries of a table to a decade: neighboring points of several isotherms are averaged.
-_ENTRIES_PER_DECADE = 10
+#: Steps that are open, of which each is told.
+_MOST_TOLD = 4
+
+#: Ratio of frequencies in a difference quotient.
+_NEAR = 1.001
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -134,7 +139,7 @@ class Superposition:
             np.asarray(table.frequency) * scale,
             np.asarray(table.storage) * lift,
             np.asarray(table.loss) * lift,
-            extrapolation=Extrapolation.HOLD,
+            extrapolation=table.extrapolation,
         )
 
     @cached_property
@@ -156,6 +161,55 @@ class Superposition:
     def fit(self) -> PronyFit:
         """The Prony series of the master curve at the reference temperature, as `fit_prony` finds it."""
         return fit_prony(self)
+
+    def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Superposition]:
+        """Return superpositions that the data might have given as well: other signs of the errors, and all found anew.
+
+        A bootstrap of the data (`docs/theory.md`, section 9): shift factors, series and tables of each draw are its
+        own, but for factors of the user, which are kept. It knows nothing of errors that points have in common, as of
+        a specimen's dimensions.
+
+        Parameters
+        ----------
+        count : int, default 100
+            Number of draws, ≥ 2.
+        seed : int, default 0
+            Of the signs, ≥ 0.
+
+        Returns
+        -------
+        Draws of Superposition
+            With this one in their middle: ``curve.draws(100).map(lambda c: c.at(temperature=40.0))`` are materials at
+            40 °C.
+        """
+        sweeps = self.data.isotherms
+        series = self.fit.series
+        owner = np.concatenate([np.full(sweep.frequency.size, i) for i, sweep in enumerate(sweeps)])
+        frequency, storage, loss = (np.concatenate(parts) for parts in zip(*self._shifted, strict=True))
+        expected = _parts_of(series.complex_modulus(frequency))
+        columns = [basis(frequency, np.asarray(series.relaxation_times)) / expected[:, None]]
+        if self.covariance is not None:
+            along = np.log(_parts_of(series.complex_modulus(frequency * _NEAR)) / expected)
+            columns += [
+                np.tile(owner == i, 2)[:, None] * along[:, None] for i in range(len(sweeps)) if i != self.anchor
+            ]
+        data = np.concatenate([storage, loss])
+        copies = wild_copies(data, expected, np.hstack(columns), count=count, seed=seed)
+        return Draws(self, (self._found_anew(np.split(copy, 2), owner) for copy in copies))
+
+    def _found_anew(self, moduli: Sequence[Floats], owner: NDArray[np.int64]) -> Superposition:
+        """Return the superposition of other storage and loss moduli at the same points, shifted as these [Pa]."""
+        storage, loss = (values * 10.0 ** np.asarray(self.vertical)[owner] for values in moduli)
+        isotherms = tuple(
+            replace(sweep, storage=storage[owner == i], loss=loss[owner == i])
+            for i, sweep in enumerate(self.data.isotherms)
+        )
+        data = replace(self.data, isotherms=isotherms)
+        if self.covariance is None:
+            return replace(self, data=data)
+        start = np.array(self.factors.log10_factor)
+        found = aligned(data, self.reference, start, self.anchor, vertical=any(self.vertical))
+        return replace(self, data=data, **found)
 
     @property
     def curve(self) -> MasterCurve:
@@ -184,115 +238,27 @@ class Superposition:
             f"  scatter about one series  {self.scatter:.2%}",
             f"  {self.wlf}",
             f"  {self.arrhenius}",
-            *(f"  undetermined              {text}" for text in self.undetermined),
+            *(f"  undetermined              {text}" for text in self.undetermined[:_MOST_TOLD]),
         ]
+        if (more := len(self.undetermined) - _MOST_TOLD) > 0:
+            lines.append(f"  undetermined              {more} steps more, of {len(self.data.isotherms) - 1}")
         return "\n".join(lines)
 
 
-def superpose(
-    data: RheologyData,
-    *,
-    reference: float,
-    factors: ShiftFactors | None = None,
-    vertical: bool = False,
-) -> Superposition:
-    """Shift sweeps at several temperatures onto one master curve.
-
-    Each sweep is first laid on its neighbor, then all are moved together until one Prony series with nonnegative
-    weights fits them best: a master curve that no passive material has costs what it lacks.
-
-    Parameters
-    ----------
-    data : RheologyData
-        At least two sweeps, with temperatures.
-    reference : float
-        Temperature of the master curve [°C], between the coldest and the hottest sweep.
-    factors : ShiftFactors, optional
-        The caller's own, at temperatures that span the data; nothing is fitted then.
-    vertical : bool, default False
-        Let the moduli of a sweep be divided by a factor of its own, too.
-
-    Returns
-    -------
-    Superposition
-        Master curve, shift factors, laws with intervals, and which shifts the data leave open.
-
-    Raises
-    ------
-    ValueError
-        For fewer than two sweeps, for data without temperatures, and a reference outside them.
-    """
-    require_type("data", data, RheologyData)
-    degrees = as_float("reference", reference)
-    sweeps = data.isotherms
-    temperature = np.array([sweep.temperature for sweep in sweeps])
-    if len(sweeps) < 2:
-        raise ValueError(f"data must hold at least 2 sweeps to be shifted, got {len(sweeps)}")
-    if np.isnan(temperature).any():
-        raise ValueError("data must have a temperature for every sweep: pass columns={'temperature': (name, unit)}")
-    if not (np.diff(temperature) > 0.0).all():
-        sweeps = _one_for_each_temperature(sweeps)
-        return superpose(replace(data, isotherms=sweeps), reference=degrees, factors=factors, vertical=vertical)
-    low, high = float(temperature[0]), float(temperature[-1])
-    if not low - 0.5 <= degrees <= high + 0.5:
-        raise ValueError(f"reference must be in [{low:g}, {high:g}] °C, where sweeps were measured, got {degrees:g}")
-    if factors is not None:
-        return _by_hand(data, degrees, temperature, factors)
-    anchor = int(np.argmin(np.abs(temperature - degrees)))
-    found = align(sweeps, shift_pairs(sweeps), reference=anchor, vertical=vertical)
+def aligned(data: RheologyData, reference: float, start: Floats, anchor: int, *, vertical: bool) -> dict[str, Any]:
+    """Return what `Superposition` holds of sweeps that are moved from a start until one series fits them best."""
+    temperature = [sweep.temperature for sweep in data.isotherms]
+    found = align(data.isotherms, start, reference=anchor, vertical=vertical)
     measured = ShiftFactors(temperature=tuple(temperature), log10_factor=tuple(found.horizontal))
-    lifted = found.vertical - np.interp(degrees, temperature, found.vertical)
-    return Superposition(
-        data=data,
-        reference=degrees,
-        factors=measured.relative_to(degrees),
-        vertical=tuple(lifted.tolist()),
-        scatter=found.series.scatter,
-        undetermined=undetermined_pairs(sweeps),
-        covariance=found.covariance,
-        anchor=anchor,
-    )
+    lifted = found.vertical - np.interp(reference, temperature, found.vertical)
+    return {
+        "factors": measured.relative_to(reference),
+        "vertical": tuple(lifted.tolist()),
+        "scatter": found.series.scatter,
+        "covariance": found.covariance,
+    }
 
 
-def tabulated(frequency: Floats, storage: Floats, loss: Floats, *, relaxed: float | None = None) -> MasterCurve:
-    """Return a table of ten entries to a decade at the most, geometric means of the points around them.
-
-    With a relaxed modulus [Pa], the table begins with an entry at rest.
-    """
-    cells = np.floor(np.log10(frequency) * _ENTRIES_PER_DECADE).astype(np.int64)
-    _, cells = np.unique(cells, return_inverse=True)
-    count = np.bincount(cells)
-    means = [np.exp(np.bincount(cells, np.log(values)) / count) for values in (frequency, storage, loss)]
-    rest = [] if relaxed is None else [(0.0, relaxed, 0.0)]
-    omega, real, imaginary = np.vstack([*rest, np.column_stack(means)]).T
-    return MasterCurve(omega, real, imaginary, extrapolation=Extrapolation.HOLD)
-
-
-def _by_hand(data: RheologyData, reference: float, temperature: Floats, factors: ShiftFactors) -> Superposition:
-    chosen = ShiftFactors(
-        temperature=tuple(temperature), log10_factor=tuple(factors(t) - factors(reference) for t in temperature)
-    )
-    given = Superposition(
-        data=data,
-        reference=reference,
-        factors=chosen,
-        vertical=(0.0,) * temperature.size,
-        scatter=np.nan,
-        undetermined=(),
-        covariance=None,
-        anchor=int(np.argmin(np.abs(temperature - reference))),
-    )
-    series = fit_series(given.frequency, given.storage, given.loss, time_grid(given.frequency, 2.0), floor=0.0)
-    return replace(given, scatter=series.scatter)
-
-
-def _one_for_each_temperature(sweeps: Sequence[Isotherm]) -> tuple[Isotherm, ...]:
-    """Join sweeps that were repeated at the same temperature."""
-    joined = []
-    for temperature in sorted({sweep.temperature for sweep in sweeps}):
-        same = [sweep for sweep in sweeps if sweep.temperature == temperature]
-        columns = [np.concatenate([getattr(s, name) for s in same]) for name in ("frequency", "storage", "loss")]
-        order = np.argsort(columns[0], kind="stable")
-        frequency, storage, loss = (column[order] for column in columns)
-        joined.append(Isotherm(temperature=temperature, frequency=frequency, storage=storage, loss=loss))
-    return tuple(joined)
+def _parts_of(modulus: NDArray[np.complex128]) -> Floats:
+    """Return all storage moduli, then all loss moduli."""
+    return np.concatenate([modulus.real, modulus.imag])

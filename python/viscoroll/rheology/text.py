@@ -15,21 +15,31 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 from .names import Column, is_unit, normalized, parse_header, role_of
 
 __all__ = ["Table", "find_tables", "read_text"]
 
 _SEPARATORS = ("\t", ";", ",")
 
+#: How far two columns of one frequency may be apart: three digits, as they are printed, leave half of it.
+_SAME_FREQUENCY = 0.01
+
 
 @dataclass(slots=True)
 class Table:
-    """One table of a file: its columns by role, what they are over, and their numbers row by row."""
+    """One table of a file: its columns by role, what they are over, their numbers row by row, and what to tell.
+
+    Names of columns that nobody knows are kept apart.
+    """
 
     columns: dict[str, Column]
     over: str = "frequency"
+    unknown: tuple[str, ...] = ()
     rows: list[dict[str, float]] = field(default_factory=list)
     unreadable: int = 0
+    remark: str = ""
 
 
 def read_text(path: Path) -> str:
@@ -52,13 +62,13 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
         The content of a file.
     names : mapping of str to (str, str or None)
         For roles whose names the caller gives, the name and, unless the file's holds, the unit.
-    over : {"frequency", "strain"}
-        What was swept; in sweeps of frequency columns of strain do not count.
+    over : {"frequency", "strain", "temperature"}
+        What was swept; only in sweeps of strain do columns of it count.
 
     Raises
     ------
     ValueError
-        Where two columns of one table have the same role.
+        Where two columns of one table have the same role, but for frequencies in rad/s and Hz that agree.
     """
     tables: list[Table] = []
     separator = ","
@@ -67,8 +77,8 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
         if not line.strip():
             continue
         if header := _header(line, names, over):
-            separator, columns = header
-            tables.append(Table(columns, over))
+            separator, columns, unknown = header
+            tables.append(Table(columns, over, unknown))
             waiting_for_units = True
         elif tables:
             cells = _cells(line, separator)
@@ -77,17 +87,56 @@ def find_tables(text: str, names: Mapping[str, tuple[str, str | None]], *, over:
                 waiting_for_units = False
             else:
                 waiting_for_units = not _add_row(tables[-1], cells, separator) and waiting_for_units
-    return [table for table in tables if table.rows]
+    filled = [table for table in tables if table.rows]
+    for table in filled:
+        _settle_frequency(table)
+    return filled
 
 
-def _header(line: str, names: Mapping[str, tuple[str, str | None]], over: str) -> tuple[str, dict[str, Column]] | None:
-    """Return separator and columns of a row of names, or None where it is none."""
+def _settle_frequency(table: Table) -> None:
+    """Keep one of two columns of frequency, as TRIOS writes them, where both say the same.
+
+    Raises
+    ------
+    ValueError
+        Where they do not.
+    """
+    second = table.columns.pop("second_frequency", None)
+    if second is None:
+        return
+    both = [table.columns["frequency"], second]
+    kept, other = sorted(both, key=lambda column: (not column.has_unit, not column.is_angular))
+    table.remark = f"frequency by {kept.name!r}, for {other.name!r} has no unit"
+    if other.has_unit:
+        kept_values, other_values = (
+            column.converted([row[column.role] for row in table.rows], "frequencies") for column in (kept, other)
+        )
+        apart = np.abs(other_values / np.where(kept_values == 0.0, np.nan, kept_values) - 1.0)
+        worst = int(np.argmax(np.nan_to_num(apart)))
+        if apart[worst] > _SAME_FREQUENCY:
+            row = table.rows[worst]
+            told = " and ".join(f"{row[column.role]:g} {column.unit}" for column in (kept, other))
+            raise ValueError(
+                f"columns {kept.name!r} and {other.name!r} must agree (1 Hz is 2 pi rad/s), got {told} in one row; "
+                'say which by columns={"frequency": name}, in the shell --columns frequency=name:unit'
+            )
+        table.remark = f"frequency by {kept.name!r}, with which {other.name!r} agrees"
+    for row in table.rows:
+        row["frequency"] = row[kept.role]
+    table.columns["frequency"] = Column(kept.index, kept.name, kept.unit, "frequency")
+
+
+def _header(
+    line: str, names: Mapping[str, tuple[str, str | None]], over: str
+) -> tuple[str, dict[str, Column], tuple[str, ...]] | None:
+    """Return separator, columns and names without a role of a row of names, or None where it is none."""
     for separator in _SEPARATORS:
         cells = _cells(line, separator)
         columns = _columns(cells, names, over)
         wanted = set(names) | {over} | ({"storage"} if "storage" not in names else set())
         if len(cells) > 2 and wanted <= columns.keys():
-            return separator, columns
+            taken = {column.index for column in columns.values()}
+            return separator, columns, tuple(cell for i, cell in enumerate(cells) if cell and i not in taken)
     return None
 
 
@@ -101,6 +150,8 @@ def _columns(cells: list[str], names: Mapping[str, tuple[str, str | None]], over
             continue
         if role in names and normalized(name) not in given and normalized(cell) not in given:
             continue
+        if role == "frequency" and role in columns and role not in names and "second_frequency" not in columns:
+            role = "second_frequency"
         if role in columns:
             raise ValueError(
                 f'two columns hold {role}, {columns[role].name!r} and {name!r}: say which by columns={{"{role}": name}}'
@@ -141,7 +192,7 @@ def _with_units(
 
 def _add_row(table: Table, cells: list[str], separator: str) -> bool:
     """Take a row of numbers, and return whether it was one; count one that holds a part of them."""
-    needed = [column for role, column in table.columns.items() if role != "sweep"]
+    needed = [column for role, column in table.columns.items() if role not in ("sweep", "second_frequency")]
     numbers = {
         column.role: _number(cells[column.index], separator) if column.index < len(cells) else math.nan
         for column in table.columns.values()

@@ -101,6 +101,49 @@ def test_proteus(tmp_path):
     np.testing.assert_allclose(sweep.storage, [3.5e6, 12.5e6 / 3.0], rtol=1e-15)
 
 
+#: Columns as TRIOS writes all of them, after those of files that programs for it read.
+TRIOS_ALL = """Storage modulus\tLoss modulus\tTan(delta)\tAngular frequency\tOscillation torque\tStep time\t\
+Temperature\tRaw phase\tOscillation displacement\tComplex viscosity\tFrequency\tOscillation strain\tAxial force
+MPa\tMPa\t\trad/s\tµN.m\ts\t°C\t°\trad\tPa.s\tHz\t%\tN
+1.00\t0.10\t0.100\t0.1\t10.0\t12\t25.0\t4.1\t0.001\t1e7\t{low}\t0.1\t0.2
+1.10\t0.12\t0.109\t1\t10.0\t24\t25.0\t4.1\t0.001\t1e6\t0.159155\t0.1\t0.2
+1.21\t0.14\t0.116\t10\t10.0\t33\t25.0\t4.1\t0.001\t1e5\t1.59155\t0.1\t0.2
+"""
+
+
+def test_a_frequency_in_radians_and_in_hertz(tmp_path):
+    data = vr.read_rheology(written(tmp_path, TRIOS_ALL.format(low="0.0159")), tensile=False)
+    np.testing.assert_array_equal(data.isotherms[0].frequency, [0.1, 1.0, 10.0])
+    assert repr(data).endswith("; frequency by 'Angular frequency', with which 'Frequency' agrees")
+
+
+def test_the_other_way_around_and_without_a_unit(tmp_path):
+    rows = "f,G',G'',omega\nHz,MPa,MPa,{unit}\n1,1,0.1,6.2832\n2,1.1,0.1,12.566\n"
+    data = vr.read_rheology(written(tmp_path, rows.format(unit="rad/s")))
+    np.testing.assert_array_equal(data.isotherms[0].frequency, [6.2832, 12.566])
+    data = vr.read_rheology(written(tmp_path, rows.format(unit="")))
+    np.testing.assert_allclose(data.isotherms[0].frequency, [2.0 * math.pi, 4.0 * math.pi], rtol=1e-15)
+    assert data.remarks == ("frequency by 'f', for 'omega' has no unit",)
+
+
+def test_frequencies_that_disagree_are_refused(tmp_path):
+    path = written(tmp_path, TRIOS_ALL.format(low="0.1"))
+    with pytest.raises(ValueError, match=r"'Angular frequency' and 'Frequency' must agree .* got 0.1 rad/s and 0.1 Hz"):
+        vr.read_rheology(path, tensile=False)
+    data = vr.read_rheology(path, tensile=False, columns={"frequency": ("Frequency", "Hz")})
+    np.testing.assert_allclose(data.isotherms[0].frequency[0], 0.2 * math.pi)
+    three = "f,freq,omega,G',G''\nHz,Hz,rad/s,Pa,Pa\n1,1,6.2832,1,1\n"
+    with pytest.raises(ValueError, match="two columns hold frequency, 'f' and 'omega': say which"):
+        vr.read_rheology(written(tmp_path, three))
+
+
+def test_a_strain_sweep_with_both_frequencies(tmp_path):
+    rows = "Oscillation strain,Storage modulus,Loss modulus,Angular frequency,Frequency\n%,MPa,MPa,rad/s,Hz\n"
+    rows += "".join(f"{g},{2.0 - g / 100},0.3,6.2832,1\n" for g in (0.1, 1.0, 10.0))
+    sweep = vr.read_strain_sweep(written(tmp_path, rows), kind="shear", tensile=False)
+    np.testing.assert_allclose(sweep.strain, [1e-3, 1e-2, 1e-1], rtol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("header", "factor"),
     [

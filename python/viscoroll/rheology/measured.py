@@ -1,0 +1,58 @@
+"""What has been measured of a material: moduli over frequency."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from .._support.arguments import Floats, as_float_array
+from .._support.text import shown
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["MeasuredModulus", "measured"]
+
+
+class MeasuredModulus(Protocol):
+    """What has been measured: angular frequency [rad/s] and shear moduli [Pa], as long as one another."""
+
+    @property
+    def frequency(self) -> ArrayLike:
+        """Angular frequency [rad/s]."""
+
+    @property
+    def storage(self) -> ArrayLike:
+        """Storage modulus [Pa]."""
+
+    @property
+    def loss(self) -> ArrayLike:
+        """Loss modulus [Pa]."""
+
+
+def measured(curve: MeasuredModulus) -> tuple[Floats, Floats, Floats]:
+    """Return frequency, storage and loss of measured moduli, by increasing frequency and without rest.
+
+    Raises
+    ------
+    TypeError
+        For something without these attributes.
+    ValueError
+        For columns of unlike length, fewer than three points, and values that are not positive.
+    """
+    try:
+        columns = [as_float_array(name, getattr(curve, name)) for name in ("frequency", "storage", "loss")]
+    except AttributeError:
+        raise TypeError(f"curve must have frequency, storage and loss, got {shown(curve)}") from None
+    frequency, storage, loss = columns
+    if frequency.ndim != 1 or not frequency.shape == storage.shape == loss.shape:
+        raise ValueError(f"curve must have columns of one length, got {[column.shape for column in columns]}")
+    order = np.argsort(frequency, kind="stable")
+    order = order[frequency[order] > 0.0]
+    if order.size < 3:
+        raise ValueError(f"curve must have at least 3 points above 0 rad/s, got {order.size}")
+    for name, column in (("storage", storage), ("loss", loss)):
+        if not (np.isfinite(column[order]).all() and (column[order] > 0.0).all()):
+            raise ValueError(f"curve.{name} must be > 0 Pa at every point, got {column[order].min():g}")
+    return frequency[order], storage[order], loss[order]

@@ -1,0 +1,157 @@
+"""Materials as others measured and published them, to begin with where none was measured."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._support.arguments import Floats, as_float
+from .._support.text import shown
+from ..materials import MasterCurve, Prony, StandardLinearSolid
+from .material_file import load_material
+
+__all__ = ["EXAMPLES", "PublishedMaterial", "example_material"]
+
+_ZERO_CELSIUS = 273.15
+
+#: By how much sweeps miss the temperature that they were to have [K].
+_DRIFT = 0.5
+
+#: Their names.
+EXAMPLES = ("pressure_sensitive_adhesive", "vinyl_nitrile_foam")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
+class PublishedMaterial:
+    """One material of one laboratory, which stands for itself: another sample, or another maker's, is another one.
+
+    Attributes
+    ----------
+    name : str
+        As `example_material` takes it.
+    what, citation, address, license : str
+        What it is, who published it, where it was read, and under which terms.
+    measured : str
+        What was measured, how, and over which range.
+    not_measured : tuple of str
+        What was not, and has to be assumed.
+    temperature : (float, float)
+        Between which it was measured [°C].
+    poisson_ratio : float or None
+        As it was measured [-], if it was.
+    """
+
+    name: str
+    what: str
+    citation: str
+    address: str
+    license: str
+    measured: str
+    not_measured: tuple[str, ...]
+    temperature: tuple[float, float]
+    poisson_ratio: float | None
+    _path: Path
+    _document: dict[str, Any]
+
+    def at(self, *, temperature: float) -> MasterCurve | Prony | StandardLinearSolid:
+        """Return its shear modulus.
+
+        Parameters
+        ----------
+        temperature : float
+            [°C], where it was measured; between two temperatures logarithms of times and moduli are interpolated.
+
+        Raises
+        ------
+        ValueError
+            For a temperature at which it was not measured.
+        """
+        degrees = as_float("temperature", temperature)
+        low, high = self.temperature
+        if not low - _DRIFT <= degrees <= high + _DRIFT:
+            raise ValueError(
+                f"temperature must be in [{low:.4g}, {high:.4g}] °C, where {self.name} was measured, got {degrees:g}"
+            )
+        if "tensile_solid" in self._document:
+            return self._solid(degrees)
+        return load_material(self._path, temperature=degrees)
+
+    def _solid(self, degrees: float) -> StandardLinearSolid:
+        table = self._document["tensile_solid"]
+        assert self.poisson_ratio is not None
+        relaxed = table["relaxed"] / (2.0 * (1.0 + self.poisson_ratio))
+        ratio, time = (
+            float(np.exp(np.interp(degrees, _celsius(table), np.log(table[name]))))
+            for name in ("ratio", "relaxation_time")
+        )
+        return StandardLinearSolid(
+            instantaneous_modulus=relaxed * (1.0 + ratio), relaxed_modulus=relaxed, relaxation_time=time
+        )
+
+    def __repr__(self) -> str:
+        """Return what it is, whose, and what is not known of it."""
+        low, high = self.temperature
+        known = "not measured" if self.poisson_ratio is None else f"{self.poisson_ratio:.4g}"
+        return "\n".join(
+            [
+                f"{self.name}: {self.what}, {low:.4g} to {high:.4g} °C, Poisson's ratio {known}",
+                f"  citation      {self.citation}",
+                f"  read at       {self.address}",
+                f"  license       {self.license}",
+                f"  measured      {self.measured}",
+                *(f"  not measured  {text}" for text in self.not_measured),
+            ]
+        )
+
+
+def example_material(name: str) -> PublishedMaterial:
+    """Return a published material, with its citation, its range and what was not measured.
+
+    Parameters
+    ----------
+    name : {"pressure_sensitive_adhesive", "vinyl_nitrile_foam"}
+        Which; the page "Published materials" tells of each.
+
+    Returns
+    -------
+    PublishedMaterial
+        Its ``at(temperature=...)`` is what layers take.
+
+    Raises
+    ------
+    ValueError
+        For another name.
+
+    Examples
+    --------
+    >>> adhesive = example_material("pressure_sensitive_adhesive")
+    >>> modulus = adhesive.at(temperature=20.0).complex_modulus(10.0)
+    >>> print(f"{modulus.real / 1e3:.0f} kPa, tan delta {modulus.imag / modulus.real:.2f}")
+    314 kPa, tan delta 1.00
+    """
+    if name not in EXAMPLES:
+        raise ValueError(f"name must be one of {', '.join(EXAMPLES)}, got {shown(name)}")
+    path = Path(str(resources.files("viscoroll").joinpath("examples", "materials", f"{name}.toml")))
+    document = tomllib.loads(path.read_text(encoding="utf-8"))
+    degrees = _celsius(document["tensile_solid"] if "tensile_solid" in document else document["shift"])
+    texts = {key: document[key] for key in ("what", "citation", "address", "license", "measured")}
+    return PublishedMaterial(
+        name=name,
+        **texts,
+        not_measured=tuple(document["not_measured"]),
+        temperature=(float(degrees[0]), float(degrees[-1])),
+        poisson_ratio=document.get("poisson_ratio"),
+        _path=path,
+        _document=document,
+    )
+
+
+def _celsius(table: dict[str, Any]) -> Floats:
+    if "temperature_in_kelvin" in table:
+        return np.asarray(table["temperature_in_kelvin"]) - _ZERO_CELSIUS
+    return np.asarray(table["temperature"], dtype=float)

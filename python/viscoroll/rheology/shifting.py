@@ -1,0 +1,117 @@
+"""Time-temperature superposition: sweeps at several temperatures are shifted onto one master curve."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .._support.arguments import Floats, as_float, require_type
+from ..materials.shift import Shift, shift_factor
+from .alignment import shift_pairs, undetermined_pairs
+from .reading import Isotherm, RheologyData
+from .series import fit_series, time_grid
+from .shift_laws import ShiftFactors
+from .superposition import Superposition, aligned
+
+__all__ = ["superpose"]
+
+_ZERO_CELSIUS = 273.15
+
+
+def superpose(
+    data: RheologyData,
+    *,
+    reference: float,
+    factors: ShiftFactors | Shift | None = None,
+    vertical: bool = False,
+) -> Superposition:
+    """Shift sweeps at several temperatures onto one master curve.
+
+    Each sweep is first laid on its neighbor, then all are moved together until one Prony series with nonnegative
+    weights fits them best: a master curve that no passive material has costs what it lacks.
+
+    Parameters
+    ----------
+    data : RheologyData
+        At least two sweeps, with temperatures; with `factors` a temperature ramp as well.
+    reference : float
+        Temperature of the master curve [°C], between the coldest and the hottest sweep.
+    factors : ShiftFactors, WilliamsLandelFerry, Arrhenius or callable, optional
+        The caller's own, at temperatures that span the data, or a law of temperature in kelvin; nothing is fitted then.
+    vertical : bool, default False
+        Let the moduli of a sweep be divided by a factor of its own, too.
+
+    Returns
+    -------
+    Superposition
+        Master curve, shift factors, laws with intervals, and which shifts the data leave open.
+
+    Raises
+    ------
+    ValueError
+        For fewer than two sweeps, for data without temperatures, a ramp at one frequency without `factors`, and a
+        reference outside the temperatures.
+    """
+    require_type("data", data, RheologyData)
+    degrees = as_float("reference", reference)
+    sweeps = data.isotherms
+    temperature = np.array([sweep.temperature for sweep in sweeps])
+    if len(sweeps) < 2:
+        raise ValueError(f"data must hold at least 2 sweeps to be shifted, got {len(sweeps)}")
+    if np.isnan(temperature).any():
+        raise ValueError("data must have a temperature for every sweep: pass columns={'temperature': (name, unit)}")
+    if not (np.diff(temperature) > 0.0).all():
+        sweeps = _one_for_each_temperature(sweeps)
+        return superpose(replace(data, isotherms=sweeps), reference=degrees, factors=factors, vertical=vertical)
+    low, high = float(temperature[0]), float(temperature[-1])
+    if not low - 0.5 <= degrees <= high + 0.5:
+        raise ValueError(f"reference must be in [{low:g}, {high:g}] °C, where sweeps were measured, got {degrees:g}")
+    if factors is not None:
+        known = factors if isinstance(factors, ShiftFactors) else _by_law(factors, temperature)
+        return _by_hand(data, degrees, temperature, known)
+    if (ramp := data.ramp) is not None:
+        raise ValueError(
+            f"data must be of several frequencies to be shifted, got a temperature ramp at {ramp.frequency:.4g} rad/s: "
+            "give a law of the shift, as factors=vr.WilliamsLandelFerry(...), or take data.ramp.at(temperature=...), "
+            "the modulus and loss factor at that frequency"
+        )
+    anchor = int(np.argmin(np.abs(temperature - degrees)))
+    found = aligned(data, degrees, shift_pairs(sweeps), anchor, vertical=vertical)
+    return Superposition(data=data, reference=degrees, undetermined=undetermined_pairs(sweeps), anchor=anchor, **found)
+
+
+def _by_law(law: Shift, temperature: Floats) -> ShiftFactors:
+    shifts = [shift_factor(law, degrees + _ZERO_CELSIUS, "factors") for degrees in temperature.tolist()]
+    return ShiftFactors(temperature=tuple(temperature), log10_factor=tuple(np.log10(shifts)))
+
+
+def _by_hand(data: RheologyData, reference: float, temperature: Floats, factors: ShiftFactors) -> Superposition:
+    chosen = ShiftFactors(
+        temperature=tuple(temperature), log10_factor=tuple(factors(t) - factors(reference) for t in temperature)
+    )
+    given = Superposition(
+        data=data,
+        reference=reference,
+        factors=chosen,
+        vertical=(0.0,) * temperature.size,
+        scatter=np.nan,
+        undetermined=(),
+        covariance=None,
+        anchor=int(np.argmin(np.abs(temperature - reference))),
+    )
+    series = fit_series(given.frequency, given.storage, given.loss, time_grid(given.frequency, 2.0), floor=0.0)
+    return replace(given, scatter=series.scatter)
+
+
+def _one_for_each_temperature(sweeps: Sequence[Isotherm]) -> tuple[Isotherm, ...]:
+    """Join sweeps that were repeated at the same temperature."""
+    joined = []
+    for temperature in sorted({sweep.temperature for sweep in sweeps}):
+        same = [sweep for sweep in sweeps if sweep.temperature == temperature]
+        columns = [np.concatenate([getattr(s, name) for s in same]) for name in ("frequency", "storage", "loss")]
+        order = np.argsort(columns[0], kind="stable")
+        frequency, storage, loss = (column[order] for column in columns)
+        joined.append(Isotherm(temperature=temperature, frequency=frequency, storage=storage, loss=loss))
+    return tuple(joined)

@@ -1,0 +1,28 @@
+"""A table of measured moduli, as rolling takes it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._core import Extrapolation
+from .._support.arguments import Floats
+from ..materials import MasterCurve
+
+__all__ = ["tabulated"]
+
+#: Entries of a table to a decade: neighboring points of several isotherms are averaged.
+_ENTRIES_PER_DECADE = 10
+
+
+def tabulated(frequency: Floats, storage: Floats, loss: Floats, *, relaxed: float | None = None) -> MasterCurve:
+    """Return a table of ten entries to a decade at the most, geometric means of the points around them.
+
+    With a relaxed modulus [Pa], the table begins with an entry at rest.
+    """
+    cells = np.floor(np.log10(frequency) * _ENTRIES_PER_DECADE).astype(np.int64)
+    _, cells = np.unique(cells, return_inverse=True)
+    count = np.bincount(cells)
+    means = [np.exp(np.bincount(cells, np.log(values)) / count) for values in (frequency, storage, loss)]
+    rest = [] if relaxed is None else [(0.0, relaxed, 0.0)]
+    omega, real, imaginary = np.vstack([*rest, np.column_stack(means)]).T
+    return MasterCurve(omega, real, imaginary, extrapolation=Extrapolation.HOLD)

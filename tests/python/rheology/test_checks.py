@@ -1,0 +1,50 @@
+"""Checks of measured moduli: what scatter explains is not held against them, and what it does not explain is found."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import viscoroll as vr
+
+RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+
+
+def scattered(omega, storage, loss, seed, scatter=0.03):
+    generator = np.random.default_rng(seed)
+    noisy = (part * (1.0 + scatter * generator.standard_normal(omega.size)) for part in (storage, loss))
+    return SimpleNamespace(frequency=omega, **dict(zip(("storage", "loss"), noisy, strict=True)))
+
+
+@pytest.mark.parametrize("omega", [np.logspace(-4, 1, 51), np.logspace(-1, 2, 31)], ids=["on a plateau", "rising"])
+def test_scatter_of_3_percent_is_no_fall_of_the_storage_modulus(omega):
+    """Of 40 sweeps of a passive rubber none to two are refused by each check, for its limit is no certainty."""
+    modulus = RUBBER.complex_modulus(omega)
+    refused = np.zeros(3)
+    for seed in range(40):
+        curve = scattered(omega, modulus.real, modulus.imag, seed)
+        refused += [not check.passed for check in vr.check_modulus(curve)]
+    assert (refused <= 2).all()
+
+
+def test_a_fall_that_scatter_does_not_explain_is_found():
+    """By a fifth over three decades, six times the scatter, in each of 40 sweeps."""
+    omega = np.logspace(-1, 2, 31)
+    falling = 1e6 * np.linspace(1.0, 0.8, omega.size)
+    for seed in range(40):
+        monotony = vr.check_modulus(scattered(omega, falling, np.full(omega.size, 1e5), seed))[2]
+        assert not monotony.passed
+        assert "where points that scatter by" in monotony.message
+
+
+def test_limits_without_scatter_are_as_they_were():
+    """One point in a smooth curve that lies 3 % low is told, one that lies 1 % low is let pass."""
+    omega = np.logspace(-1, 2, 31)
+    modulus = RUBBER.complex_modulus(omega)
+    for depth, passes in ((0.03, False), (0.01, True)):
+        storage = modulus.real.copy()
+        storage[-3] *= 1.0 - depth
+        check = vr.check_modulus(SimpleNamespace(frequency=omega, storage=storage, loss=modulus.imag))[2]
+        assert check.passed is passes
+        assert check.limit == pytest.approx(0.02)

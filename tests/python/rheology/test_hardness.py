@@ -1,0 +1,53 @@
+"""What data sheets give, hardness and rebound, with the spread that it has."""
+
+from __future__ import annotations
+
+import pytest
+import viscoroll as vr
+from scipy.integrate import solve_ivp
+
+
+def kept(loss_factor):
+    """Return the share of its energy that a mass keeps which strikes a spring and a dashpot until their force is gone.
+
+    The mass and the spring are 1, the dashpot the loss factor at the frequency 1 of both.
+    """
+
+    def force(_, state):
+        return -state[0] - loss_factor * state[1]
+
+    def gone(time, state):
+        return force(time, state)
+
+    gone.terminal, gone.direction = True, 1.0
+    found = solve_ivp(
+        lambda t, s: [s[1], force(t, s)], (0.0, 10.0), [0.0, 1.0], events=gone, rtol=1e-10, atol=1e-12, max_step=0.05
+    )
+    return found.y[1, -1] ** 2
+
+
+@pytest.mark.parametrize("rebound", [0.05, 0.2, 0.55, 0.9])
+def test_spread_of_a_rebound_holds_both_ends_of_the_blow(rebound):
+    """A blow until the force is gone, integrated by itself; half a percent is what data sheets leave."""
+    loss = vr.rebound_to_loss_factor(rebound)
+    assert loss.unit == "1"
+    assert loss.lower < loss.value < loss.upper
+    assert kept(loss.upper) == pytest.approx(rebound - 0.005, abs=1e-6)
+
+
+def test_spread_of_a_rebound_at_the_ends_of_its_range():
+    assert vr.rebound_to_loss_factor(0.999).lower == 0.0
+    assert vr.rebound_to_loss_factor(0.02).upper < 2.0  # what `LossFactor` takes
+
+
+def test_hardness_beyond_shore_a_names_shore_d():
+    """Where Qi, Joyce and Boyce let both scales meet, S = S_A = S_D + 50."""
+    with pytest.raises(
+        ValueError, match=r"got 95; give what is harder in Shore D, where 95 Shore A is about 45: scale='D'"
+    ):
+        vr.hardness_to_modulus(95.0)
+    with pytest.raises(ValueError, match=r"hardness must be in \[20, 90\] Shore A, got 101$"):
+        vr.hardness_to_modulus(101.0)
+    hard, soft = vr.hardness_to_modulus(45.0, scale="D"), vr.hardness_to_modulus(90.0)
+    assert soft.value < hard.value
+    assert hard.upper / hard.lower == pytest.approx(4.0)

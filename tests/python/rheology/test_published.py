@@ -1,0 +1,91 @@
+"""Published materials: each says whose it is and what is not known, and is what its source says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll.case import example_text, load_case
+from viscoroll.rheology.published import EXAMPLES
+
+PAGE = (Path(__file__).parents[3] / "docs" / "published-materials.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_each_says_whose_it_is_and_what_is_not_known(name):
+    material = vr.example_material(name)
+    said = repr(material)
+    for text in (material.citation, material.address, material.license, material.measured, *material.not_measured):
+        assert text
+        assert text in said
+    assert any("density" in text for text in material.not_measured)
+    assert (material.poisson_ratio is None) == any(text == "Poisson's ratio" for text in material.not_measured)
+    assert f'"{name}"' in PAGE
+    low, high = material.temperature
+    with pytest.raises(ValueError, match=rf"temperature must be in .* °C, where {name} was measured, got 500"):
+        material.at(temperature=500.0)
+    for degrees in np.linspace(low, high, 7):
+        modulus = material.at(temperature=degrees).complex_modulus([0.0, 1.0, 100.0])
+        assert (modulus.real > 0.0).all()
+        assert (modulus.imag[1:] > 0.0).all()
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_each_rolls(name):
+    material = vr.example_material(name)
+    ratio = 0.5 if material.poisson_ratio is None else material.poisson_ratio
+    layer = vr.Layer(thickness=2e-3, shear_modulus=material.at(temperature=20.0), poisson_ratio=ratio)
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    assert vr.solve(ball, load=0.1, angular_speed=0.5, accuracy=0.1).rolling_resistance_coefficient > 0.0
+
+
+def test_the_adhesive_is_what_its_data_give():
+    """Made by the chain that the tutorial shows, from the data of the package."""
+    data = vr.read_rheology(vr.example_data("pressure_sensitive_adhesive.txt"), tensile=False)
+    curve = vr.superpose(data.between(-35.0, 160.0), reference=20.0)
+    omega = np.geomspace(1e-2, 1e4, 13)
+    for degrees in (0.0, 20.0, 60.0):
+        stored = vr.example_material("pressure_sensitive_adhesive").at(temperature=degrees).complex_modulus(omega)
+        # The least-squares fit of the shifts ends within 1e-6 decades, elsewhere than on this machine, too.
+        np.testing.assert_allclose(stored, curve.at(temperature=degrees).complex_modulus(omega), rtol=1e-3)
+
+
+def test_the_foam_is_the_standard_linear_solid_of_its_source():
+    """At 293.1633 K: E = 24 545.2584 Pa (1 + 335.98 iωτ / (1 + iωτ)), τ = 0.22769 s, Poisson's ratio 0.22825."""
+    foam = vr.example_material("vinyl_nitrile_foam")
+    modulus = foam.at(temperature=293.1633333 - 273.15)
+    assert foam.poisson_ratio == 0.228250439894909
+    omega = np.array([0.0, 1.0, 10.0])
+    relaxing = 1j * omega * 0.227690381
+    expected = 24545.2584 * (1.0 + 335.9818859 * relaxing / (1.0 + relaxing)) / (2.0 * 1.228250439894909)
+    np.testing.assert_allclose(modulus.complex_modulus(omega), expected, rtol=1e-9)
+    between = foam.at(temperature=15.0).relaxation_time
+    assert 0.227690381 < between < 0.266141201
+
+
+def test_another_name():
+    with pytest.raises(
+        ValueError, match="name must be one of pressure_sensitive_adhesive, vinyl_nitrile_foam, got 'NR'"
+    ):
+        vr.example_material("NR")
+
+
+def test_in_a_case_file(tmp_path):
+    text = example_text().split("[ball.layers.shear_modulus]")[0]
+    text += 'shear_modulus = { type = "published", name = "vinyl_nitrile_foam", temperature = 20.0 }\n'
+    path = tmp_path / "case.toml"
+    path.write_text(text + "[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
+    assert load_case(path).ball.layers[0].shear_modulus == vr.example_material("vinyl_nitrile_foam").at(
+        temperature=20.0
+    )
+    path.write_text(path.read_text(encoding="utf-8").replace("20.0 }", "90.0 }"), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"temperature must be in \[-20, 60\] °C, where vinyl_nitrile_foam was"):
+        load_case(path)
+
+
+def test_the_page_says_how_many_there_are():
+    assert re.search(r"There are two", PAGE)
+    assert len(EXAMPLES) == 2

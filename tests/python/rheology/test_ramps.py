@@ -1,0 +1,147 @@
+"""A temperature ramp at one frequency, as most laboratories send it: what it gives, and what it cannot give."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from specimens import command
+from viscoroll.rheology import TemperatureRamp
+
+#: Two relaxations eight decades apart and what lies between, by a law that is known.
+RUBBER = vr.Prony(instantaneous_modulus=1e9, weights=[0.1] * 9 + [0.099], relaxation_times=np.logspace(-7, 2, 10))
+LAW = vr.WilliamsLandelFerry(c1=12.0, c2=90.0, reference_temperature=303.15)
+FREQUENCY = 2.0 * np.pi
+
+
+def modulus(temperature, frequency=FREQUENCY):
+    return RUBBER.complex_modulus(frequency * LAW(temperature + 273.15))
+
+
+def written(path, step, *, noise=0.0, frequencies=(FREQUENCY,), head="Temperature,Frequency"):
+    """Write a ramp from 0 to 80 °C as instruments do: the temperature rises all the while."""
+    generator = np.random.default_rng(3)
+    temperature = np.arange(0.0, 80.0 + 0.5 * step, step)
+    rows = [f"{head},Storage modulus,Loss modulus", "°C,Hz,MPa,MPa" if "," in head else "°C,MPa,MPa"]
+    for number, degrees in enumerate(temperature):
+        frequency = frequencies[number % len(frequencies)]
+        value = 3.0 * complex(modulus(degrees, frequency)) * (1.0 + noise * generator.standard_normal())
+        hertz = [f"{frequency / 2.0 / np.pi:.5g}"] if "," in head else []
+        rows.append(",".join([f"{degrees:.2f}", *hertz, f"{value.real / 1e6:.6g}", f"{value.imag / 1e6:.6g}"]))
+    path.write_text("\n".join(rows), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("step", [0.2, 0.7, 2.5])  # gaps below and above those that tell sweeps apart
+def test_a_ramp_is_seen_as_one_and_says_what_it_gives(tmp_path, step):
+    data = vr.read_rheology(written(tmp_path / "ramp.csv", step), tensile=True)
+    ramp = data.ramp
+    assert isinstance(ramp, TemperatureRamp)
+    assert ramp.frequency == pytest.approx(FREQUENCY)
+    assert ramp.temperature.size == round(80.0 / step) + 1
+    np.testing.assert_allclose(ramp.storage, modulus_over(ramp.temperature).real, rtol=1e-2)  # of 0.005 °C, as printed
+    said = repr(data)
+    assert said.splitlines()[0].startswith("RheologyData of ramp.csv: a temperature ramp at one frequency, 6.283 rad/s")
+    assert "it cannot give how they depend on frequency" in said
+    assert len(said.splitlines()) < 7
+
+
+def modulus_over(temperature):
+    return np.array([complex(modulus(degrees)) for degrees in temperature])
+
+
+def test_no_shift_is_fitted_to_a_ramp(tmp_path):
+    data = vr.read_rheology(written(tmp_path / "ramp.csv", 2.5), tensile=True)
+    with pytest.raises(
+        ValueError, match=r"got a temperature ramp at 6.283 rad/s: give a law of the shift, as factors="
+    ):
+        vr.superpose(data, reference=30.0)
+
+
+def test_a_law_makes_a_master_curve_of_a_ramp_and_the_checks_judge_it(tmp_path):
+    data = vr.read_rheology(written(tmp_path / "ramp.csv", 1.0, noise=0.003), tensile=True)
+    curve = vr.superpose(data, reference=30.0, factors=LAW)
+    omega = np.geomspace(1e-2, 1e5, 15)
+    true, found = RUBBER.complex_modulus(omega), curve.fit.series.complex_modulus(omega)
+    np.testing.assert_allclose(np.abs(found), np.abs(true), rtol=0.03)
+    assert all(check.passed for check in vr.check_modulus(curve))
+    # With twice the activation, storage changes half as fast with frequency as its loss says.
+    wrong = vr.WilliamsLandelFerry(c1=24.0, c2=90.0, reference_temperature=303.15)
+    causal, passive, _ = vr.check_modulus(vr.superpose(data, reference=30.0, factors=wrong))
+    assert not causal.passed
+    assert not passive.passed
+    # A table of factors is the same.
+    table = vr.ShiftFactors(
+        temperature=(0.0, 30.0, 80.0), log10_factor=[np.log10(LAW(t + 273.15)) for t in (0, 30, 80)]
+    )
+    ends = vr.superpose(data, reference=30.0, factors=table).factors.log10_factor
+    assert (ends[0], ends[-1]) == pytest.approx([np.log10(LAW(t + 273.15)) for t in (0, 80)])
+
+
+def test_modulus_and_loss_factor_of_a_ramp_at_a_temperature(tmp_path):
+    ramp = vr.read_rheology(written(tmp_path / "ramp.csv", 0.5), tensile=True).ramp
+    found, true = ramp.at(temperature=41.25), complex(modulus(41.25))
+    assert found.modulus == pytest.approx(true.real, rel=1e-2)
+    assert found.loss_factor == pytest.approx(true.imag / true.real, rel=1e-2)
+    assert complex(found.complex_modulus(FREQUENCY)) == pytest.approx(true, rel=2e-2)
+    peak = np.linspace(0.0, 80.0, 801)
+    tan_delta = modulus_over(peak).imag / modulus_over(peak).real
+    assert ramp.loss_peak == pytest.approx(peak[np.argmax(tan_delta)], abs=0.5)
+    with pytest.raises(ValueError, match=r"temperature must be in \[0, 80\] °C, where it was measured, got 90"):
+        ramp.at(temperature=90.0)
+
+
+def test_frequencies_that_are_stepped_through_while_it_heats_are_sweeps(tmp_path):
+    steps = tuple(FREQUENCY * np.array([1.0, 3.0, 10.0]))
+    data = vr.read_rheology(written(tmp_path / "ramp.csv", 0.2, frequencies=steps), tensile=True)
+    assert data.ramp is None
+    assert {sweep.frequency.size for sweep in data.isotherms[:-1]} == {3}
+
+
+def test_a_ramp_without_a_column_of_the_frequency(tmp_path):
+    path = written(tmp_path / "ramp.csv", 2.0, head="Temperature")
+    with pytest.raises(ValueError, match=r"no column of the frequency, as a ramp at one: pass frequency=... in rad/s"):
+        vr.read_rheology(path, tensile=True)
+    assert vr.read_rheology(path, tensile=True, frequency=FREQUENCY).ramp.frequency == pytest.approx(FREQUENCY)
+    with pytest.raises(ValueError, match="frequency must be > 0 rad/s and finite, got -1"):
+        vr.read_rheology(path, tensile=True, frequency=-1)
+    with pytest.raises(ValueError, match="frequency must be left out where the file has a column of it, got 5 rad/s"):
+        vr.read_rheology(written(tmp_path / "with.csv", 2.0), tensile=True, frequency=5.0)
+
+
+def test_a_ramp_from_the_shell(tmp_path):
+    written(tmp_path / "ramp.csv", 2.5)
+
+    def answered(*words):
+        done = command("material", "ramp.csv", "--tensile", *words, cwd=tmp_path)
+        return done.returncode, done.stdout, done.stderr
+
+    code, said, _ = answered("--at", 40)
+    assert code == 0
+    assert "a temperature ramp at one frequency" in said.splitlines()[0]
+    assert "undetermined" not in said
+    assert "shear_modulus = { type = 'loss_factor', modulus = " in said
+    assert answered()[0] == 0
+    assert answered("--save", "m.toml")[2].endswith("a law of the shift alone: give --factors or --wlf\n")
+    code, said, _ = answered("--reference", 30, "--wlf", "12,90,30", "--save", "m.toml")
+    assert code == 0
+    assert "undetermined" not in said
+    omega = np.geomspace(1e-1, 1e4, 6)
+    table = vr.load_material(tmp_path / "m.toml", temperature=50.0).complex_modulus(omega)
+    np.testing.assert_allclose(np.abs(table), np.abs(RUBBER.complex_modulus(omega * LAW(323.15))), rtol=0.1)
+    assert answered("--wlf", "12,90")[2] == "viscoroll: --wlf must be C1,C2,T_r, as 17.44,51.6,-65, got '12,90'\n"
+
+
+def test_an_unknown_column_may_be_the_frequency(tmp_path):
+    """A table of several frequencies is not taken for a ramp at one unless that is said."""
+    path = tmp_path / "export.csv"
+    path.write_text(
+        "Température;Fréquence;G';G''\n" + "".join(f"{t};{f};{t + f};1\n" for t in (20, 40) for f in (1, 10))
+    )
+    columns = {"temperature": ("Température", "C"), "storage": ("G'", "Pa"), "loss": ("G''", "Pa")}
+    with pytest.raises(ValueError, match=r"or columns=\{\"frequency\".* if it is one of 'Fréquence'$"):
+        vr.read_rheology(path, columns=columns)
+    data = vr.read_rheology(path, columns=columns | {"frequency": ("Fréquence", "Hz")})
+    assert [sweep.frequency.size for sweep in data.isotherms] == [2, 2]
+    path.write_text("Temperatur [°C];Frequenz [Hz];G' [Pa];G'' [Pa]\n20;1;3;1\n20;10;4;1\n40;1;2;1\n40;10;3;1\n")
+    assert vr.read_rheology(path).ramp is None
