@@ -34,23 +34,31 @@ _SYNONYMS = (
     ("tau", "relaxation_time", ""),
     ("tau taus", "relaxation_times", ""),
     ("tan_delta tandelta", "loss_factor", ""),
+    ("hardness shore durometer", "shear_modulus", "hardness_to_modulus(...).value"),
+    ("rebound resilience", "loss_factor", "rebound_to_loss_factor(...).value"),
     ("R radius r_o outer_radius", "core_radius", "outer radius - thickness of the layers"),
     ("D diameter", "core_radius", "diameter / 2 - thickness of the layers"),
-    ("layer coating coatings tread tire tyre", "layers", ""),
+    ("layer coating coatings tread tire tyre cover", "layers", ""),
+    ("thickness shear_modulus poisson_ratio", "layers", "[Layer(...)]"),
     ("hub_radius", "core_radius", ""),
     ("w b breadth", "width", ""),
     ("R_c crown crowning", "crown_radius", ""),
     ("P F W force normal_force normal_load weight", "load", ""),
-    ("V v speed velocity linear_speed", "angular_speed", "V / r_o"),
+    ("mass", "load", "9.81 mass"),
+    ("V v speed velocity linear_speed belt_speed", "angular_speed", "V / r_o"),
     ("omega w angular_velocity", "angular_speed", ""),
     ("rpm", "angular_speed", "2 pi rpm / 60"),
+    ("V v speed velocity", "way", "V time"),
+    ("displacement distance path", "way", ""),
     ("mu friction_coefficient coefficient_of_friction", "friction", ""),
     (
         "torque creepage driving_force driving_torque",
         "drive",
         "Drive(force=...), Drive(torque=...) or Drive(creepage=...)",
     ),
-    ("plane ground groove counterpart counterface", "on", ""),
+    ("plane belt ground groove counterpart counterface", "on", ""),
+    ("belt ground floor mat", "plane", ""),
+    ("ball2 ball_2 second_ball", "other_ball", ""),
     ("tol rtol tolerance", "accuracy", ""),
     ("n nodes", "nodes_per_revolution", ""),
 )
@@ -114,7 +122,7 @@ def _is_of_the_call(error: TypeError) -> bool:
 
 
 def _message(function: str, unknown: list[str], known: list[str]) -> str:
-    guesses = [guess for name in unknown if (guess := meant(name, known))]
+    guesses = list(dict.fromkeys(guess for name in unknown if (guess := meant(name, known))))
     names = ", ".join(name for name in known if name != "self")
     told = f"did you mean {', '.join(guesses)}?" if guesses else f"it has {names}"
     given = ", ".join(map(repr, unknown))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import as_positive, require_type
+from .._support.arguments import as_float_array, as_positive, require_type
 from .._support.extras import extra
 from ..materials import StandardLinearSolid
 from ._inputs import Floats, plain, poisson, positives
@@ -30,11 +30,51 @@ class HunterContact:
         Where the middle between them lies ahead of the lowest point [m].
     moment : float or ndarray
         M = Σ x p per length [N], the rolling resistance times R.
+    load : float or ndarray
+        P per length [N/m].
+    relaxation_length : float or ndarray
+        l = V τ, the way of the material in its relaxation time [m].
+    chebyshev : tuple of float or ndarray
+        c₀, c₁ and c₂ of g √(1-t²) = c₀ + c₁ t + c₂ (2t²-1) [Pa], g = p + l p', t = ∓1 at the leading and the trailing
+        edge.
     """
 
     half_width: Floats
     center: Floats
     moment: Floats
+    load: Floats
+    relaxation_length: Floats
+    chebyshev: tuple[Floats, Floats, Floats]
+
+    def pressure(self, x: ArrayLike) -> Floats:
+        """Pressure at a place: what g leaves of itself, p = ∫ g exp(-(ξ-s)/l) ds/l from the leading edge on.
+
+        Parameters
+        ----------
+        x : array_like
+            Ahead of the lowest point [m], of a shape that broadcasts with that of the half width.
+
+        Returns
+        -------
+        float or ndarray
+            p [Pa], 0 outside of the contact.
+        """
+        per_length = np.asarray(self.half_width) / np.asarray(self.relaxation_length)
+        t = (np.asarray(self.center) - as_float_array("x", x)) / np.asarray(self.half_width)
+        inside = np.clip(t, -1.0, 1.0)
+        # With t = -cos θ the roots at both edges are gone. Memory of more than 40 l ahead is less than round-off.
+        last, first = np.arccos(-inside), np.arccos(-np.maximum(inside - _MEMORY / per_length, -1.0))
+        points, weights = np.polynomial.legendre.leggauss(_POINTS)
+        angles = np.multiply.outer(0.5 * (points + 1.0), last - first) + first
+        earlier = -np.cos(angles)
+        c0, c1, c2 = (np.asarray(c) for c in self.chebyshev)
+        traction = c0 + c1 * earlier + c2 * np.cos(2.0 * angles)
+        kept = traction * np.exp(per_length * (earlier - inside))
+        return plain(0.5 * per_length * (last - first) * np.tensordot(weights, kept, axes=1) * (abs(t) < 1.0))
+
+
+#: Relaxation lengths, and points of Gauss for an exponential over so many, to 1e-12.
+_MEMORY, _POINTS = 40.0, 64
 
 
 def hunter(
@@ -79,7 +119,7 @@ def hunter(
     Returns
     -------
     HunterContact
-        Width, place and moment.
+        Width, place, moment and pressure.
 
     Raises
     ------
@@ -100,6 +140,8 @@ def hunter(
     >>> contact = hunter(load=5e3, speed=0.05, radius=50e-3, shear_modulus=rubber, poisson_ratio=0.5)
     >>> f"{contact.moment:.3f} N, {contact.half_width * 1e3:.3f} mm"
     '4.267 N, 3.791 mm'
+    >>> f"{contact.pressure(0.0) / 1e6:.4f} MPa"
+    '0.7982 MPa'
     """
     force, velocity = np.broadcast_arrays(positives("load", load, "N/m"), positives("speed", speed, "m/s"))
     size, nu = as_positive("radius", radius, "m"), poisson(poisson_ratio)
@@ -114,7 +156,15 @@ def hunter(
     # ξ₀, and the moments of p and g: -M = (l + ξ₀) P - (stiffness / 2) a² c₁.
     center = shift - solid.ratio * length
     moment = 0.5 * solid.stiffness * a**2 * shift - (length + center) * force
-    return HunterContact(half_width=plain(a), center=plain(-center), moment=plain(moment))
+    pressures = (force / (np.pi * a), -solid.stiffness / np.pi * shift, -0.5 * solid.stiffness / np.pi * a)
+    return HunterContact(
+        half_width=plain(a),
+        center=plain(-center),
+        moment=plain(moment),
+        load=plain(force),
+        relaxation_length=plain(length),
+        chebyshev=(plain(pressures[0]), plain(pressures[1]), plain(pressures[2])),
+    )
 
 
 @dataclass(frozen=True, slots=True)

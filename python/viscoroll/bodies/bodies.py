@@ -10,9 +10,9 @@ from typing import ClassVar, TypeAlias, get_args
 
 from .. import _core
 from .._core import InnerBoundary
-from .._support.arguments import require_type
+from .._support.arguments import as_member, require_type, store_floats
 from .layered import LayeredBody, RoundBody
-from .layers import HalfSpace, Layer
+from .layers import HalfSpace, Layer, as_layers
 from .wheel import CoatedWheel
 
 __all__ = [
@@ -38,8 +38,9 @@ class CoatedSphere(RoundBody):
     layers : sequence of Layer
         From the center outwards; with none a rigid ball, which rolls on what deforms.
     inner_boundary : InnerBoundary or str, default InnerBoundary.RIGID
-        What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID). Without a
-        core, the mean rotation of the coating is taken to be zero, for no other can be told from turning the ball.
+        What lies within: a rigid core, a cavity (HOLLOW), or nothing, the layers reaching the center (SOLID), as they
+        do where no radius of a core is given. Without a core, the mean rotation of the coating is taken to be zero, for
+        no other can be told from turning the ball.
 
     Examples
     --------
@@ -55,6 +56,14 @@ class CoatedSphere(RoundBody):
 
     noun = "ball"
     _choices: ClassVar[dict[str, type[Enum]]] = {"inner_boundary": InnerBoundary}
+
+    def __post_init__(self) -> None:
+        """Take layers without a core for a solid ball, and check the parameters."""
+        store_floats(self, self._lengths)
+        boundary = as_member("inner_boundary", self.inner_boundary, InnerBoundary)
+        if boundary is InnerBoundary.RIGID and self.core_radius == 0.0 and as_layers(self.layers):
+            object.__setattr__(self, "inner_boundary", InnerBoundary.SOLID)
+        RoundBody.__post_init__(self)
 
     def _to_core(self) -> _core.CoatedSphere:
         return _core.CoatedSphere(

@@ -14,7 +14,7 @@ from ..materials import ShearModulusLike
 from ..materials.moduli import to_core
 from .layers import Layer, at_rest
 
-__all__ = ["si_hint", "si_hints"]
+__all__ = ["si_hint", "si_hints", "unit_doubt"]
 
 
 class _Layered(Protocol):
@@ -39,6 +39,17 @@ def si_hint(body: _Layered, on: _Layered | None = None) -> str:
     """Return how implausible lengths and moduli of what rolls, and what it rolls on, read in SI units, or nothing."""
     doubtful = [*_doubtful(body, ""), *([] if on is None else _doubtful(on, "on."))]
     return f"viscoroll takes SI units: {', '.join(doubtful)}" if doubtful else ""
+
+
+def unit_doubt(body: _Layered, on: _Layered | None = None) -> str:
+    """Return what to ask of a result whose lengths or moduli no product has, or nothing."""
+    hint = si_hint(body, on)
+    meant = [name for name, unit in (("millimeters", " m"), ("megapascals", " Pa at rest")) if _holds(hint, unit)]
+    return f"{hint}; were {' and '.join(meant)} meant?" if hint else ""
+
+
+def _holds(hint: str, unit: str) -> bool:
+    return any(part.endswith(unit) for part in hint.split(", "))
 
 
 @contextmanager

@@ -27,10 +27,10 @@ class CoatedWheel(RoundBody):
     ----------
     core_radius : float
         Radius of the hub, in the middle [m], > 0.
-    layers : sequence of Layer
-        From the hub outwards, as thick as they are in the middle; none: a rigid wheel.
     width : float
         Of the tread, from face to face [m], > 0.
+    layers : sequence of Layer
+        From the hub outwards, as thick as they are in the middle; none: a rigid wheel.
     crown_radius : float, default infinity
         Radius of the tread's profile across the path [m], at least half of the width: its middle stands out. Infinite:
         a flat tread.
@@ -53,8 +53,8 @@ class CoatedWheel(RoundBody):
     """
 
     core_radius: float
-    layers: Sequence[Layer]
     width: float
+    layers: Sequence[Layer] = ()
     crown_radius: float = math.inf
     hub: Hub = Hub.STRAIGHT
     sides: Sides = Sides.FREE

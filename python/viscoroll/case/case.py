@@ -39,9 +39,20 @@ from ..interior import (
     temperature,
 )
 from ..materials import Arrhenius, WilliamsLandelFerry
-from ..rheology import LossFactor, hardness_to_modulus, load_material, rebound_to_loss_factor
+from ..rheology import LossFactor, example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
 from ..rolling import Result, solve
-from .tables import ByName, FileName, StrictTable, Table, checked, errors_in, in_folder, read_columns, read_toml
+from .tables import (
+    ByName,
+    FileName,
+    FileTables,
+    StrictTable,
+    Table,
+    checked,
+    errors_in,
+    in_folder,
+    read_columns,
+    read_toml,
+)
 
 with extra("cli"):
     from pydantic import BeforeValidator, Field, ValidationInfo
@@ -60,13 +71,22 @@ __all__ = [
 
 
 def _measured(
-    *, file: Path, temperature: float | None = None, form: Literal["table", "prony"] = "table"
+    *,
+    file: Path,
+    temperature: float | None = None,
+    form: Literal["table", "prony"] = "table",
+    draw: int | None = None,
 ) -> materials.MasterCurve | materials.Prony:
     """Return a material of `viscoroll material`."""
     try:
-        return load_material(file, temperature=temperature, form=form)
+        return load_material(file, temperature=temperature, form=form, draw=draw)
     except OSError as error:
         raise ValueError(f"material {file}: {error.strerror}") from None
+
+
+def _published(*, name: str, temperature: float) -> materials.ShearModulus:
+    """Return a material that others measured and published."""
+    return example_material(name).at(temperature=temperature)
 
 
 def _of_data_sheet(
@@ -87,7 +107,7 @@ def _of_data_sheet(
         return materials.Elastic(modulus=modulus)
     if reference_frequency is None:
         raise ValueError("reference_frequency must be given with a rebound: where both hold, in rad/s")
-    return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound), **given)
+    return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound).value, **given)
 
 
 def _with_columns(table: dict[str, Any], info: ValidationInfo, *, what: str, names: tuple[str, ...]) -> dict[str, Any]:
@@ -157,6 +177,7 @@ _Linear: TypeAlias = Annotated[
     ]
     | Annotated[LossFactor, Table("loss_factor")]
     | Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)]
+    | Annotated[materials.ShearModulus, Table("published", _published)]
     | Annotated[materials.ShearModulus, Table("measured", _measured, file=FileName, temperature=float)],
     Field(discriminator="type"),
 ]
@@ -264,7 +285,7 @@ class Thermal(StrictTable):
         return temperature(result, **cooling, progress=progress)
 
 
-class PairTables(StrictTable):
+class PairTables(FileTables):
     """Base of a file: what rolls, one of `BODIES`, and at most one of `COUNTERPARTS`, what it rolls on."""
 
     ball: _Ball | None = None
@@ -396,7 +417,7 @@ def build_case(document: dict[str, Any], folder: Path) -> Case:
     )
 
 
-def example_text(name: Literal["case", "sweep", "motion", "measured"] = "case") -> str:
-    """Return the example of a case file, a motion, the table that makes a study of a case, or of measurements."""
+def example_text(name: Literal["case", "sweep", "design", "motion", "measured"] = "case") -> str:
+    """Return the example of a case file, a motion, measurements, or a table that makes a study or design of a case."""
     file = f"examples/{name}.{'csv' if name == 'measured' else 'toml'}"
     return resources.files("viscoroll").joinpath(file).read_text(encoding="utf-8")

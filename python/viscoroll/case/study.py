@@ -12,9 +12,11 @@ from typing import Any, Literal
 import numpy as np
 
 from .._support.extras import extra
+from .._support.intervals import as_confidence
 from .._support.text import shown
 from .._support.units import UNITS
 from ..bodies import Counterpart, RollingBody
+from ..rolling.propagation import Pair
 from ..studies.dimensions import Dimension
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERPARTS, Case, build_case
@@ -29,6 +31,14 @@ __all__ = ["load_study", "place_of", "substituted"]
 _PLACE = re.compile(r"\w+(\[\d+\])*(\.\w+(\[\d+\])*)*")
 
 _Place = tuple[str | int, ...]
+
+
+class _Draws(StrictTable):
+    """Materials of a file that have draws, by their places, and what intervals are wanted."""
+
+    of: list[str]
+    by: Literal["linear", "solve"] = "linear"
+    confidence: float = 0.95
 
 
 class _Range(StrictTable):
@@ -58,7 +68,8 @@ def load_study(path: str | Path) -> Plan:
     ----------
     path : path-like
         A case file with a table ``sweep``. Its keys are places in the file, its values lists of numbers, or tables
-        ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``.
+        ``{ from = ..., to = ..., count = ..., scale = "linear" or "log" }``. A table ``draws`` has under ``of`` the
+        places of measured materials whose files keep draws: results have intervals then.
 
     Returns
     -------
@@ -81,19 +92,23 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
         raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
+    draws = checked(_Draws, document.pop("draws")) if "draws" in document else None
     places = [place_of(key) for key in table]
     values = [_values(key, entry) for key, entry in table.items()]
     dimensions = [
         Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
         for name, place, numbers in zip(_names(places), places, values, strict=True)
     ]
-    return _plan(document, folder, places, dimensions)
+    return _plan(document, folder, places, dimensions, draws)
 
 
-def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension]) -> Plan:
+def _plan(
+    document: dict[str, Any], folder: Path, places: list[_Place], dimensions: list[Dimension], draws: _Draws | None
+) -> Plan:
     cases: list[LoadCase | str] = []
     balls: dict[tuple[float, ...], RollingBody] = {}
     counterparts: dict[tuple[float, ...], Counterpart | None] = {}
+    drawn: dict[tuple[int, int], tuple[Pair, ...]] = {}
     for point in itertools.product(*(dimension.values for dimension in dimensions)):
         chosen = dict(zip(places, point, strict=True))
         try:
@@ -104,12 +119,43 @@ def _plan(document: dict[str, Any], folder: Path, places: list[_Place], dimensio
         # Points of the same bodies share them, and with them their tables.
         ball = balls.setdefault(_numbers_in(BODIES, chosen), case.ball)
         on = counterparts.setdefault(_numbers_in(COUNTERPARTS, chosen), case.on)
-        cases.append(LoadCase(ball=ball, arguments=_arguments(case) | {"on": on}))
+        if draws is not None and (id(ball), id(on)) not in drawn:
+            drawn[id(ball), id(on)] = _drawn(substituted(document, chosen), folder, [place_of(key) for key in draws.of])
+        pairs = drawn.get((id(ball), id(on)), ())
+        cases.append(LoadCase(ball=ball, arguments=_arguments(case) | {"on": on}, draws=pairs))
     every = [case.arguments for case in cases if isinstance(case, LoadCase)]
     names = {dimension.name for dimension in dimensions}
     same = {k: v for k, v in (every[0] if every else {}).items() if all(other[k] == v for other in every)}
     fixed = {name: value for name, value in same.items() if name not in names}
-    return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases))
+    intervals = {} if draws is None else {"way": draws.by, "confidence": as_confidence(draws.confidence)}
+    return Plan(dimensions=tuple(dimensions), fixed=fixed, cases=tuple(cases), **intervals)  # type: ignore[arg-type]
+
+
+def _drawn(document: dict[str, Any], folder: Path, places: list[_Place]) -> tuple[Pair, ...]:
+    """Return both bodies with each draw of the materials at some places, which go together."""
+    counts = {_text(place): _count_draws(document, folder, place) for place in places}
+    if len(set(counts.values())) != 1:
+        told = ", ".join(f"{count} at {place}" for place, count in counts.items()) or "no place"
+        raise ValueError(f"draws.of must be materials with as many draws each, got {told}")
+    cases = (
+        build_case(substituted(document, {(*place, "draw"): draw for place in places}), folder)
+        for draw in range(next(iter(counts.values())))
+    )
+    return tuple((case.ball, case.on) for case in cases)
+
+
+def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
+    """Return how many draws the file of a material keeps; refuse what is no measured material."""
+    material: Any = document
+    try:
+        for part in place:
+            material = material[part]
+        file = folder / material["file"]
+        return len(read_toml(file)["draws"]["instantaneous_modulus"])
+    except (IndexError, KeyError, TypeError):
+        raise ValueError(
+            f'draws.of must name tables of measured materials whose files keep draws, got "{_text(place)}"'
+        ) from None
 
 
 def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_Place, float]) -> tuple[float, ...]:

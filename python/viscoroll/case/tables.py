@@ -9,15 +9,15 @@ from __future__ import annotations
 import csv
 import inspect
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from difflib import get_close_matches
 from enum import Enum
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 
 from .._support.extras import extra
+from .._support.keywords import meant as meant_by
 from .._support.text import one_line, shown
 
 with extra("cli"):
@@ -30,12 +30,14 @@ with extra("cli"):
         ValidationError,
         ValidationInfo,
         create_model,
+        model_validator,
     )
     from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 __all__ = [
     "ByName",
     "FileName",
+    "FileTables",
     "StrictTable",
     "Table",
     "checked",
@@ -43,6 +45,7 @@ __all__ = [
     "in_folder",
     "read_columns",
     "read_toml",
+    "skipped_in",
 ]
 
 _Model = TypeVar("_Model", bound="StrictTable")
@@ -55,6 +58,36 @@ class StrictTable(BaseModel):
     """A table of the file: unknown keys and wrong types are errors."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+
+#: Tables that not every command reads, and which does.
+_COMMANDS = {
+    "rolling": "viscoroll solve",
+    "thermal": "viscoroll solve",
+    "motion": "viscoroll roll",
+    "sweep": "viscoroll sweep",
+    "design": "viscoroll design",
+}
+
+
+class FileTables(StrictTable):
+    """Base of a whole file: tables of other commands are skipped, for one file may serve several."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _own(cls, document: dict[str, Any]) -> dict[str, Any]:
+        return {name: table for name, table in document.items() if name not in skipped(cls, document)}
+
+
+def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
+    """Return the tables of a file that are of other commands, and of which."""
+    return {name: _COMMANDS[name] for name in document if name in _COMMANDS and name not in kind.model_fields}
+
+
+def skipped_in(path: Path, *, command: str) -> str:
+    """Return which tables of a file are for other commands, in a sentence, or nothing."""
+    others = {name: other for name, other in _COMMANDS.items() if other != command}
+    return "; ".join(f"[{name}] is for `{others[name]}`" for name in read_toml(path) if name in others)
 
 
 class Table:
@@ -156,7 +189,8 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path())
     try:
         return kind.model_validate(document, context=folder)
     except ValidationError as error:
-        raise ValueError(_first_line(error)) from None
+        others = skipped(kind, document) if issubclass(kind, FileTables) else {}
+        raise ValueError(_first_line(error, others, kind.model_fields)) from None
 
 
 def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[str] = ()) -> dict[str, list[float]]:
@@ -179,39 +213,40 @@ def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[st
         raise ValueError(f"{what} {path}: needs numbers in columns {wanted} ({error})") from None
 
 
-#: Which command reads a file with such a table.
-_COMMANDS = {"sweep": "viscoroll sweep", "motion": "viscoroll roll"}
-
 #: Errors beside the first that are told one by one.
 _MOST_TOLD = 3
 
 
-def _first_line(error: ValidationError) -> str:
-    """Return what is wrong first, with its place in the file, and what else."""
+def _first_line(error: ValidationError, others: Mapping[str, str], tables: Iterable[str]) -> str:
+    """Return what is wrong first, with its place in the file, and what else; `others` are tables of other commands."""
     # Values are looked at where all keys of a table are known: the keys of others come first.
     errors = sorted(error.errors(), key=lambda one: one["type"] == "value_error")
+    if others and (whole := [one for one in errors if one["type"] == "missing" and len(one["loc"]) == 1]):
+        return f"{_told(whole[0])}; such a file is for `{next(iter(others.values()))}`"
     missing = [str(one["loc"][-1]) for one in errors if one["type"] == "missing"]
     unknown = [number for number, one in enumerate(errors) if one["type"] == "extra_forbidden"]
-    meant = {  # a name that is misspelled is missing as well
-        number: match for number in unknown for match in get_close_matches(str(errors[number]["loc"][-1]), missing, 1)
-    }
-    tables = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
-    instead = [number for number in unknown if errors[number]["loc"][:-1] in tables]
+    meant = {}
+    for number in unknown:
+        *above, name = errors[number]["loc"]
+        # A key that is misspelled, or another word for it, is missing as well; tables need not be there.
+        if match := meant_by(str(name), missing if above else list(tables)):
+            meant[number] = match
+    incomplete = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
+    instead = [number for number in unknown if errors[number]["loc"][:-1] in incomplete]
     chosen = next(iter([*meant, *instead]), 0)
-    name = str(errors[chosen]["loc"][-1])
     told = _told(errors[chosen])
     if chosen in meant:
         told += f"; did you mean {meant[chosen]}?"
-    elif chosen in unknown and name in _COMMANDS and len(errors[chosen]["loc"]) == 1:
-        told += f"; such a file is for `{_COMMANDS[name]}`"
-    others = [
+    named = meant.get(chosen, "").partition(" = ")[0]
+    more = [
         _told(one, with_value=False)
         for number, one in enumerate(errors)
-        if number != chosen and not (chosen in meant and one["type"] == "missing" and one["loc"][-1] == meant[chosen])
+        if number != chosen and not (one["type"] == "missing" and one["loc"][-1] == named)
     ]
-    if len(others) > _MOST_TOLD:
-        return f"{told} (and {len(others)} more)"
-    return "; ".join([told, *others])
+    if len(more) > _MOST_TOLD:
+        return f"{told} (and {len(more)} more)"
+    varied = ["; what [sweep] gives is for `viscoroll sweep`"] if set(missing) - {named} and "sweep" in others else []
+    return "; ".join([told, *more]) + "".join(varied)
 
 
 #: Tables of a type, which stands behind their names in the places of pydantic.

@@ -83,7 +83,7 @@ def balls_of_study(study: xarray.Dataset) -> Balls:
     kind = study.attrs.get("on", "None").partition("(")[0]
     if kind in ("None", "CoatedPlane"):
         return Balls(radii=(radius,))
-    if kind == "CoatedSphere":
+    if kind == "CoatedSphere" and "other_radius" in study.attrs:
         attributes = study.attrs
         return Balls(
             radii=(radius, float(attributes["other_radius"])), alike=attributes["ball"] == attributes["other_ball"]

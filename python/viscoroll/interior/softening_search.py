@@ -303,7 +303,7 @@ def _half_width(result: Solution) -> float:
         return spacing
     ends = squares[inside[[0, -1]]]
     slopes = squares[inside[[1, -2]]] - ends
-    beyond = np.where(slopes > ends, ends / np.maximum(slopes, 1e-300), 1.0)
+    beyond = np.divide(ends, slopes, out=np.ones(2), where=slopes > ends)
     return float(0.5 * spacing * (inside[-1] - inside[0] + beyond.sum()))
 
 

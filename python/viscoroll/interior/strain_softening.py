@@ -13,6 +13,7 @@ from ..bodies import Counterpart, HalfSpace, Layer, RollingBody
 from ..bodies.layered import materials_of, with_materials
 from ..materials import SofteningModulus
 from ..rolling import solve
+from ..solution.text import cautions
 from .softened_state import SofteningLayer, State
 from .softening_result import Matching, StrainSoftening, as_matching
 from .softening_search import SofteningSearch, softening_layers
@@ -147,8 +148,8 @@ def _found(
         for layer, amplitude in zip(search.layers, state.amplitudes, strict=True)
     )
     lost = sum(layer.shear_loss for layer in state.layers)
-    cautions = tuple(_cautions(search.layers, state))
-    warn([*result.warnings.values(), *cautions])
+    softened = tuple(_cautions(search.layers, state))
+    warn([*cautions(result), *softened])
     return StrainSoftening(
         result=result,
         loss=loss,
@@ -160,7 +161,7 @@ def _found(
         torque_bounds=(bounds[0].resisting_torque, bounds[1].resisting_torque),
         iterations=search.contacts,
         history=tuple(tuple(amplitudes.tolist()) for amplitudes in search.history),
-        warnings=cautions,
+        warnings=softened,
         _layers=search.layers,
         _state=state,
     )

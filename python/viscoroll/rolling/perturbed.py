@@ -52,6 +52,11 @@ class Given:
     friction: float
     drive: Drive
 
+    @classmethod
+    def of(cls, result: Solution) -> Given:
+        """Return what a result was solved for."""
+        return cls(**{field.name: getattr(result, field.name) for field in fields(cls)})
+
 
 #: Called with a relative change; returns the input that has it.
 Change: TypeAlias = Callable[[float], Given]

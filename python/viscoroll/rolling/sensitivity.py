@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import _core
-from .._support.arguments import Floats, as_int
+from .._support.arguments import Floats, as_floats, as_int
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.progress import ProgressLike, counted
 from .._support.text import shown
-from ..bodies import core_counterpart
 from ..solution import Solution
+from ..solution.scalars import SCALARS
+from .kept import KeptContact
 from .modulus_sensitivity import ModulusSensitivity
 from .perturbed import Bands, Change, Given, Part, Place, bands_of, change_of_modulus, numbers_of, places_of
 
@@ -29,9 +29,6 @@ __all__ = ["Sensitivity", "sensitivity"]
 
 #: Of a parameter, in a difference quotient: what is left out is its square, and round-off of solutions 1e-6 of it.
 _STEP = 1e-4
-
-#: What a result may change by as it is solved again: tables that reach farther change the exact sphere's by 1e-5.
-_SAME = 1e-4
 
 #: Numbers of a result that are asked for unless told otherwise.
 _ANSWERS = ("resisting_torque", "penetration", "max_pressure")
@@ -51,12 +48,15 @@ class Sensitivity:
         d ln(answer) / d ln(parameter) [-].
     moduli : tuple of ModulusSensitivity
         The same by moduli and frequencies.
+    result : Result
+        Whose these are.
     """
 
     answers: tuple[str, ...]
     parameters: tuple[str, ...]
     values: Floats
     moduli: tuple[ModulusSensitivity, ...]
+    result: Solution
 
     def __getitem__(self, parameter: str) -> dict[str, float]:
         """Return what one parameter does to all answers; of a modulus as a whole, at all frequencies alike."""
@@ -105,22 +105,28 @@ class Sensitivity:
         """
         save(self, path, _FORMATS)
 
-    def plot(self, ax: Axes | None = None, *, answer: str | None = None) -> Figure | Axes:
-        """Draw what moduli do to an answer over frequency.
+    def plot(
+        self, ax: Axes | None = None, *, answer: str | None = None, measured: tuple[float, float] | None = None
+    ) -> Figure | Axes:
+        """Draw where power is lost over frequency, and what moduli there do to an answer, where measured and where not.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            Where; else in a figure of its own.
+            Where to draw what moduli do, alone; else both in a figure of its own.
         answer : str, optional
             Which one, by default the first.
+        measured : (float, float), optional
+            Frequencies from and to which the moduli are measured [rad/s]; by default those of their tables, where there
+            are some. What lies beyond is gray.
         """
-        from .sensitivity_picture import plot_moduli
+        from .sensitivity_picture import measured_range, plot_moduli
 
         answer = self.answers[0] if answer is None else answer
         if answer not in self.answers:
             raise ValueError(f"answer must be one of {', '.join(self.answers)}, got {shown(answer)}")
-        return plot_moduli(self.moduli, self.answers.index(answer), answer, ax)
+        known = measured_range(self.result) if measured is None else _as_range(measured)
+        return plot_moduli(self.result, self.moduli, self.answers.index(answer), answer, known, ax)
 
 
 def sensitivity(
@@ -173,7 +179,7 @@ def sensitivity(
     per_decade = as_int("bands_per_decade", bands_per_decade)
     if per_decade < 1:
         raise ValueError(f"bands_per_decade must be >= 1, got {per_decade}")
-    given = Given(self.ball, self.on, self.load, self.angular_speed, self.friction, self.drive)
+    given = Given.of(self)
     quotients = _Quotients(self, given, answers, threads)
     numbers = list(numbers_of(given))
     moduli = [(place, bands_of(place.rolling_speed(self), self.mesh, per_decade)) for place in places_of(given)]
@@ -204,7 +210,15 @@ def sensitivity(
         parameters=tuple(number.name for number in numbers),
         values=np.array(values),
         moduli=found,
+        result=self,
     )
+
+
+def _as_range(measured: tuple[float, float]) -> tuple[float, float]:
+    low, high = as_floats("measured", measured) if np.ndim(measured) == 1 and len(measured) == 2 else (0.0, 0.0)
+    if not 0.0 < low < high:
+        raise ValueError(f"measured must be two frequencies > 0 rad/s, the lower first, got {shown(measured)}")
+    return low, high
 
 
 def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
@@ -213,7 +227,7 @@ def _answers(result: Solution, wanted: Sequence[str] | None) -> tuple[str, ...]:
     if wanted is None:
         return tuple(answer for answer in _ANSWERS if scalars[answer] is not None)
     for answer in wanted:
-        if not isinstance(scalars.get(answer), float):
+        if answer not in SCALARS or not isinstance(scalars[answer], float):
             raise ValueError(f"answers must be scalars that this result has, got {shown(answer)}")
     return tuple(wanted)
 
@@ -222,64 +236,18 @@ class _Quotients:
     """Difference quotients of solutions with the same nodes in contact."""
 
     def __init__(self, result: Solution, given: Given, answers: tuple[str, ...], threads: int) -> None:
-        self._result, self._answers, self._threads = result, answers, threads
-        again = self._solved(given)
-        self._require_same(again)
-        self._here = self._read(again)
+        self._contact = KeptContact(result, answers, threads)
+        self._here = self._contact.own_answers(given)
 
     def __call__(self, change: Change, *, downwards: bool) -> Floats:
         """Return relative changes of the answers by a parameter that is changed to both sides, or downwards alone."""
-        below = self._answers_of(change(-_STEP))
+        below = self._contact.answers(change(-_STEP))
         if downwards:
-            quotient = (3.0 * self._here - 4.0 * below + self._answers_of(change(-2.0 * _STEP))) / (2.0 * _STEP)
+            quotient = (3.0 * self._here - 4.0 * below + self._contact.answers(change(-2.0 * _STEP))) / (2.0 * _STEP)
         else:
-            quotient = (self._answers_of(change(_STEP)) - below) / (2.0 * _STEP)
+            quotient = (self._contact.answers(change(_STEP)) - below) / (2.0 * _STEP)
         relative: Floats = np.divide(quotient, self._here, out=np.zeros_like(quotient), where=self._here != 0.0)
         return relative
-
-    def _require_same(self, again: _core.Result) -> None:
-        """Refuse a result that is another one than what its input gives in the same contact."""
-        result = self._result
-        changes = {"max_pressure": again.max_pressure - result.max_pressure}
-        sizes = {"max_pressure": result.max_pressure}
-        if result.friction > 0.0:
-            changes["driving_force"] = again.driving_force - result.driving_force
-            sizes["driving_force"] = min(result.friction, 1.0) * result.load
-        for name, change in changes.items():
-            if not abs(change) <= _SAME * sizes[name]:
-                raise _core.ConvergenceError(
-                    f"{name} changes by {abs(change) / sizes[name]:.2g} as the contact is solved again as it is: it is "
-                    "not that of a solution"
-                )
-
-    def _answers_of(self, given: Given) -> Floats:
-        return self._read(self._solved(given))
-
-    def _read(self, solution: _core.Result) -> Floats:
-        return np.array([getattr(solution, answer) for answer in self._answers])
-
-    def _solved(self, given: Given) -> _core.Result:
-        result = self._result
-        return _core.solve_kept(
-            given.ball._to_core(),
-            core_counterpart(given.on),
-            load=given.load,
-            angular_speed=given.angular_speed,
-            mesh=result.mesh._to_core(),
-            friction=given.friction,
-            drive=given.drive._to_core(),
-            compliance=result.compliance,
-            curvature=result.curvature,
-            patch_load=result.patch_load,
-            contact=result.contact.astype(np.uint8),
-            stick=result.stick.astype(np.uint8),
-            pressure=np.ascontiguousarray(result.pressure),
-            shear_traction=np.ascontiguousarray(result.shear_traction),
-            penetration=result.penetration or 0.0,
-            creepage=result.creepage or 0.0,
-            threads=self._threads,
-            progress=None,
-        )
 
 
 def _write_csv(found: Sensitivity, path: Path) -> None:

@@ -1,21 +1,53 @@
-"""Sensitivities over frequency, with matplotlib (the extra `viscoroll[plot]`)."""
+"""Loss and sensitivities over frequency, with matplotlib (the extra `viscoroll[plot]`)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from .._support.arguments import Floats
 from .._support.pictures import Picture, drawn
-from .modulus_sensitivity import ModulusSensitivity
+from ..materials import MasterCurve
+from ..solution.loss_spectrum import loss_spectrum
+from .perturbed import Given, bands_of, places_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["plot_moduli"]
+    from ..solution import Solution
+    from .modulus_sensitivity import ModulusSensitivity
+
+__all__ = ["measured_range", "plot_moduli"]
+
+#: Bands that the loss is counted by: some five to the width of a relaxation.
+_PER_DECADE = 4
+
+#: From and to [rad/s].
+Range = tuple[float, float]
 
 
-def plot_moduli(moduli: Sequence[ModulusSensitivity], which: int, answer: str, ax: Axes | None) -> Picture | Axes:
-    """Draw what storage and loss modulus of each material do to one of the answers, by frequency."""
+def measured_range(result: Solution) -> Range | None:
+    """Return the frequencies that all tables of measured moduli hold [rad/s], or None where no modulus is a table."""
+    given = Given.of(result)
+    moduli = (place.material(given).shear_modulus for place in places_of(given))
+    ends = [[w for w in modulus.frequency if w > 0.0] for modulus in moduli if isinstance(modulus, MasterCurve)]
+    return (max(e[0] for e in ends), min(e[-1] for e in ends)) if ends else None
+
+
+def plot_moduli(
+    result: Solution,
+    moduli: tuple[ModulusSensitivity, ...],
+    which: int,
+    answer: str,
+    measured: Range | None,
+    ax: Axes | None,
+) -> Picture | Axes:
+    """Draw where power is lost above, and what storage and loss modulus of each material do to an answer below.
+
+    Where nobody measured is gray. Into axes of the caller's sensitivities alone.
+    """
 
     def draw(axes: Axes) -> None:
         for i, modulus in enumerate(moduli):
@@ -25,7 +57,39 @@ def plot_moduli(moduli: Sequence[ModulusSensitivity], which: int, answer: str, a
         axes.axhline(0.0, color="0.6", linewidth=0.8)
         axes.set_xscale("log")
         axes.set_xlabel("frequency [rad/s]")
-        axes.set_ylabel(f"change of {answer} by that of the modulus [-]".replace("_", " "))
+        axes.set_ylabel(f"change of {answer.replace('_', ' ')}\nby that of the modulus [-]")
+        _shade_unmeasured(axes, measured)
         axes.legend(fontsize="small")
 
-    return drawn(draw, ax, figsize=(6.0, 3.6))
+    def compose(picture: Picture) -> None:
+        above, below = picture.subplots(2, 1, sharex=True, height_ratios=(2, 3))
+        for line, (name, frequency, share) in zip(("-", "--"), _losses(result), strict=False):
+            above.plot(frequency, 100.0 * share, line, color="0.3", label=f"loss in {name}")
+        above.set_ylabel("power lost\n[% per decade]")
+        above.set_ylim(0.0, None)
+        draw(below)
+        _shade_unmeasured(above, measured)
+        above.label_outer()
+        above.legend(fontsize="small")
+
+    return drawn(draw, ax, figsize=(6.4, 5.4), compose=compose)
+
+
+def _losses(result: Solution) -> Iterator[tuple[str, Floats, Floats]]:
+    """Yield for each body its name, frequencies [rad/s], and shares of all its loss for each decade there [-]."""
+    firsts = {place.which: place for place in reversed(list(places_of(Given.of(result))))}
+    for which, place in sorted(firsts.items()):
+        spectrum = loss_spectrum(result, of="ball" if which == "ball" else "counterpart")
+        bands = bands_of(place.rolling_speed(result), result.mesh, _PER_DECADE)
+        power = [float(spectrum.power @ bands.share(i, spectrum.frequency)) for i in range(bands.middles.size)]
+        name = "what rolls" if which == "ball" else "what it rolls on"
+        yield name, bands.middles, np.array(power) / spectrum.power.sum() * _PER_DECADE
+
+
+def _shade_unmeasured(axes: Axes, measured: Range | None) -> None:
+    if measured is None:
+        return
+    low, high = axes.get_xlim()
+    axes.axvspan(min(low, measured[0]), measured[0], color="0.9", label="not measured", zorder=0)
+    axes.axvspan(measured[1], max(high, measured[1]), color="0.9", zorder=0)
+    axes.set_xlim(low, high)

@@ -34,7 +34,7 @@ _APPLICATION = 0x7663726C
 
 _TABLES = """
 CREATE TABLE made_by (text TEXT NOT NULL);
-CREATE TABLE point (key TEXT PRIMARY KEY, scalars TEXT NOT NULL, fields BLOB, error TEXT NOT NULL);
+CREATE TABLE point (key TEXT PRIMARY KEY, scalars TEXT NOT NULL, fields BLOB, draws BLOB, error TEXT NOT NULL);
 """
 
 
@@ -126,15 +126,18 @@ class PointStore:
         """Return what became of the points of some keys, as far as it is known."""
         found = {}
         for key in keys:
-            query = "SELECT scalars, fields, error FROM point WHERE key = ?"
-            for scalars, fields, error in self._database.execute(query, (key,)):
-                found[key] = Outcome(scalars=json.loads(scalars), fields=_unpacked(fields), error=error)
+            query = "SELECT scalars, fields, draws, error FROM point WHERE key = ?"
+            for scalars, fields, draws, error in self._database.execute(query, (key,)):
+                found[key] = Outcome(
+                    scalars=json.loads(scalars), fields=_unpacked(fields), draws=_unpacked(draws), error=error
+                )
         return found
 
     def keep(self, key: str, outcome: Outcome) -> None:
         """Keep the outcome of a point."""
-        row = (key, json.dumps(dict(outcome.scalars)), _packed(outcome.fields), outcome.error)
-        self._database.execute("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?)", row)
+        arrays = (_packed(outcome.fields), _packed(outcome.draws))
+        row = (key, json.dumps(dict(outcome.scalars)), *arrays, outcome.error)
+        self._database.execute("INSERT OR REPLACE INTO point VALUES (?, ?, ?, ?, ?)", row)
 
     def _open(self) -> None:
         """Lock others out until the file is closed or this process ends, however it ends."""
@@ -171,11 +174,11 @@ def _explained(path: Path) -> Iterator[None]:
         raise ValueError(f"cache {path} must hold points of viscoroll, got another file") from None
 
 
-def _packed(fields: Mapping[str, NDArray[np.float64]]) -> bytes | None:
-    if not fields:
+def _packed(values: Mapping[str, NDArray[np.float64]]) -> bytes | None:
+    if not values:
         return None
     buffer = io.BytesIO()
-    np.savez_compressed(buffer, **fields)  # type: ignore[arg-type]
+    np.savez_compressed(buffer, **values)  # type: ignore[arg-type]
     return buffer.getvalue()
 
 

@@ -17,10 +17,12 @@ from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.units import PER_LENGTH, UNITS
 from ..bodies import CoatedSphere, RollingBody
+from ..bodies.si_hints import unit_doubt
 from ..interior.softening_result import BOUNDS
 from ..solution import FIELDS, VECTOR_FIELDS
 from ..solution.scalars import SCALARS, scalar_units
 from .dimensions import LOAD_CASE, label
+from .draws import interval_variables
 from .plan import LoadCase, Plan
 from .run import Outcome
 
@@ -85,6 +87,10 @@ def build_dataset(plan: Plan, outcomes: Mapping[int, Outcome]) -> xarray.Dataset
             np.array(column, dtype=np.float64),
             _attributes(units["resisting_torque"], BOUNDS[name]),
         )
+    middles = {name: values for name, (_, values, _) in variables.items()}
+    told = interval_variables([outcome.draws for outcome in table], middles, plan.confidence)
+    for name, (of, values, what) in told.items():
+        variables[name] = (names, values, _attributes(units[of], f"{SCALARS[of][1]}, {what}"))
     variables["status"] = (names, _texts([o.scalars.get("status", "FAILED") for o in table]), _texts_of("status"))
     variables["warnings"] = (names, _texts([o.scalars.get("warnings", "") for o in table]), _texts_of("warnings"))
     variables["error"] = (names, _texts([o.error for o in table]), _texts_of("error"))
@@ -165,12 +171,20 @@ def _provenance(plan: Plan) -> dict[str, str]:
         "material": _joined(list(materials)),
         "ball": _joined([_parameters(ball) for ball in balls]),
     }
+    if counts := {len(case.draws) for case in plan.cases if isinstance(case, LoadCase)} - {0}:
+        attributes |= {"draws": f"{max(counts)}, {plan.way}", "confidence": repr(plan.confidence)}
     if isinstance(other := plan.fixed.get("on"), CoatedSphere):
         attributes |= {"other_ball": _parameters(other), "other_radius": repr(other.outer_radius)}
+    bodies = {(id(c.ball), id(c.arguments.get("on"))): c for c in plan.cases if isinstance(c, LoadCase)}.values()
+    if doubt := next(filter(None, (unit_doubt(case.ball, case.arguments.get("on")) for case in bodies)), ""):
+        attributes["caution"] = doubt
     varied = {dimension.name for dimension in plan.dimensions}
     for name in sorted(LOAD_CASE - {"mesh"} - varied):
         if name in plan.fixed and not isinstance(plan.fixed[name], int | float):
             attributes[name] = label(plan.fixed[name])
+    if callable(plan.fixed.get("on")):
+        kinds = {type(case.arguments["on"]).__name__ for case in plan.cases if isinstance(case, LoadCase)}
+        attributes["on"] = f"{' or '.join(sorted(kinds))}({attributes['on']})"
     return attributes | {"inputs": json.dumps(plan.identity(), ensure_ascii=False)}
 
 

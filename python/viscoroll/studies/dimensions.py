@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from enum import Enum
 from typing import Any
@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 
 from .._core import Compliance, Curvature, PatchLoad, SlipKinematics
 from .._support.arguments import as_float, as_int, as_member, require_type
+from .._support.tables import handy
 from .._support.units import UNITS
 from ..bodies import Counterpart, Drive, Mesh
+from ..materials import Draws
 
 __all__ = ["LOAD_CASE", "Dimension", "checked", "label", "split"]
 
@@ -46,6 +48,8 @@ class Dimension:
         At least one value, all different.
     unit : str, optional
         Unit of numbers.
+    names : tuple of str, optional
+        What the values are called, as many as they are; by default what they say of themselves.
 
     Raises
     ------
@@ -56,6 +60,7 @@ class Dimension:
     name: str
     values: tuple[Any, ...]
     unit: str | None = None
+    names: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -74,16 +79,21 @@ class Dimension:
 
     def labels(self) -> NDArray[Any]:
         """Return the coordinate: the numbers themselves, or texts, of which no two are the same."""
+        if self.names is not None:
+            return np.array(self.names, dtype=object)
         if self.is_numeric:
             return np.array(self.values)
-        texts = [label(value) for value in self.values]
-        if len(set(texts)) < len(texts) or max(map(len, texts)) > _LONGEST_LABEL or any(" at 0x" in t for t in texts):
-            texts = [f"{self.name}[{i}]" for i in range(len(texts))]
-        return np.array(texts, dtype=object)
+        numbered = [f"{self.name}[{i}]" for i in range(len(self.values))]
+        ways = ([label(value) for value in self.values], [_build(value) for value in self.values], numbered)
+        return np.array(next(texts for texts in ways if _tell_apart(texts)), dtype=object)
 
 
 def split(name: str, value: object) -> Dimension | object:
-    """Return a dimension for a one-dimensional sequence or array, and any other value as it is, checked.
+    """Return a dimension for a one-dimensional sequence, array or mapping, and any other value as it is, checked.
+
+    The keys of a mapping are what its values are called.
+
+    Draws of a material are one value: how sure it is, not what varies.
 
     Raises
     ------
@@ -92,11 +102,16 @@ def split(name: str, value: object) -> Dimension | object:
     ValueError
         For arrays of more dimensions, and what `Dimension` refuses.
     """
+    if isinstance(value, Draws):
+        return checked(name, value)
     if hasattr(value, "ndim") and hasattr(value, "__array__"):
         array = np.asarray(value)
         if array.ndim > 1:
             raise ValueError(f"{name} must be a scalar or one-dimensional, got shape {array.shape}")
         value = array.tolist()
+    if isinstance(value, Mapping):
+        named = tuple(checked(name, item) for item in value.values())
+        return Dimension(name=name, values=named, unit=UNITS.get(name), names=tuple(map(str, value)))
     if not isinstance(value, Sequence) or isinstance(value, str | bytes):
         return checked(name, value)
     values = [item.item() if isinstance(item, np.generic) else item for item in value]
@@ -116,7 +131,8 @@ def checked(name: str, value: object) -> object:
     if name == "max_iterations":
         return as_int(name, value)
     if name == "on":
-        require_type(name, value, Counterpart)
+        for one in (value.middle, *value) if isinstance(value, Draws) else (value,):
+            require_type(name, one, Counterpart)
         return value
     if name in _TYPES:
         if issubclass(_TYPES[name], Enum):
@@ -127,6 +143,25 @@ def checked(name: str, value: object) -> object:
     if name in LOAD_CASE:
         return as_float(name, value)
     return value
+
+
+def _tell_apart(texts: Sequence[str]) -> bool:
+    """Return whether texts serve as labels: none comes twice, is too long, or is of a place in memory."""
+    return (
+        len(set(texts)) == len(texts)
+        and max(map(len, texts)) <= _LONGEST_LABEL
+        and not any(" at 0x" in text for text in texts)
+    )
+
+
+def _build(value: object) -> str:
+    """Return a body's kind with its radius and the thickness of its layers, and nothing of anything else."""
+    if not isinstance(value, Counterpart):
+        return ""
+    core = getattr(value, "core_radius", None)
+    parts = [] if core is None else [f"core {handy([core], 'm')[0][0]} {handy([core], 'm')[1]}"]
+    parts += [f"layer {texts[0]} {unit}" for texts, unit in (handy([one.thickness], "m") for one in value.layers)]
+    return ", ".join([type(value).__name__, *parts])
 
 
 def label(value: object) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
@@ -16,6 +16,8 @@ from .dimensions import LOAD_CASE
 
 if TYPE_CHECKING:
     from ..bodies import Mesh
+    from ..rolling.propagation import Pair
+    from .draws import Way
 
 __all__ = ["PointKeys", "digest"]
 
@@ -38,7 +40,14 @@ class PointKeys:
     def __init__(self) -> None:
         self._balls: dict[tuple[int, float, int], str] = {}
 
-    def key(self, ball: RollingBody, arguments: Mapping[str, Any], fields: tuple[str, ...]) -> str:
+    def key(
+        self,
+        ball: RollingBody,
+        arguments: Mapping[str, Any],
+        fields: tuple[str, ...],
+        draws: Sequence[Pair] = (),
+        way: Way = "linear",
+    ) -> str:
         """Return the key of a point.
 
         Parameters
@@ -49,15 +58,26 @@ class PointKeys:
             Arguments of `viscoroll.solve`; what is left out has its default.
         fields : tuple of str
             Fields that are kept.
+        draws : sequence of pairs
+            Bodies with draws of materials, which must outlive this object.
+        way : "linear" or "solve"
+            How results of draws are found.
         """
         case = {name: value for name, value in sorted({**_DEFAULTS, **arguments}.items()) if value is not None}
         speed, highest = case["angular_speed"], _highest_harmonic(case.get("mesh"))
         if "on" in case:
             case["on"] = _counterpart_text(case["on"], speed * ball.outer_radius, highest)
+        text = f"{case!r} {fields!r} {self._ball(ball, speed, highest)}"
+        for drawn, on in draws:
+            under = "" if on is None else _counterpart_text(on, speed * drawn.outer_radius, highest)
+            text += f"; {way} draw {self._ball(drawn, speed, highest)} on {under}"
+        return digest(text)
+
+    def _ball(self, ball: RollingBody, speed: float, highest: int) -> str:
         place = (id(ball), speed, highest)
         if place not in self._balls:
             self._balls[place] = _ball_text(ball, speed, highest)
-        return digest(f"{case!r} {fields!r} {self._balls[place]}")
+        return self._balls[place]
 
 
 def digest(text: str) -> str:

@@ -2,27 +2,24 @@
 
 from __future__ import annotations
 
-import inspect
 import itertools
-from collections.abc import Callable, Sequence
-from concurrent.futures import CancelledError
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from .._support.arguments import kind_names
-from .._support.keywords import meant
-from .._support.text import shown
 from ..bodies import Counterpart, RollingBody
+from ..interior import softens
+from ..materials import Draws
+from ..rolling.propagation import Pair
 from .dimensions import LOAD_CASE, Dimension, label, split
+from .draws import Way, drawn_parameters
+from .factories import Bodies
 from .identity import PointKeys, digest
 
-__all__ = ["NOT_OF_A_POINT", "LoadCase", "Plan", "Task", "plan_sweep"]
+__all__ = ["LoadCase", "Plan", "Task", "plan_sweep"]
 
 #: What points with one influence table have in common, besides the ball.
 _SHARED = ("on", "angular_speed", "mesh", "compliance", "curvature", "patch_load")
-
-#: Exceptions that say nothing of the point at which they are raised.
-NOT_OF_A_POINT = (MemoryError, ImportError, CancelledError)
 
 #: Longest text that the identity of a study holds in full.
 _LONGEST_TEXT = 160
@@ -30,10 +27,11 @@ _LONGEST_TEXT = 160
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCase:
-    """One point: a ball, and arguments of `viscoroll.solve`."""
+    """One point: a ball, arguments of `viscoroll.solve`, and both bodies with draws of materials."""
 
     ball: RollingBody
     arguments: dict[str, Any]
+    draws: tuple[Pair, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +43,8 @@ class Task:
     shared: dict[str, Any]
     cases: tuple[dict[str, Any], ...]
     fields: tuple[str, ...]
+    draws: tuple[Pair, ...]
+    way: Way
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,20 +61,26 @@ class Plan:
         For each point what to solve, or why there is nothing to solve.
     fields : tuple of str
         Fields that are kept for each point.
+    way : "linear" or "solve"
+        How results of draws are found.
+    confidence : float
+        Of their intervals [-].
     keys : tuple of str or None
         For each point what is the same where all its inputs are, or None where there is nothing to solve.
 
     Raises
     ------
     ValueError
-        Where no point can be solved, with the reason of the first, and where rollers, whose results are per length,
-        are mixed with others.
+        Where no point can be solved, with the reason of the first, where rollers, whose results are per length, are
+        mixed with others, and for linear draws of layers that soften.
     """
 
     dimensions: tuple[Dimension, ...]
     fixed: dict[str, Any]
     cases: tuple[LoadCase | str, ...]
     fields: tuple[str, ...] = ()
+    way: Way = "linear"
+    confidence: float = 0.95
     keys: tuple[str | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -83,9 +89,14 @@ class Plan:
             raise ValueError(f"every point fails, the first with {self.cases[0]}")
         if len({ball.line_contact for ball in self.balls()}) > 1:
             raise ValueError("ball must be a roller at all points or at none, for its results are per length, got both")
+        solved = [case for case in self.cases if isinstance(case, LoadCase)]
+        if self.way == "linear" and any(case.draws and softens(case.ball, case.arguments.get("on")) for case in solved):
+            raise ValueError("draws must be 'solve' where layers soften with strain, got 'linear'")
         known = PointKeys()
         keys = [
-            known.key(case.ball, case.arguments, self.fields) if isinstance(case, LoadCase) else None
+            known.key(case.ball, case.arguments, self.fields, case.draws, self.way)
+            if isinstance(case, LoadCase)
+            else None
             for case in self.cases
         ]
         object.__setattr__(self, "keys", tuple(keys))
@@ -127,6 +138,8 @@ class Plan:
                 {k: v for k, v in case.arguments.items() if k not in _SHARED and v is not None} for case in cases
             ),
             fields=self.fields,
+            draws=first.draws,
+            way=self.way,
         )
 
     def identity(self) -> dict[str, str]:
@@ -136,6 +149,7 @@ class Plan:
             **{dimension.name: _shortened(str(dimension.labels().tolist())) for dimension in self.dimensions},
             **{name: _shortened(text) for name, value in self.fixed.items() if " at 0x" not in (text := label(value))},
             "points": digest(repr(points)),
+            "confidence": repr(self.confidence),
         }
 
 
@@ -145,7 +159,12 @@ def _mark(argument: object) -> object:
 
 
 def plan_sweep(
-    ball: RollingBody | Callable[..., RollingBody], parameters: dict[str, object], *, fields: tuple[str, ...]
+    ball: RollingBody | Callable[..., RollingBody],
+    parameters: dict[str, object],
+    *,
+    fields: tuple[str, ...],
+    way: Way = "linear",
+    confidence: float = 0.95,
 ) -> Plan:
     """Plan a study of the product of all one-dimensional `parameters`.
 
@@ -154,62 +173,66 @@ def plan_sweep(
     TypeError
         For parameters that neither `viscoroll.solve` nor the factory has, and for missing ones.
     """
-    divided = {name: split(name, value) for name, value in parameters.items()}
+    ground = Bodies(parameters.get("on"), noun="on", kind=Counterpart)
+    divided = {
+        name: value if name == "on" and ground.is_made else split(name, value) for name, value in parameters.items()
+    }
     dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
     fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
-    build = _Balls(ball)
-    build.check(sorted(parameters.keys() - LOAD_CASE))
+    pairs = _Pairs(Bodies(ball, noun="ball", kind=RollingBody), ground, sorted(parameters.keys() - LOAD_CASE))
     cases = []
     for point in itertools.product(*(enumerate(dimension.values) for dimension in dimensions)):
         chosen = {dimension.name: item for dimension, item in zip(dimensions, point, strict=True)}
         varied = {name: value for name, (_, value) in chosen.items()}
-        key = tuple(i for name, (i, _) in chosen.items() if name not in LOAD_CASE)
-        made = build(key, {k: v for k, v in (fixed | varied).items() if k not in LOAD_CASE})
-        arguments = {k: v for k, v in (fixed | varied).items() if k in LOAD_CASE}
-        cases.append(made if isinstance(made, str) else LoadCase(ball=made, arguments=arguments))
-    return Plan(dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields)
+        numbers = {name: number for name, (number, _) in chosen.items()}
+        cases.append(_case(pairs, numbers, fixed | varied))
+    return Plan(dimensions=dimensions, fixed=fixed, cases=tuple(cases), fields=fields, way=way, confidence=confidence)
 
 
-@dataclass(frozen=True, slots=True)
-class _Balls:
-    """The ball of each point, made once for all points that share its parameters."""
+class _Pairs:
+    """What rolls, and what it rolls on, at each point.
 
-    source: Any  # a ball, or what should return one
-    made: dict[tuple[int, ...], RollingBody | str] = field(default_factory=dict)
+    Raises
+    ------
+    TypeError
+        For parameters that neither takes.
+    """
 
-    def check(self, names: Sequence[str]) -> None:
-        if isinstance(self.source, RollingBody):
-            if names:
-                guesses = [guess for name in names if (guess := meant(name, LOAD_CASE))]
-                raise TypeError(
-                    f"a ball has no parameter {', '.join(names)}; pass a function of {', '.join(names)} that returns "
-                    f"the ball{f'; or did you mean {guesses[0]}?' if guesses else ''}"
-                )
-            return
-        if not callable(self.source):
-            wanted = f"a {kind_names(RollingBody)}, or a function that returns one"
-            raise TypeError(f"ball must be {wanted}, got {shown(self.source)}")
-        try:
-            inspect.signature(self.source).bind(**dict.fromkeys(names))
-        except TypeError as error:
-            raise TypeError(f"ball, called with {', '.join(names) or 'no parameter'}: {error}") from None
+    def __init__(self, ball: Bodies, ground: Bodies, names: Sequence[str]) -> None:
+        self._ball = ball
+        self._ground = ground
+        self._of_ground = ground.taken(names)
+        self._of_ball = [name for name in names if name not in self._of_ground or ball.taken([name])]
+        ball.check(self._of_ball)
+        ground.check(self._of_ground)
 
-    def __call__(self, key: tuple[int, ...], parameters: dict[str, Any]) -> RollingBody | str:
-        """Return the ball, or the message of the exception that its parameters raise."""
-        if isinstance(self.source, RollingBody):
-            return self.source
-        if key not in self.made:
-            try:
-                ball = self.source(**parameters)
-            except NOT_OF_A_POINT:
-                raise
-            except Exception as error:
-                self.made[key] = f"{type(error).__name__}: {error}"
-            else:
-                if not isinstance(ball, RollingBody):
-                    raise TypeError(f"ball must return a {kind_names(RollingBody)}, got {shown(ball)}")
-                self.made[key] = ball
-        return self.made[key]
+    def __call__(self, numbers: Mapping[str, Hashable], given: Mapping[str, Any]) -> Pair | str:
+        """Return both, or the message of the exception that one of them raises."""
+        ball = self._ball(numbers, {name: given[name] for name in self._of_ball})
+        on = given.get("on")
+        if self._ground.is_made:
+            on = self._ground(numbers, {name: given[name] for name in self._of_ground})
+        return next((body for body in (ball, on) if isinstance(body, str)), (ball, on))
+
+
+def _case(pairs: _Pairs, numbers: Mapping[str, int], parameters: dict[str, Any]) -> LoadCase | str:
+    """Return a point, or the message of the exception that one of its bodies raises."""
+    middle, drawn = drawn_parameters(parameters)
+    of_draws = [name for name, value in parameters.items() if isinstance(value, Draws)]
+    solved = pairs(numbers, middle)
+    draws = []
+    for i, given in enumerate(drawn):
+        pair = pairs({**numbers, **{name: (numbers.get(name), i) for name in of_draws}}, given)
+        if isinstance(pair, str):
+            return pair
+        draws.append(pair)
+    if isinstance(solved, str):
+        return solved
+    ball, on = solved
+    arguments = {name: value for name, value in middle.items() if name in LOAD_CASE}
+    if on is not None:
+        arguments["on"] = on
+    return LoadCase(ball=ball, arguments=arguments, draws=tuple(draws))
 
 
 def _shortened(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import CancelledError, Executor, Future, ThreadPoolExecutor, as_completed
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -18,7 +18,10 @@ from .._support.progress import Report
 from ..bodies import RollingBody
 from ..interior import StrainSoftening, softens, strain_softening
 from ..rolling import Result, RollingModel, solve
-from .plan import NOT_OF_A_POINT, Plan, Task
+from ..rolling.propagation import Pair
+from .draws import Way, drawn_answers
+from .factories import NOT_OF_A_POINT
+from .plan import Plan, Task
 
 __all__ = ["Outcome", "run", "solve_group", "solve_point"]
 
@@ -29,6 +32,9 @@ _LARGEST_TASK = 8
 #: closer together, but share less.
 _TASKS_PER_CORE = 2
 _TASKS_OF_AN_EXECUTOR = 32
+
+#: Warning of a point whose draws have no results.
+NO_INTERVAL = "NO_INTERVAL"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -41,14 +47,17 @@ class Outcome:
         Scalar results by name, in SI units; empty where the point failed.
     fields : dict
         Arrays by name, of shape (..., nodes in φ, nodes in θ).
+    draws : dict
+        Scalar results for each draw of a material by name, of shape (draws,).
     error : str
-        Why the point failed, or the empty text.
+        Why the point failed, or its draws, or the empty text.
     lasting : bool
         Whether the same inputs will end the same way: not where the user's own function or the machine failed.
     """
 
     scalars: Mapping[str, float | int | str | None] = field(default_factory=dict)
     fields: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
+    draws: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     error: str = ""
     lasting: bool = True
 
@@ -59,6 +68,8 @@ def solve_group(
     cases: Sequence[Mapping[str, Any]],
     *,
     fields: Sequence[str] = (),
+    draws: Sequence[Pair] = (),
+    way: Way = "linear",
     threads: int = 1,
     progress: Report | None = None,
     record: Callable[[int, Outcome], object] | None = None,
@@ -76,6 +87,10 @@ def solve_group(
         The other arguments of each point.
     fields : sequence of str, default ()
         Fields to keep.
+    draws : sequence of pairs, default ()
+        Both bodies with draws of their materials.
+    way : "linear" or "solve"
+        How their results are found.
     threads : int, default 1
         Number of threads of each solve.
     progress : callable, optional
@@ -107,10 +122,28 @@ def solve_group(
             result, bounds = (solved.result, solved.bounds) if isinstance(solved, StrainSoftening) else (solved, {})
             kept = {name: np.asarray(getattr(result, name), dtype=np.float64) for name in fields}
             outcome = Outcome(scalars=result.scalars() | bounds, fields=kept)
+            if draws:
+                given = {**shared, **case}
+                outcome = _with_draws(outcome, result, draws, way, given, threads=threads, progress=progress)
         outcomes.append(outcome)
         if record is not None:
             record(position, outcome)
     return outcomes
+
+
+def _with_draws(
+    outcome: Outcome, result: Result, draws: Sequence[Pair], way: Way, case: Mapping[str, Any], **options: Any
+) -> Outcome:
+    """Return the outcome with results of draws, or with a warning of its own where these are not found."""
+    try:
+        return replace(outcome, draws=drawn_answers(result, draws, way, case, **options))
+    except NOT_OF_A_POINT:
+        raise
+    except Exception as error:
+        warnings = ", ".join(filter(None, [str(outcome.scalars.get("warnings", "")), NO_INTERVAL]))
+        text = f"draws: {type(error).__name__}: {error}"
+        scalars = {**outcome.scalars, "warnings": warnings}
+        return replace(outcome, scalars=scalars, error=text, lasting=_is_an_answer(error))
 
 
 def _is_an_answer(error: Exception) -> bool:
@@ -190,9 +223,7 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
             record(task.indices[position], outcome)
             check()
 
-        solve_group(
-            task.ball, task.shared, task.cases, fields=task.fields, threads=threads, progress=check, record=keep
-        )
+        _solve_task(task, threads=threads, progress=check, record=keep)
 
     tasks = plan.tasks(indices, largest=-(-len(indices) // (_TASKS_PER_CORE * core_count())))
     threads = max(1, core_count() // max(1, len(tasks)))
@@ -203,8 +234,9 @@ def _run_on_threads(plan: Plan, indices: Sequence[int], record: Callable[[int, O
             stop.set()
 
 
-def _solve_task(task: Task) -> list[Outcome]:
-    return solve_group(task.ball, task.shared, task.cases, fields=task.fields)
+def _solve_task(task: Task, **options: Any) -> list[Outcome]:
+    given = (task.ball, task.shared, task.cases)
+    return solve_group(*given, fields=task.fields, draws=task.draws, way=task.way, **options)
 
 
 def _collect(futures: dict[Future[Any], Task], record: Callable[[Task, Any], None]) -> None:

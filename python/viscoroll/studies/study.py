@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._support.cautions import warn
+from .._support.intervals import as_confidence
 from .._support.keywords import meant
 from .._support.progress import ProgressLike, counted
 from ..bodies import RollingBody
@@ -19,6 +20,7 @@ from ..solution import FIELDS, VECTOR_FIELDS
 from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE
+from .draws import Way, as_way
 from .plan import LoadCase, Plan, plan_sweep
 from .run import Outcome, run
 
@@ -36,13 +38,15 @@ def sweep(
     retry_failed: bool = False,
     progress: ProgressLike = True,
     fields: Iterable[str] = (),
+    draws: Way = "linear",
+    confidence: float = 0.95,
     **parameters: Any,
 ) -> xarray.Dataset:
     """Solve all combinations of parameters.
 
-    Every parameter given as a one-dimensional sequence becomes a dimension of the result, in the order given; the
-    others are the same for all points. A study that was interrupted goes on where it stopped if it is called again with
-    the same `cache`, and one that has grown by some values solves what is new.
+    Every parameter given as a one-dimensional sequence, or as a mapping of labels to values, becomes a dimension of the
+    result, in the order given; the others are the same for all points. A study that was interrupted goes on where it
+    stopped if it is called again with the same `cache`, and one that has grown by some values solves what is new.
 
     Parameters
     ----------
@@ -63,16 +67,26 @@ def sweep(
     fields : iterable of str, default ()
         Fields of `Result` to keep for each point, on the largest window, centered at the lowest point, with NaN outside
         a point's own window.
+    draws : {"linear", "solve"}
+        How results of `Draws` are found: to first order in the moduli, with who touches as it is, of as few solves as
+        there are ways in which the draws differ, or each by a solve of its own, on the point's mesh. Linear ones
+        have no interval of the contact's outline, nor of a largest pressure at its edge.
+    confidence : float, default 0.95
+        Probability that an interval holds the true value, as far as the draws know [-].
     **parameters : float, object, or sequence of them
-        Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], friction [-], drive, mesh, accuracy [-],
-        compliance, curvature, patch_load, slip_kinematics, max_iterations. All other names are of the function `ball`.
+        Arguments of `viscoroll.solve`: load [N], angular_speed [rad/s], on, friction [-], drive, mesh, accuracy [-],
+        compliance, curvature, patch_load, slip_kinematics, max_iterations. What the ball rolls on, `on`, may be a
+        function, too. All other names are of these two functions, of each what it takes. `Draws` of a material, or of
+        what one is made from, are one value of a function's, and make intervals; so do those of `on`.
 
     Returns
     -------
     xarray.Dataset
-        All scalar results with units, and the fields asked for. Where a point failed its results are NaN, its `status`
-        is "FAILED" and `error` holds the message. Attributes hold version, commit, mesh, ball and materials, and how
-        many points ended in which way.
+        All scalar results with units, and the fields asked for. With draws also, of what the contact does, ``_mean``,
+        ``_lower`` and ``_upper``: the mean of the draws, and the interval around the result by their scatter. Where a
+        point failed its results are NaN, its `status` is "FAILED" and `error` holds the message; where its draws did,
+        their `_mean` and interval are, with a warning NO_INTERVAL. Attributes hold version, commit, mesh, ball and
+        materials, and how many points ended in which way.
 
     Warns
     -----
@@ -117,21 +131,22 @@ def sweep(
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise TypeError(f"executor must be a concurrent.futures.Executor or None, got {executor!r}")
     _check_names(parameters)
-    plan = plan_sweep(ball, parameters, fields=kept)
+    plan = plan_sweep(ball, parameters, fields=kept, way=as_way(draws), confidence=as_confidence(confidence))
     study = run_plan(plan, executor=executor, cache=cache, retry_failed=retry_failed, progress=progress)
     warn(doubts(study))
     return study
 
 
 def doubts(study: xarray.Dataset) -> list[str]:
-    """Say in one line how many points failed or carry a warning, and of which kind; nothing where none does."""
+    """Say in one line how many points failed or carry a warning, and of which kind, and in one how odd units read."""
     found = Counter(kind for text in study.warnings.values.ravel() for kind in str(text).split(", ") if kind)
     if failed := int((study.status == "FAILED").sum()):
         found["FAILED"] = failed
     counted = ", ".join(f"{count} {kind}" for kind, count in found.items())
     others = len(found) > bool(failed)
     where = "status, warnings and error" if failed and others else "status and error" if failed else "warnings"
-    return [f"of {study.status.size} points: {counted}; see {where}"] if found else []
+    told = [f"of {study.status.size} points: {counted}; see {where}"] if found else []
+    return [*told, *filter(None, [study.attrs.get("caution")])]
 
 
 def run_plan(

@@ -108,7 +108,7 @@ def test_one_sweep_has_no_temperatures(curve, tmp_path):
             '{ type = "hardness", hardness = 85.0, rebound = 0.55, reference_frequency = 120.0, decades = 2.0 }',
             vr.LossFactor(
                 modulus=vr.hardness_to_modulus(85.0).value,
-                loss_factor=vr.rebound_to_loss_factor(0.55),
+                loss_factor=vr.rebound_to_loss_factor(0.55).value,
                 reference_frequency=120.0,
                 decades=2.0,
             ),

@@ -124,4 +124,4 @@ def test_missing_files_and_options_that_exclude_each_other(case_file, measure, t
     assert "No such file" in done.stderr
     path = measure(example_text("measured"))
     assert "--speeds must be left out" in command("compare", case_file, "--measured", path, "--speeds", "1..2").stderr
-    assert "--sweep and --motion must be left out" in command("example", "--measured", "--motion").stderr
+    assert "files of their own, got --motion and --measured" in command("example", "--measured", "--motion").stderr

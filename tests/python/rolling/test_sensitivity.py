@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import viscoroll as vr
+from viscoroll.rolling.sensitivity_picture import measured_range
 
 RUBBER = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.05)
 STIFF = vr.Prony(instantaneous_modulus=2e7, weights=[0.3, 0.2], relaxation_times=[0.02, 0.4])
@@ -128,8 +129,30 @@ def test_what_it_tells(tmp_path):
     found.save(tmp_path / "s.nc")
     dataset = found.to_xarray()
     assert dataset["loss_0"].sizes == {"frequency_0": found.moduli[0].frequency.size, "answer": 1}
-    picture = found.plot()
-    assert picture.axes[0].get_xlabel() == "frequency [rad/s]"
+
+
+def test_one_picture_of_loss_and_sensitivity():
+    """The loss over a decade adds up to all of it, and what was not measured is gray."""
+    roller, mat = vr.CoatedCylinder(core_radius=20e-3, layers=[SOFT]), vr.CoatedPlane(layers=[HARD])
+    found = vr.solve(roller, on=mat, load=2e3, angular_speed=5.0, mesh=LINE).sensitivity()
+    assert not found.plot().axes[1].patches
+    above, below = found.plot(measured=(20.0, 50.0)).axes
+    assert (above.get_ylabel(), below.get_xlabel()) == ("power lost\n[% per decade]", "frequency [rad/s]")
+    assert [line.get_label() for line in above.get_lines()] == ["loss in what rolls", "loss in what it rolls on"]
+    for line in above.get_lines():
+        decades = np.diff(np.log10(line.get_xdata()))
+        assert (line.get_ydata() * decades[0]).sum() == pytest.approx(100.0, abs=1e-6)
+    low, high = below.patches
+    assert (low.get_x() + low.get_width(), high.get_x()) == pytest.approx((20.0, 50.0))
+    with pytest.raises(ValueError, match=r"measured must be two frequencies > 0 rad/s, the lower first, got \(5, 1\)"):
+        found.plot(measured=(5, 1))
+
+
+def test_what_tables_hold_was_measured():
+    table = vr.MasterCurve([0.0, 10.0, 100.0], [2e6, 3e6, 4e6], [0.0, 3e5, 4e5], extrapolation="hold")
+    ball = replace(BALL, layers=[HARD, replace(SOFT, shear_modulus=table)])
+    assert measured_range(vr.solve(ball, load=20.0, angular_speed=5.0, mesh=MESH)) == (10.0, 100.0)
+    assert measured_range(vr.solve(BALL, load=20.0, angular_speed=5.0, mesh=MESH)) is None
 
 
 def test_only_solutions_have_derivatives():
@@ -143,6 +166,8 @@ def test_bad_questions():
     result = vr.solve(BALL, load=50.0, angular_speed=5.0, mesh=MESH)
     with pytest.raises(ValueError, match="answers must be scalars that this result has, got 'status'"):
         result.sensitivity(answers=["status"])
+    with pytest.raises(ValueError, match="answers must be scalars that this result has, got 'load'"):
+        result.sensitivity(answers=["load"])
     with pytest.raises(ValueError, match="bands_per_decade must be >= 1, got 0"):
         result.sensitivity(bands_per_decade=0)
     with pytest.raises(ValueError, match="answer must be one of resisting_torque, penetration, max_pressure"):

@@ -46,8 +46,9 @@ def test_its_power_at_the_lowest_speed_is_that_of_neighbors(surface):
 def test_outside_decides(surface):
     with pytest.raises(ValueError, match=r"load must be in \[20, 200\] N, where it was fitted, got 0"):
         surface(0.0, 1.0)
-    with pytest.raises(ValueError, match=r"angular_speed must be in \[0, 8\] rad/s in size, where it was fitted"):
+    with pytest.raises(ValueError, match=r"angular_speed must be in \[-8, 8\] rad/s, where it was fitted, got -9"):
         surface(50.0, [1.0, -9.0])
+    assert surface(50.0, -8.0) == -surface(50.0, 8.0)  # the end of the range, both ways
     with pytest.raises(ValueError, match="outside must be one of error, hold, got 'guess'"):
         surface(50.0, 1.0, outside="guess")
     held = surface([0.0, 10.0, 400.0], 100.0, outside="hold")

@@ -1,0 +1,208 @@
+"""Axes, colors and texts of what a study varies and finds, with matplotlib (the extra `viscoroll[plot]`)."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._support.arguments import Floats
+from .._support.extras import extra
+from .._support.units import UNITS
+
+with extra("plot"):
+    from matplotlib import colormaps
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import ListedColormap, LogNorm, Normalize
+    from matplotlib.lines import Line2D
+    from matplotlib.ticker import LogLocator, StrMethodFormatter
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+
+__all__ = ["Abscissa", "Colors", "Scale", "choose_scale", "named", "value_text"]
+
+#: Symbols of parameters.
+_SYMBOLS = {
+    "load": "P",
+    "angular_speed": r"\Omega",
+    "friction": r"\mu",
+    "thickness": "h",
+    "core_radius": "r_i",
+    "poisson_ratio": r"\nu",
+    "density": r"\rho",
+    "relaxation_time": r"\tau",
+}
+
+#: Units that take a prefix, and the prefixes.
+_PREFIXED = {"m", "N", "N m", "Pa", "Pa s", "W", "s"}
+_PREFIXES = {1e-9: "n", 1e-6: "μ", 1e-3: "m", 1.0: "", 1e3: "k", 1e6: "M", 1e9: "G"}
+
+#: Numbers up to so many have a legend, more a color bar; texts must be told apart by color.
+_MOST_IN_LEGEND, _MOST_TEXTS = 8, 10
+_SHADES = ListedColormap(colormaps["viridis"](np.linspace(0.0, 0.92, 256)))
+
+#: Characters of texts below an axis that stand side by side, and texts that stand slanted.
+_CHARACTERS, _MOST_SLANTED = 70, 12
+
+#: Ratio of the largest to the smallest number from which on an axis is logarithmic.
+_WIDE = 20.0
+
+#: Ratio up to which numbers stand at 2 and 5 as well, not as powers of ten.
+_FEW_DECADES = 200.0
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """Unit with its prefix, and what a number is divided by."""
+
+    factor: float
+    unit: str
+
+    @classmethod
+    def of(cls, values: xarray.DataArray) -> Scale:
+        """Return the scale of the largest of some numbers."""
+        unit = str(values.attrs.get("units", "1"))
+        numbers = np.abs(values.to_numpy())
+        largest = float(np.nanmax(numbers, initial=0.0, where=np.isfinite(numbers)))
+        if unit not in _PREFIXED or largest == 0.0:
+            return cls(1.0, "" if unit == "1" else unit)
+        factor = max((f for f in _PREFIXES if f <= 1.001 * largest), default=min(_PREFIXES))
+        return cls(factor, _PREFIXES[factor] + unit)
+
+    def text(self, name: str) -> str:
+        """Name with the unit, for an axis."""
+        return f"{name} [{self.unit}]" if self.unit else name
+
+
+class Abscissa:
+    """The first dimension: numbers along an axis, or texts side by side."""
+
+    def __init__(self, coordinate: xarray.DataArray) -> None:
+        self._name = named(coordinate)
+        self._texts = _texts_of(coordinate)
+        self._scale = Scale(1.0, "") if self._texts else Scale.of(coordinate)
+        self.places = np.arange(float(coordinate.size)) if self._texts else coordinate.to_numpy() / self._scale.factor
+
+    def draw(self, axes: Axes, values: Floats, *, style: str, color: Any) -> None:
+        """Draw a curve, or points where nothing lies between them."""
+        axes.plot(self.places, values, "o" if self._texts else f".{style}", color=color)
+
+    def draw_band(self, axes: Axes, lower: Floats, upper: Floats, *, color: Any) -> None:
+        """Draw intervals around a curve, or around points."""
+        if self._texts:
+            axes.vlines(self.places, lower, upper, color=color, alpha=0.6)
+        else:
+            axes.fill_between(self.places, lower, upper, color=color, alpha=0.2, linewidth=0.0)
+
+    def finish(self, axes: Axes) -> None:
+        """Write name and numbers, or texts, slanted where they would overlap."""
+        axes.set_xlabel(self._scale.text(self._name))
+        if not self._texts:
+            choose_scale(axes, "x", self.places)
+            return
+        axes.set_xlim(-0.5, self.places.size - 0.5)
+        longest = max(len(line) for text in self._texts for line in text.split("\n"))
+        if longest * self.places.size <= _CHARACTERS:
+            axes.set_xticks(self.places, self._texts)
+            return
+        if len(self._texts) > _MOST_SLANTED:
+            texts = [text.replace("\n", ", ") for text in self._texts]
+            axes.set_xticks(self.places, texts, fontsize="small", rotation=90)
+        else:
+            axes.set_xticks(self.places, self._texts, fontsize="small", rotation=30, rotation_mode="anchor", ha="right")
+
+
+class Colors:
+    """The dimension that the colors of curves stand for."""
+
+    def __init__(self, coordinate: xarray.DataArray) -> None:
+        self._name = named(coordinate)
+        self._texts = [text.replace("\n", ", ") for text in _texts_of(coordinate)]
+        self.has_bar = not self._texts and coordinate.size > _MOST_IN_LEGEND
+        if len(self._texts) > _MOST_TEXTS:
+            message = f"study must have at most {_MOST_TEXTS} values of {coordinate.name}, got {coordinate.size}"
+            raise ValueError(f"{message}; select a part of it")
+        self._shades: list[Any] = [f"C{i}" for i in range(len(self._texts))]
+        if not self._texts:
+            self._scale = Scale.of(coordinate)
+            numbers = coordinate.to_numpy() / self._scale.factor
+            self._norm = (LogNorm if _spans_decades(numbers) else Normalize)(numbers.min(), numbers.max())
+            self._shades = list(_SHADES(self._norm(numbers)))
+            self._texts = [f"{_symbol(self._name)} = {number:.4g} {self._scale.unit}".rstrip() for number in numbers]
+
+    def __getitem__(self, i: int) -> Any:
+        """Return the color of a value."""
+        return self._shades[i]
+
+    def draw_bar(self, axes: Axes) -> None:
+        """Draw the scale of the colors."""
+        figure = axes.figure
+        figure.colorbar(ScalarMappable(self._norm, _SHADES), ax=axes, label=self._scale.text(self._name))
+
+    def handles(self, drawn: set[int]) -> list[Line2D]:
+        """Return entries of a legend for the values that have a curve."""
+        return [Line2D([], [], color=self[i], marker=".", label=self._texts[i]) for i in sorted(drawn)]
+
+
+def choose_scale(axes: Axes, axis: str, numbers: Floats) -> None:
+    """Make an axis logarithmic where numbers span decades, but for a stretch around 0 if that is one of them."""
+    finite = np.unique(numbers[np.isfinite(numbers)])
+    if _spans_decades(finite):
+        axes.set(**{f"{axis}scale": "log"})
+        line: Axis = getattr(axes, f"{axis}axis")
+        if finite[-1] < _FEW_DECADES * finite[0]:
+            line.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
+            line.set_minor_formatter(StrMethodFormatter("{x:g}"))
+            line.set_major_formatter(StrMethodFormatter("{x:g}"))
+    elif finite.size > 2 and finite[0] == 0.0 and _spans_decades(finite[1:]):
+        (axes.set_xscale if axis == "x" else axes.set_yscale)("symlog", linthresh=float(finite[1]))
+        axes.set(**{f"{axis}lim": (0.0, None)})
+
+
+def _spans_decades(numbers: Floats) -> bool:
+    """Whether positive numbers are spaced by a factor, or differ by a large one."""
+    if numbers.size < 2 or not numbers.min() > 0.0:
+        return False
+    steps = np.diff(np.log(numbers))
+    is_geometric = numbers.size > 2 and bool(np.allclose(steps, steps[0], rtol=1e-6))
+    return is_geometric or bool(numbers.max() > _WIDE * numbers.min())
+
+
+def _texts_of(coordinate: xarray.DataArray) -> list[str]:
+    """Return the texts of a coordinate, one line for each quantity; none for numbers."""
+    if coordinate.dtype.kind in "fiu":
+        return []
+    return ["\n".join(map(_spelled, str(text).split(", "))) for text in coordinate.to_numpy().tolist()]
+
+
+def _spelled(text: str) -> str:
+    """Return "name=value" in words with the unit, and any other text as it is."""
+    name, found, value = text.partition("=")
+    unit = UNITS.get(name, "1")
+    return f"{name.replace('_', ' ')} = {value}{'' if unit == '1' else f' {unit}'}" if found else text
+
+
+def value_text(coordinate: xarray.DataArray) -> str:
+    """Return name and value of a single point of a coordinate."""
+    if coordinate.dtype.kind not in "fiu":
+        return f"{named(coordinate)}: {_texts_of(coordinate.expand_dims('one'))[0]}".replace("\n", ", ")
+    scale = Scale.of(coordinate)
+    return f"{_symbol(named(coordinate))} = {coordinate.item() / scale.factor:.4g} {scale.unit}".rstrip()
+
+
+def named(values: xarray.DataArray) -> str:
+    """Return what an array holds in words, with symbols as such."""
+    name = str(values.attrs.get("long_name", values.name)).replace("_", " ") if values.name in _SYMBOLS else ""
+    if name:
+        return f"{name} ${_SYMBOLS[str(values.name)]}$"
+    return re.sub(r"\b([A-Za-z]_\w)\b", r"$\1$", str(values.attrs.get("long_name", values.name)))
+
+
+def _symbol(name: str) -> str:
+    """Return the symbol of a name that ends in one, else the name."""
+    return name.rsplit(" ", 1)[-1] if name.endswith("$") else name

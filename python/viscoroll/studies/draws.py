@@ -1,0 +1,152 @@
+"""Results for draws of a material: how they are found, and what a study tells of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+import numpy as np
+
+from .._support.arguments import Floats
+from .._support.cautions import kept_in_results
+from .._support.intervals import half_width
+from .._support.text import shown
+from ..interior import softens, strain_softening
+from ..materials import Draws
+from ..rolling import Result, solve
+from ..rolling.propagation import Pair, propagated
+from ..solution.scalars import SCALARS
+
+if TYPE_CHECKING:
+    from .._support.progress import Report
+
+__all__ = ["Way", "as_way", "drawn_answers", "drawn_parameters", "interval_variables"]
+
+#: How results of draws are found.
+Way: TypeAlias = Literal["linear", "solve"]
+
+#: What a study tells of a result, after its name: of the draws' mean, and the ends of the interval around the result.
+_BOUNDS = ("mean", "lower", "upper")
+
+#: Scalars that tell of the computation, and those of who touches, whom linear draws keep.
+_OF_THE_SOLVE = {"power_balance_error", "error_estimate", "iterations", "operator_applications", "residual"}
+_OF_THE_OUTLINE = {"contact_area", "semi_axis_x", "semi_axis_z", "contact_width", "face_distance"}
+
+#: Nodes before and behind that touch where the largest pressure is inside. At the edge it is one node's, which linear
+#: draws let rise and fall as no pressure does: up to five times as wide an interval as that of whole solves was seen.
+_INSIDE = 2
+
+
+def as_way(way: object) -> Way:
+    """Return how draws are solved, or raise a ValueError."""
+    if way == "linear" or way == "solve":
+        return way
+    raise ValueError(f"draws must be 'linear' or 'solve', got {shown(way)}")
+
+
+def drawn_parameters(parameters: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Return parameters with the middle of each set of draws, and with its draws one after the other.
+
+    Raises
+    ------
+    ValueError
+        For sets of unlike size: draws of several materials go together, the first with the first.
+    """
+    sets = {name: value for name, value in parameters.items() if isinstance(value, Draws)}
+    if len({len(value) for value in sets.values()}) > 1:
+        told = ", ".join(f"{len(value)} of {name}" for name, value in sets.items())
+        raise ValueError(f"draws must be as many of each parameter, got {told}")
+    middle = {**parameters, **{name: value.middle for name, value in sets.items()}}
+    drawn = zip(*sets.values(), strict=True)
+    return middle, [{**parameters, **dict(zip(sets, members, strict=True))} for members in drawn]
+
+
+def drawn_answers(
+    result: Result,
+    draws: Sequence[Pair],
+    way: Way,
+    case: Mapping[str, Any],
+    *,
+    threads: int = 1,
+    progress: Report | None = None,
+) -> dict[str, Floats]:
+    """Return scalars of a result for draws of its materials, by name, each of shape (draws,).
+
+    Parameters
+    ----------
+    result : Result
+        Of the middle.
+    draws : sequence of pairs
+        What rolls, and what it rolls on.
+    way : "linear" or "solve"
+        To first order with the contact as it is, or each solved whole, on the mesh of the result.
+    case : mapping
+        The other arguments that gave the result.
+    threads, progress
+        As of `viscoroll.solve`.
+
+    Raises
+    ------
+    ValueError, ConvergenceError
+        Where a draw is refused, or has no solution: an interval of those that have one would lie.
+    """
+    left_out = _OF_THE_SOLVE | (_OF_THE_OUTLINE if way == "linear" else set())
+    answers = [name for name in SCALARS if name not in left_out and isinstance(getattr(result, name), float)]
+    if way == "linear":
+        values = propagated(result, draws, answers, threads=threads, progress=progress)
+        if not _peaks_inside(result):
+            values[:, answers.index("max_pressure")] = np.nan
+    else:
+        options = {"mesh": result.mesh, "threads": threads, "progress": progress}
+        given = {name: value for name, value in case.items() if name not in ("on", "accuracy")} | options
+        with kept_in_results():
+            values = np.array([_whole_answers(ball, on, given, answers) for ball, on in draws])
+    return dict(zip(answers, values.T, strict=True))
+
+
+def _peaks_inside(result: Result) -> bool:
+    """Whether the largest pressure is inside the contact, and not at its leading or trailing edge."""
+    row, column = np.unravel_index(np.argmax(result.pressure), result.pressure.shape)
+    around = result.contact[max(row - _INSIDE, 0) : row + _INSIDE + 1, column]
+    return bool(around.all()) and around.size == 2 * _INSIDE + 1
+
+
+def _whole_answers(ball: Any, on: Any, given: dict[str, Any], answers: Sequence[str]) -> list[float]:
+    result = strain_softening(ball, on=on, **given).result if softens(ball, on) else solve(ball, on=on, **given)
+    return [np.nan if (value := getattr(result, name)) is None else value for name in answers]
+
+
+def interval_variables(
+    table: Sequence[Mapping[str, Floats]], middles: Mapping[str, Floats], confidence: float
+) -> dict[str, tuple[str, Floats, str]]:
+    """Return mean and interval of each result that has draws, over all points.
+
+    Parameters
+    ----------
+    table : sequence of mapping
+        For each point the answers of its draws by name, or none.
+    middles : mapping of str to ndarray, shape (points,)
+        The results themselves.
+    confidence : float
+        Probability that an interval holds the true value [-].
+
+    Returns
+    -------
+    dict
+        By names of results with "_mean", "_lower" or "_upper": the result's name, values, and what they are.
+    """
+    found = {}
+    for name in dict.fromkeys(name for answers in table for name in answers):
+        none = np.full(2, np.nan)
+        drawn = [answers.get(name, none) for answers in table]
+        mean = np.array([values.mean() for values in drawn])
+        half = np.array([half_width(values, confidence) for values in drawn])
+        count = max(len(answers.get(name, ())) for answers in table)
+        for bound, values, what in zip(
+            _BOUNDS,
+            (mean, middles[name] - half, middles[name] + half),
+            (f"mean of {count} draws", f"lower end of {confidence:.4g}", f"upper end of {confidence:.4g}"),
+            strict=True,
+        ):
+            found[f"{name}_{bound}"] = (name, values, what)
+    return found

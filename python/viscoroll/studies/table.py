@@ -1,0 +1,44 @@
+"""A study as a table of a row for each point."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .._support.files import write_csv
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["save_table"]
+
+
+def save_table(study: xarray.Dataset, path: str | Path) -> None:
+    """Write a row for each point of a study: what varies, scalar results and intervals, with units.
+
+    Parameters
+    ----------
+    study : xarray.Dataset
+        What `viscoroll.sweep` returns, or a selection of it.
+    path : path-like
+        A file ``.csv``; results that no point has are left out. All of a study is what ``study.to_netcdf`` keeps.
+
+    Raises
+    ------
+    ValueError
+        For another suffix.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".csv":
+        raise ValueError(f"path must end in .csv, got {path.name!r}")
+    scalars = study.drop_dims([name for name in ("phi", "theta", "direction") if name in study.dims])
+    varied = list(scalars.resisting_torque.dims)
+    frame = scalars.to_dataframe().reset_index().dropna(axis="columns", how="all")
+    names = [*varied, *(name for name in frame.columns if name not in varied)]
+    columns = {_headed(study, name): frame[name].tolist() for name in names}
+    write_csv(columns, path)
+
+
+def _headed(study: xarray.Dataset, name: str) -> str:
+    unit = study[name].attrs.get("units", "1")
+    return name if unit == "1" else f"{name} [{unit}]"

@@ -1,0 +1,115 @@
+"""Draws of materials in files: kept beside the material, and taken by a study from the shell."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import viscoroll as vr
+import xarray
+from campaign.intervals import REFERENCE, Noise, measured
+from specimens import command
+from viscoroll.studies.table import save_table
+
+STUDY = """
+[cylinder]
+core_radius = 20e-3
+
+[[cylinder.layers]]
+thickness = 2e-3
+poisson_ratio = 0.5
+shear_modulus = { type = "measured", file = "rubber.toml", temperature = 60.0, form = "prony" }
+
+[rolling]
+load = 1000.0
+angular_speed = 3.0
+
+[numerics]
+nodes_per_revolution = 1000
+
+[sweep]
+"rolling.load" = [500.0, 1000.0]
+
+[draws]
+of = ["cylinder.layers[0].shear_modulus"]
+confidence = 0.9
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Return where a material with ten draws and a study of it are, and the superposition."""
+    folder = tmp_path_factory.mktemp("drawn")
+    curve = vr.superpose(measured(1, Noise()), reference=REFERENCE)
+    vr.save_material(folder / "rubber.toml", curve, fit=curve.fit, draws=curve.draws(10))
+    (folder / "study.toml").write_text(STUDY)
+    return folder, curve
+
+
+def roller(modulus):
+    layer = vr.Layer(thickness=2e-3, shear_modulus=modulus, poisson_ratio=0.5)
+    return vr.CoatedCylinder(core_radius=20e-3, layers=[layer])
+
+
+def test_a_study_from_the_shell_is_that_of_the_draws(folder):
+    folder, curve = folder
+    ended = command("sweep", "study.toml", "--table", "study.csv", cwd=folder)
+    assert ended.returncode == 0, ended.stderr
+    found = xarray.load_dataset(folder / "study.nc")
+    expected = vr.sweep(
+        roller,
+        modulus=curve.draws(10).map(lambda c: c.series_at(temperature=60.0)),
+        load=[500.0, 1000.0],
+        angular_speed=3.0,
+        mesh=vr.Mesh(nodes_per_revolution=1000),
+        confidence=0.9,
+        progress=False,
+    )
+    for name in ("resisting_torque", "resisting_torque_mean", "resisting_torque_lower", "resisting_torque_upper"):
+        np.testing.assert_allclose(found[name], expected[name], rtol=1e-6)
+    assert command("plot", "study.nc", cwd=folder).returncode == 0
+    head, *rows = (line.split(",") for line in (folder / "study.csv").read_text().splitlines())
+    assert (head[0], len(rows)) == ("load [N/m]", 2)
+    with pytest.raises(ValueError, match=r"path must end in \.csv, got 'study\.txt'"):
+        save_table(found, "study.txt")
+    lower = [float(row[head.index("resisting_torque_lower [N]")]) for row in rows]
+    assert lower == pytest.approx(found.resisting_torque_lower.to_numpy(), rel=1e-12)
+
+
+def test_draws_of_a_file(folder):
+    path, curve = folder[0] / "rubber.toml", folder[1]
+    for draw in (0, 9):
+        expected = curve.draws(10)[draw].series_at(temperature=40.0)
+        found = vr.load_material(path, temperature=40.0, form="prony", draw=draw)
+        np.testing.assert_allclose(found.complex_modulus(3.0), expected.complex_modulus(3.0), rtol=1e-12)
+    with pytest.raises(ValueError, match=r"draw must be in \[0, 9\], got 10"):
+        vr.load_material(path, form="prony", draw=10)
+    with pytest.raises(ValueError, match="form must be 'prony' where a draw is taken, got 'table'"):
+        vr.load_material(path, draw=0)
+    with pytest.raises(ValueError, match="fit must be given with draws: they are series"):
+        vr.save_material(folder[0] / "other.toml", curve, draws=curve.draws(2))
+
+
+def test_the_shell_saves_draws_of_one_curve(folder):
+    folder, _ = folder
+    omega = np.geomspace(0.1, 100.0, 16)
+    rows = "".join(f"{w},{1e6 * w**0.1},{1e5 * w**0.1}\n" for w in omega)
+    (folder / "data.csv").write_text(f"frequency,storage modulus,loss modulus\nrad/s,Pa,Pa\n{rows}")
+    ended = command("material", "data.csv", "--shear", "--draws", 3, "--save", "one.toml", cwd=folder)
+    assert ended.returncode == 0, ended.stderr
+    assert isinstance(vr.load_material(folder / "one.toml", form="prony", draw=2), vr.Prony)
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ('of = ["cylinder.layers[0].thickness"]', 'keep draws, got "cylinder.layers[0].thickness"'),
+        ("of = []", "draws.of must be materials with as many draws each, got no place"),
+        ('of = ["cylinder.layers[0].shear_modulus"]\nby = "luck"', "by"),
+    ],
+)
+def test_bad_tables(folder, changed, message):
+    folder, _ = folder
+    (folder / "bad.toml").write_text(STUDY.replace('of = ["cylinder.layers[0].shear_modulus"]', changed))
+    ended = command("sweep", "bad.toml", cwd=folder)
+    assert ended.returncode == 2
+    assert message in ended.stderr.replace("\n", " ")
