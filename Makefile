@@ -11,14 +11,15 @@ APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohman
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev
 APT_DOCS := doxygen
+APT_PAGE := chromium nodejs npm
 DEPS ?= deps
 
 LIBRARY_SOURCES := $(shell git ls-files CMakeLists.txt CMakePresets.json cpp)
 SOURCES := $(shell git ls-files pyproject.toml README.md python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-package test-clang test-pocketfft dist docs sanitize coverage campaign \
-        lint format stubs hooks bench bench-compare deps deps-bench deps-clang deps-docs clean
+.PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft dist docs sanitize coverage campaign \
+        wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-page clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -30,12 +31,15 @@ help:
 	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
 	@echo "               under the thread sanitizer"
 	@echo "make coverage  say which share of the lines the tests reach, of Python and of C++"
+	@echo "make test-page       use the page of viscoroll app in a browser, and that of the site where make wasm has made it"
 	@echo "make test-clang      build library and Python module by Clang and run all tests of both"
 	@echo "make test-pocketfft  run the C++ tests with PocketFFT for the transforms, and a program that uses the library"
 	@echo "make dist      make sources and wheel as pip gets them, in dist/, and check them"
+	@echo "make wasm      build the npm package for browsers and Node.js, build/wasm/package"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
 	@echo "make bench     measure times and errors, and append them to bench/results.csv"
 	@echo "make bench-compare  hold the last ones against those before on the same processor"
+	@echo "make tables    write the tables of the pages, of what tests, benchmarks and the library know"
 	@echo "make docs      build the documentation site, build/docs/index.html, running all its examples"
 
 demo: $(VENV)/demo.stamp
@@ -61,6 +65,12 @@ test-cpp: $(LIBRARY).stamp
 test-python: $(VENV)/test.stamp
 	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
+# What drives the browser is a package of npm.
+test-page: $(VENV)/test.stamp | deps-page
+	mkdir -p build/page && cp tests/page/package.json build/page
+	npm install --prefix build/page --silent --no-package-lock
+	$(BIN)/python -m pytest tests/python/app/test_page.py
+
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources,
 # which it would compile as they are compiled already: the objects need not be made again. The library configured as the
 # README says must be the optimized one.
@@ -74,6 +84,8 @@ test-package: $(LIBRARY).stamp
 	export PKG_CONFIG_PATH="$$(dirname "$$(find $(CURDIR)/$(LIBRARY) -name viscoroll.pc)")" && \
 	  g++ -std=c++20 tests/package/main.cpp $$(pkg-config --cflags --libs viscoroll) -o build/package/plain_consumer && \
 	  build/package/plain_consumer
+	cmake -S docs/jobs/real_time -B build/package/real_time -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY)
+	cmake --build build/package/real_time && build/package/real_time/real_time
 	cmake -S tests/package -B build/package/source -G 'Unix Makefiles' -Dviscoroll_SOURCE=$(CURDIR) \
 	  -DCMAKE_BUILD_TYPE=Release -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 	$(PYTHON) tests/package/same_commands.py build/release build/package/source
@@ -102,6 +114,9 @@ test-pocketfft: build/headers
 	cmake --install build/pocketfft --component library --prefix build/package/pocketfft/prefix
 	cmake -S tests/package -B build/package/pocketfft/build -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/pocketfft/prefix
 	cmake --build build/package/pocketfft/build && build/package/pocketfft/build/consumer
+
+wasm: build/headers
+	wasm/build.sh
 
 # The wheel as those of a release are, with nothing inside that is not permissively licensed.
 dist: | $(VENV)/bin/pip
@@ -178,16 +193,22 @@ bench: deps-bench build/headers $(VENV)/bench.stamp
 	cmake --preset bench-pocketfft
 	cmake --build --preset bench-pocketfft --parallel $(JOBS) --target bench_transforms
 	$(BIN)/python bench/run.py
+	$(BIN)/python docs/tables.py
 
 bench-compare:
 	$(PYTHON) bench/compare.py
+
+tables: $(VENV)/demo.stamp
+	$(BIN)/python docs/tables.py
 
 # Nothing is fetched while the site is built. Links and files are checked when it stands: all must be there.
 docs: deps-docs $(VENV)/docs.stamp
 	rm -rf build/docs && mkdir -p build
 	doxygen docs/Doxyfile
-	$(BIN)/sphinx-build --fail-on-warning --keep-going -d build/doctrees docs build/docs
+	cmake -S docs/jobs/real_time -B build/real_time -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY) && cmake --build build/real_time
+	PATH="$(CURDIR)/build/real_time:$$PATH" $(BIN)/sphinx-build --fail-on-warning --keep-going -d build/doctrees docs build/docs
 	$(BIN)/python docs/check_links.py build/docs
+	$(BIN)/python docs/check_search.py build/docs
 
 deps:
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT) >/dev/null 2>&1; then \
@@ -205,6 +226,10 @@ deps-clang: $(DEPS)
 deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
+
+deps-page: $(DEPS)
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_PAGE) >/dev/null 2>&1; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_PAGE); fi
 
 # Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
 # of a plain `pip install .` remembers nothing of it. The pip of Debian 12 knows no shorter name of the option.

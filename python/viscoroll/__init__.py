@@ -42,6 +42,7 @@ from .export import dem
 from .interior import Core, StrainSoftening, Temperature, plane_cooling, self_heating, strain_softening, temperature
 from .materials import (
     Arrhenius,
+    Draws,
     Elastic,
     FractionalZener,
     KelvinVoigt,
@@ -62,6 +63,7 @@ from .rheology import (
     check_modulus,
     check_range,
     example_data,
+    example_material,
     fit_network,
     fit_prony,
     hardness_to_modulus,
@@ -89,6 +91,7 @@ __all__ = [
     "ConvergenceError",
     "Core",
     "Curvature",
+    "Draws",
     "Drive",
     "Elastic",
     "Extrapolation",
@@ -142,6 +145,7 @@ __all__ = [
     "degree_compliance",
     "dem",
     "example_data",
+    "example_material",
     "fit_friction_law",
     "fit_network",
     "fit_power_law",

@@ -16,14 +16,17 @@ from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __
 from .._support.cautions import ResultWarning
 from .._support.extras import extra
 from .._support.tables import handy
+from ..bodies.si_hints import unit_doubt
 from ..case import Case, example_text, load_case
+from ..case.tables import skipped_in
 from ..interior.temperature import QUANTITIES
 from ..rolling import Result
 from ..rolling import solve as solve_rolling
 from ..solution.files import FORMATS
-from ..solution.text import result_lines, result_title, with_unit
+from ..solution.text import cautions, result_lines, result_title, with_unit
 from .commands import design, export, material
 from .output import MESSAGES, OUTPUT, PICTURES, check_target, progress_bar, write_line, write_message
+from .page import serve_page
 
 with extra("cli"):
     import typer
@@ -104,6 +107,7 @@ def solve(
     check_target("--section", section, PICTURES)
     check_target("--save", save, tuple(FORMATS))
     loaded = load_case(case)
+    _tell_skipped(case, "viscoroll solve")
     heated, softened = None, None
     with progress_bar() as report, warnings.catch_warnings(record=True) as doubts:
         warnings.simplefilter("always", ResultWarning)
@@ -133,7 +137,7 @@ def solve(
             for line in repr(softened).splitlines():
                 write_line(line)
     said = [str(doubt.message) for doubt in doubts if issubclass(doubt.category, ResultWarning)]
-    for message in dict.fromkeys([*result.warnings.values(), *said]):
+    for message in dict.fromkeys([*cautions(result), *said]):
         write_message(f"warning: {message}")
     if plot is not None:
         result.plot().savefig(plot, dpi=150)
@@ -164,6 +168,7 @@ def roll(
     check_target("--save", save, tuple(HISTORY_FORMATS))
     check_target("--checkpoint", checkpoint, (".npy",))
     loaded = load_motion(case)
+    _tell_skipped(case, "viscoroll roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
     with progress_bar() as report:
         history = loaded.roll(progress=report, checkpoint=checkpoint, **resumed)
@@ -171,6 +176,8 @@ def roll(
         typer.echo(_json(history.scalars()))
     else:
         write_line(repr(history))
+    if doubt := unit_doubt(loaded.ball, loaded.on):
+        write_message(f"warning: {doubt}")
     if plot is not None:
         history.plot().savefig(plot, dpi=150)
     if save is not None:
@@ -182,17 +189,22 @@ def sweep(
     study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
     output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
     retry_failed: Annotated[bool, typer.Option("--retry-failed", help="Solve points again that failed.")] = False,
+    table: Annotated[Path | None, typer.Option(help="Write a row for each point to this file, too (.csv).")] = None,
 ) -> None:
     """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
     from ..case.study import load_study
     from ..studies.study import doubts, run_plan
+    from ..studies.table import save_table
 
     check_target("--output", output, (".nc",))
+    check_target("--table", table, (".csv",))
     path = study.with_suffix(".nc") if output is None else output
     try:
         dataset = run_plan(load_study(study), cache=path, retry_failed=retry_failed, progress=MESSAGES.is_terminal)
     except KeyboardInterrupt:
         _fail(f"stopped; the same command goes on from {path}.points", _STOPPED)
+    if table is not None:
+        save_table(dataset, table)
     for message in sorted(set(dataset.error.values.ravel()) - {""}):
         write_message(f"warning: a point failed: {message}")
     for message in doubts(dataset):
@@ -226,23 +238,20 @@ def plot(
 @app.command()
 def example(
     with_sweep: Annotated[bool, typer.Option("--sweep", help="Append the table of a study.")] = False,
+    with_design: Annotated[bool, typer.Option("--design", help="Append the table of `viscoroll design`.")] = False,
     motion: Annotated[bool, typer.Option("--motion", help="Print a file for `viscoroll roll` instead.")] = False,
     measured: Annotated[
         bool, typer.Option("--measured", help="Print measurements for `viscoroll compare` instead, invented ones.")
     ] = False,
 ) -> None:
     """Print a commented case file to start from: viscoroll example > case.toml."""
-    if measured:
-        if with_sweep or motion:
-            raise ValueError("--sweep and --motion must be left out with --measured: it is a file of its own")
-        typer.echo(example_text("measured"), nl=False)
-        return
-    if motion:
-        if with_sweep:
-            raise ValueError("--sweep must be left out with --motion: studies are of steady rolling")
-        typer.echo(example_text("motion"), nl=False)
-        return
-    typer.echo(example_text() + (example_text("sweep") if with_sweep else ""), nl=False)
+    tables = [name for name, wanted in (("sweep", with_sweep), ("design", with_design)) if wanted]
+    others = [name for name, wanted in (("motion", motion), ("measured", measured)) if wanted]
+    if len(others) + bool(tables) > 1:
+        asked = " and ".join(f"--{name}" for name in [*tables, *others])
+        raise ValueError(f"--sweep and --design are of a case, --motion and --measured files of their own, got {asked}")
+    names = others or ["case", *tables]
+    typer.echo("".join(example_text(name) for name in names), nl=False)  # type: ignore[arg-type]
 
 
 @app.command()
@@ -364,6 +373,11 @@ def demo(
     write_line(f"contact pressure drawn to {plot}")
 
 
+def _tell_skipped(path: Path, command: str) -> None:
+    if others := skipped_in(path, command=command):
+        write_message(f"skipped in {path.name}: {others}")
+
+
 _STATUS_TEXT = {
     Status.MAX_ITERATIONS: "the contact still changed when the iterations ran out",
     Status.ACCURACY_NOT_REACHED: "the finest mesh allowed is not as accurate as wanted; see the error estimate",
@@ -451,3 +465,4 @@ def _table_2(torques: dict[tuple[int, int], float]) -> Table:
 
 for command in (material, export, design):
     app.command()(command)
+app.command("app")(serve_page)

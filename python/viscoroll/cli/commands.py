@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from .._support.extras import extra
 from .._support.text import parsed_range, shown
-from .output import PICTURES, check_target, progress_bar, write_line
+from ..materials import WilliamsLandelFerry
+from .output import PICTURES, check_target, progress_bar, write_line, write_message
 
 with extra("cli"):
     import typer
@@ -17,7 +18,8 @@ with extra("cli"):
 if TYPE_CHECKING:
     import xarray
 
-    from ..rheology import Isotherm, RheologyData, Superposition
+    from ..materials import Draws, Prony
+    from ..rheology import Isotherm, PronyFit, RheologyData, ShiftFactors, Superposition, TemperatureRamp
 
 __all__ = ["design", "export", "material"]
 
@@ -45,26 +47,41 @@ def material(
         str | None, typer.Option(help="Names and units, as 'frequency=f:Hz,storage=A:MPa,loss=B:MPa'.")
     ] = None,
     between: Annotated[str | None, typer.Option(help="Keep sweeps from..to in °C, as -35..160.")] = None,
+    frequency: Annotated[
+        float | None, typer.Option(help="Of a temperature ramp in rad/s, where the file has no column of it.")
+    ] = None,
     factors: Annotated[Path | None, typer.Option(help="Your own shift factors (.csv: T, log_aT).")] = None,
+    wlf: Annotated[
+        str | None, typer.Option(help="Your own law of the shift: C1,C2 in K,T_r in °C, as 17.44,51.6,-65.")
+    ] = None,
     vertical: Annotated[bool, typer.Option("--vertical", help="Shift moduli, too.")] = False,
     terms_per_decade: Annotated[float, typer.Option(help="Of the Prony series.")] = 2.0,
+    draws: Annotated[
+        int, typer.Option(help="Save so many draws, too, for intervals: \\[draws] in a study.", min=0)
+    ] = 0,
     plot: Annotated[Path | None, typer.Option(help="Draw data, fit and residual (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the material (.toml), which case files name.")] = None,
 ) -> None:
     """Make a material of measured moduli: read, shift to one temperature, check, fit, save."""
-    from ..rheology import ShiftFactors, check_modulus, fit_prony, read_rheology, save_material, superpose
+    from ..rheology import check_modulus, fit_prony, read_rheology, save_material, superpose
 
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".toml",))
-    measured = read_rheology(data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio)
+    measured = read_rheology(
+        data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio, frequency=frequency
+    )
     if between is not None:
         if (ends := parsed_range(between)) is None:
             raise ValueError(f"--between must be like -35..160, got {between!r}")
         measured = measured.between(*ends)
-    write_line(repr(measured))
+    for line in repr(measured).splitlines():
+        write_line(line)
+    own = _own_shift(factors, wlf)
     curve: Superposition | Isotherm
+    if measured.ramp is not None and own is None:
+        _write_ramp(measured.ramp, at, wanted=plot or save)
+        return
     if len(measured.isotherms) > 1:
-        own = None if factors is None else ShiftFactors.read(factors)
         curve = superpose(measured, reference=_reference(measured, reference), factors=own, vertical=vertical)
         for line in repr(curve).splitlines():
             write_line(line)
@@ -80,7 +97,7 @@ def material(
         fit.plot().savefig(plot, dpi=150)
         write_line(f"data, fit and residual drawn to {plot}")
     if save is not None:
-        save_material(save, curve, fit=fit)
+        save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
         write_line(f"material: {save}; in a case file, shear_modulus = {{ type = 'measured', file = '{save.name}' }}")
 
 
@@ -93,6 +110,7 @@ def export(
 ) -> None:
     """Write rolling friction as a discrete-element code defines it, and T(P, Ω) as CSV beside it."""
     from ..export import dem
+    from ..studies.study import doubts
 
     if not 1.0 < span <= 100.0:
         raise ValueError(f"--span must be in (1, 100], got {span:g}")
@@ -100,6 +118,8 @@ def export(
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"--output must be a file in a folder that exists, got {shown(str(path))}")
     study, load, speed = _study_around(case, span)
+    for message in doubts(study):
+        write_message(f"warning: {message}")
     written = dem(study, code=code.value, style=style, load=load, angular_speed=speed)
     table = written.save(path)
     write_line(written.text.rstrip("\n"))
@@ -107,7 +127,7 @@ def export(
 
 
 def design(
-    case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/from-dma-to-dem.md.")],
+    case: Annotated[Path, typer.Argument(help="Case file with a table \\[design]; as in docs/studies.md.")],
     plot: Annotated[Path | None, typer.Option(help="Draw power and limits (.png, .svg, .pdf).")] = None,
 ) -> None:
     """Find the thickness, or any number of a case, that loses the least power under limits."""
@@ -125,6 +145,15 @@ def design(
     if plot is not None:
         found.plot().savefig(plot, dpi=150)
         write_line(f"power and limits drawn to {plot}")
+
+
+def _draws(curve: Superposition | Isotherm, fit: PronyFit, count: int) -> Draws[Superposition] | Draws[Prony] | None:
+    """Return draws of shifts and series, or of a series alone."""
+    from ..rheology import Superposition
+
+    if count == 0:
+        return None
+    return curve.draws(count) if isinstance(curve, Superposition) else fit.draws(count)
 
 
 def _columns(text: str | None) -> dict[str, str | tuple[str, str]] | None:
@@ -145,6 +174,37 @@ def _reference(data: RheologyData, reference: float | None) -> float:
         low, high = data.isotherms[0].temperature, data.isotherms[-1].temperature
         raise ValueError(f"--reference must be given for several sweeps, from {low:.4g} to {high:.4g} °C")
     return reference
+
+
+def _own_shift(factors: Path | None, wlf: str | None) -> ShiftFactors | WilliamsLandelFerry | None:
+    from ..rheology import ShiftFactors
+
+    if factors is not None and wlf is not None:
+        raise ValueError("--wlf must be left out with --factors")
+    if wlf is None:
+        return None if factors is None else ShiftFactors.read(factors)
+    try:
+        c1, c2, degrees = (float(part) for part in wlf.split(","))
+    except ValueError:
+        raise ValueError(f"--wlf must be C1,C2,T_r, as 17.44,51.6,-65, got {wlf!r}") from None
+    return WilliamsLandelFerry(c1=c1, c2=c2, reference_temperature=degrees + 273.15)
+
+
+def _write_ramp(ramp: TemperatureRamp, at: float | None, *, wanted: Path | None) -> None:
+    """Write what a ramp gives without a law: a modulus for case files at a temperature."""
+    if wanted is not None:
+        raise ValueError(
+            f"{wanted.name} needs a master curve, which a ramp at one frequency gives with a law of the shift alone: "
+            "give --factors or --wlf"
+        )
+    if at is None:
+        write_line("for a case file at a temperature: --at; for a master curve by your own law: --factors or --wlf")
+        return
+    found = ramp.at(temperature=at)
+    write_line(
+        f"at {at:g} °C, in a case file: shear_modulus = {{ type = 'loss_factor', modulus = {found.modulus:.6g}, "
+        f"loss_factor = {found.loss_factor:.6g}, reference_frequency = {found.reference_frequency:.6g} }}"
+    )
 
 
 def _write_modulus(curve: Superposition | Isotherm, temperature: float) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -62,7 +63,9 @@ def test_names_serve_in_transient_rolling_as_in_steady():
 def test_misspelled_parameters_of_a_study():
     with pytest.raises(TypeError, match=r"a ball has no parameter acuracy; pass .*; or did you mean accuracy\?"):
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, acuracy=0.1, progress=False)
-    with pytest.raises(TypeError, match=r"a ball has no parameter thickness; .* that returns the ball$"):
+    with pytest.raises(
+        TypeError, match=r"a ball has no parameter thickness; .* that returns the ball, or as on= what it rolls on$"
+    ):
         vr.sweep(paper.ball(), load=[50.0, 60.0], angular_speed=2.5, thickness=1e-3, progress=False)
 
 
@@ -74,10 +77,26 @@ def test_misspelled_parameters_of_a_study():
             "Layer() got an unexpected keyword argument 'h', 'E', 'nu'; "
             "did you mean thickness, shear_modulus = E / (2 (1 + nu)), poisson_ratio?",
         ),
+        (lambda: vr.Layer(hardness=85.0), "'hardness'; did you mean shear_modulus = hardness_to_modulus(...).value?"),
+        (
+            lambda: vr.LossFactor(rebound=0.5),
+            "'rebound'; did you mean loss_factor = rebound_to_loss_factor(...).value?",
+        ),
+        (
+            lambda: vr.CoatedPlane(thickness=6e-3, shear_modulus=1e6),
+            "argument 'thickness', 'shear_modulus'; did you mean layers = [Layer(...)]?",
+        ),
         (lambda: vr.Elastic(E=9e6), "argument 'E'; did you mean modulus = E / (2 (1 + nu))?"),
         (lambda: vr.Layer(thicknes=1e-3), "argument 'thicknes'; did you mean thickness?"),
         (lambda: vr.CoatedSphere(radius=0.02), "; did you mean core_radius = outer radius - thickness of the layers?"),
         (lambda: vr.solve(paper.ball(), speed=2.5), "argument 'speed'; did you mean angular_speed = V / r_o?"),
+        (lambda: vr.solve(paper.ball(), belt_speed=2.5), "'belt_speed'; did you mean angular_speed = V / r_o?"),
+        (lambda: vr.solve(paper.ball(), mass=10.0), "argument 'mass'; did you mean load = 9.81 mass?"),
+        (
+            lambda: vr.roll(paper.ball(), speed=1.0),
+            "roll() got an unexpected keyword argument 'speed'; did you mean way =",
+        ),
+        (lambda: vr.roll(paper.ball(), displacement=1.0), "argument 'displacement'; did you mean way?"),
         (lambda: vr.solve(paper.ball(), rpm=60.0), "argument 'rpm'; did you mean angular_speed = 2 pi rpm / 60?"),
         (
             lambda: vr.roll(paper.ball(), mu=0.3),
@@ -153,9 +172,9 @@ def test_other_units_are_told_by_models_histories_and_strain():
         vr.RollingModel(soft, angular_speed=2.5, mesh=mesh).solve(load=100.0)
     with pytest.raises(ValueError, match=told):
         vr.roll(soft, time=[0.0, 0.1], angle=[0.0, 0.1], load=50.0, mesh=mesh)
-    with pytest.warns(vr.ResultWarning, match="the strain, .*" + told):
-        result = vr.solve(soft, load=2.5e-4, angular_speed=2.5)
-    assert result.warnings[vr.WarningKind.LARGE_STRAIN].endswith("3 Pa at rest")
+    with pytest.warns(vr.ResultWarning, match="3 Pa at rest; were megapascals meant") as said:
+        vr.solve(soft, load=2.5e-4, angular_speed=2.5)
+    assert str(said[0].message).startswith("the strain, ")
 
 
 def test_other_units_are_told_of_what_it_rolls_on():
@@ -163,6 +182,40 @@ def test_other_units_are_told_of_what_it_rolls_on():
     told = r"units: on.layers\[0\].thickness = 1 m, on.base.shear_modulus = 10 Pa at rest$"
     with pytest.raises(ValueError, match=told):
         vr.solve(ball_of(), on=mat, load=1e9, angular_speed=2.5)
+
+
+MILLIMETERS = "viscoroll takes SI units: outer_radius = 21 m, layers[0].thickness = 1 m; were millimeters meant?"
+
+
+def test_a_ball_of_21_meters_is_solved_and_asked_about():
+    with pytest.warns(vr.ResultWarning) as said:
+        result = vr.solve(ball_of(length=MM), load=1e6, angular_speed=2.5, accuracy=0.1)
+    assert result.status is vr.Status.CONVERGED
+    assert [str(one.message) for one in said] == [MILLIMETERS]
+    assert repr(result).splitlines()[-1].endswith(MILLIMETERS)
+    assert MILLIMETERS in result._repr_html_()
+    with pytest.warns(vr.ResultWarning) as said:
+        vr.RollingHistory(ball_of(length=MM), load=1e6, mesh=vr.Mesh(nodes_per_revolution=400))
+    assert [str(one.message) for one in said] == [MILLIMETERS]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        vr.solve(ball_of(), load=10.0, angular_speed=2.5, accuracy=0.1)  # of 21 mm
+
+
+def test_a_ball_of_21_meters_in_a_study_and_from_the_shell(tmp_path):
+    mesh = vr.Mesh(nodes_per_revolution=2000)
+    with pytest.warns(vr.ResultWarning) as said:
+        study = vr.sweep(ball_of(length=MM), load=[1e6, 2e6], angular_speed=2.5, mesh=mesh, progress=False)
+    assert str(said[-1].message) == study.attrs["caution"] == MILLIMETERS
+    text = example_text().replace("20e-3 ", "20.0 ").replace("thickness = 1e-3", "thickness = 1.0")
+    text = text.replace("load = 100.0", "load = 1e6").replace("accuracy = 0.01", "nodes_per_revolution = 2000")
+    (tmp_path / "case.toml").write_text(text.replace("density = 1000.0", ""), encoding="utf-8")
+    (tmp_path / "study.toml").write_text(
+        (tmp_path / "case.toml").read_text(encoding="utf-8") + '[sweep]\n"rolling.load" = [1e6, 2e6]\n',
+        encoding="utf-8",
+    )
+    for words in (("solve", "case.toml"), ("sweep", "study.toml"), ("export", "case.toml", "--for", "lammps")):
+        assert f"warning: {MILLIMETERS}\n" in command(*words, cwd=tmp_path).stderr
 
 
 def test_printed_balls_and_rollers_tell_of_other_units():
@@ -226,13 +279,58 @@ def test_files_of_another_kind(tmp_path):
     case, unknown = tmp_path / "case.toml", tmp_path / "unknown.csv"
     case.write_text(example_text(), encoding="utf-8")
     unknown.write_text("f,A,B\n1,2,3\n", encoding="utf-8")
-    assert told("roll", case) == f"{case}: motion: field required (and 4 more)"
+    assert told("roll", case) == f"{case}: motion: field required; such a file is for `viscoroll solve`"
     case.write_text(example_text().replace("angular_speed", "angularspeed"), encoding="utf-8")
     extra = "extra inputs are not permitted, got 2.5"
     assert told("solve", case) == f"{case}: rolling.angularspeed: {extra}; did you mean angular_speed?"
     case.write_text(example_text().replace("angular_speed", "speed"), encoding="utf-8")
-    assert told("solve", case) == f"{case}: rolling.speed: {extra}; rolling.angular_speed: field required"
-    case.write_text(example_text() + example_text("sweep"), encoding="utf-8")
-    assert told("solve", case).endswith("; such a file is for `viscoroll sweep`")
+    meant = "did you mean angular_speed = V / r_o?"
+    assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"
+    case.write_text(example_text().replace("angular_speed", "speed") + example_text("sweep"), encoding="utf-8")
+    assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"  # [sweep] does not give it
+    case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
+    assert told("solve", case).endswith("; did you mean plane?")
+    case.write_text(example_text("motion"), encoding="utf-8")
+    assert told("solve", case) == f"{case}: rolling: field required; such a file is for `viscoroll roll`"
+    case.write_text((example_text() + example_text("sweep")).replace("load = 100.0", ""), encoding="utf-8")
+    varied = "; what [sweep] gives is for `viscoroll sweep`"
+    assert told("solve", case) == f"{case}: rolling.load: field required{varied}"
     assert told("plot", case) == "study must be the .nc that `viscoroll sweep` writes, got 'case.toml'"
     assert "in the shell --columns frequency=name:unit,storage=name:unit" in told("material", unknown)
+
+
+def test_layers_without_a_core_are_a_solid_ball(tmp_path):
+    """As the docstring says: of the radius of the layers, and of what a ball that is called solid does."""
+    ball = vr.CoatedSphere(layers=[one_layer(thickness=0.02)])
+    assert ball == vr.CoatedSphere(layers=[one_layer(thickness=0.02)], inner_boundary="solid")
+    assert (ball.outer_radius, ball.inner_boundary) == (0.02, vr.InnerBoundary.SOLID)
+    with pytest.raises(ValueError, match="core_radius must be > 0 m, got 0"):
+        vr.CoatedSphere()
+    with pytest.raises(ValueError, match="core_radius must be > 0 m, got 0"):
+        vr.CoatedSphere(layers=[one_layer(thickness=0.02)], inner_boundary="hollow")
+
+
+def test_one_file_serves_several_commands(tmp_path):
+    text = example_text().replace("accuracy = 0.01", "nodes_per_revolution = 300") + example_text("design")
+    study = '[sweep]\n"rolling.load" = [50.0, 100.0]\n'
+    (tmp_path / "case.toml").write_text(text + study, encoding="utf-8")
+    done = command("solve", "case.toml", cwd=tmp_path)
+    assert done.returncode == 0
+    skipped = "skipped in case.toml: [design] is for `viscoroll design`; [sweep] is for `viscoroll sweep`\n"
+    assert done.stderr.startswith(skipped)
+    assert command("sweep", "case.toml", cwd=tmp_path).stdout.startswith("2 points (2 load)")
+    assert command("export", "case.toml", "--for", "lammps", cwd=tmp_path).returncode == 0
+    assert command("design", "case.toml", cwd=tmp_path).stdout.startswith("ball.layers[0].thickness = ")
+    (tmp_path / "case.toml").write_text(text.replace("[design]", "[desing]"), encoding="utf-8")
+    assert "desing: extra inputs are not permitted" in command("solve", "case.toml", cwd=tmp_path).stderr
+
+
+@pytest.mark.parametrize("body", ["[cylinder]", "[wheel]\nwidth = 0.1"])
+def test_a_rigid_idler_needs_no_layers(tmp_path, body):
+    layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"
+    text = f"{body}\ncore_radius = 0.08\n[plane]\n[[plane.layers]]\n{layer}"
+    text += "[rolling]\nload = 100.0\nangular_speed = 10.0\n[numerics]\nnodes_per_revolution = 600\n"
+    (tmp_path / "idler.toml").write_text(text, encoding="utf-8")
+    done = command("solve", "idler.toml", "--json", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert vr.CoatedWheel(core_radius=0.08, width=0.1).layers == ()

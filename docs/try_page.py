@@ -1,0 +1,65 @@
+"""The page "Try it" as plain files, which browsers open from anywhere, from a folder, too: no modules, no requests.
+
+The modules of JavaScript become one script; the library in WebAssembly and the tables of materials another one, where
+`make wasm` has made it.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import viscoroll
+from viscoroll.app.tabulated import tabulated_materials
+
+PAGE = Path(viscoroll.__file__).parent / "app" / "page"
+
+_IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+)\.js";\n', re.MULTILINE)
+_EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|class) (\w+))", re.MULTILINE)
+_COMMENT = re.compile(r"^ *(?:/\*\*.*?\*/|//[^\n]*)\n", re.MULTILINE | re.DOTALL)
+_START = '<script type="application/json" id="start">{"solver": "none"}</script>'
+_MODULE = '<script type="module" src="main.js"></script>'
+
+
+def bundle(folder: Path, main: str = "main") -> str:
+    """Return the modules of a folder as one script: each is a function that returns what it exports."""
+    texts = {path.stem: _COMMENT.sub("", path.read_text(encoding="utf-8")) for path in folder.glob("*.js")}
+    needs = {name: [needed for _, needed in _IMPORT.findall(text)] for name, text in texts.items()}
+    order = [name for name in TopologicalSorter(needs).static_order() if name != main] + [main]
+    parts = []
+    for name in order:
+        body = _EXPORT.sub("", _IMPORT.sub(r"const \1 = \2_module;\n", texts[name]))
+        exported = ", ".join(_EXPORT.findall(texts[name]))
+        parts.append(f"const {name}_module = (() => {{\n{body}return {{ {exported} }};\n}})();\n")
+    left = [
+        name for name, part in zip(order, parts, strict=True) if re.search(r"^(import|export)\b", part, re.MULTILINE)
+    ]
+    if left:
+        raise ValueError(f"import and export must be of names, as in other modules, in {', '.join(left)}")
+    return '(() => {\n"use strict";\n' + "".join(parts) + "})();\n"
+
+
+def write_page(folder: Path, library: Path) -> bool:
+    """Write the page into a folder; return whether it can solve, that is whether the library's script is there."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    solves = library.exists()
+    scripts = '<script src="page.js" defer></script>'
+    if solves:
+        scripts = f'<script src="solver.js" defer></script>\n    {scripts}'
+        worker = library.read_text(encoding="utf-8") + "\nviscoroll.serve();\n"
+        materials = json.dumps(tabulated_materials(), separators=(",", ":"))
+        solver = f"var viscorollWorker = {json.dumps(worker)};\nvar viscorollMaterials = {materials};\n"
+        (folder / "solver.js").write_text(solver, encoding="utf-8")
+    text = (PAGE / "index.html").read_text(encoding="utf-8")
+    for before, after in ((_START, _START.replace("none", "wasm" if solves else "none")), (_MODULE, scripts)):
+        if before not in text:
+            raise ValueError(f"index.html must have {before}")
+        text = text.replace(before, after)
+    (folder / "index.html").write_text(text, encoding="utf-8")
+    (folder / "page.js").write_text(bundle(PAGE), encoding="utf-8")
+    shutil.copyfile(PAGE / "page.css", folder / "page.css")
+    return solves

@@ -1,0 +1,135 @@
+"""Answers to the requests of the page: a case as JSON in, numbers and fields, or what is wrong with it, out."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .. import _core
+from .._core import ConvergenceError
+from .._support.cautions import kept_in_results
+from .._support.text import one_line
+from ..bodies.si_hints import unit_doubt
+from ..case import build_case
+
+if TYPE_CHECKING:
+    from .._support.progress import ProgressLike
+    from ..case import Case
+    from ..rolling import Result
+
+__all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars"]
+
+#: Keys of a request.
+_KEYS = {"case", "fields"}
+
+#: What of a case file the page knows nothing of: tables, and the key by which any of them names a file.
+OTHER_TABLES = ("thermal", "motion", "sweep", "design")
+_FILE = "file"
+
+#: How a message begins: the place in the case, where it has one, and the name of the parameter.
+_BEGINNING = re.compile(r"(?:(?P<place>[\w.\[\]]+): )?(?P<name>[a-z]\w*(?:\.\w+|\[\d+\])*) (?:must|has)")
+
+#: A message about the place itself: "rolling.load: input should be a valid number".
+_PLACE = re.compile(r"(?P<place>[a-z]\w*(?:\.\w+|\[\d+\])*): ")
+
+
+def scalars() -> list[dict[str, str]]:
+    """Return name, unit and description of every scalar result, as the table of the core has them."""
+    return [{"name": one.name, "unit": one.unit, "description": one.label} for one in _core.result_scalars()]
+
+
+def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
+    """Solve the case of a request, which is read as a case file is.
+
+    Parameters
+    ----------
+    request : dict
+        ``case``: the tables of a case file, without names of files; ``fields``: whether fields are wanted.
+    progress : callable, optional
+        As of `viscoroll.solve`; what it raises ends the solve and is raised here.
+
+    Returns
+    -------
+    dict
+        ``{"result": {"scalars", "state", "warnings", "fields"}}``, in SI units, or ``{"error": {"message",
+        "parameter"}}``: the message of a case file, and the parameter that it begins with, or None.
+    """
+    try:
+        if not isinstance(request, dict) or "case" not in request or set(request) - _KEYS:
+            raise ValueError("request must be an object with the keys case and, maybe, fields")
+        case = readable_case(request["case"])
+        with kept_in_results():
+            result = case.solve(progress=progress)
+    except (ValueError, TypeError, ConvergenceError, RecursionError) as error:
+        message = one_line(str(error))
+        return {"error": {"message": message, "parameter": _parameter(message)}}
+    except MemoryError:
+        return {"error": {"message": "memory ran out: a larger accuracy needs less", "parameter": None}}
+    found = {
+        "scalars": {name: _finite(value) for name, value in result.scalars().items()},
+        "state": result.status.name.lower(),
+        "warnings": _warnings(result),
+    }
+    return {"result": found | ({"fields": _fields(result)} if request.get("fields") else {})}
+
+
+def readable_case(document: object) -> Case:
+    """Return the case that tables describe, without those that ask for files or for more than a solve.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Where the tables are not valid, or hold one of those.
+    """
+    if not isinstance(document, dict):
+        raise ValueError("case must be an object of the tables of a case file")
+    if others := [name for name in OTHER_TABLES if name in document]:
+        raise ValueError(f"{others[0]} must be left out: the page has no such table")
+    if _names_a_file(document):
+        raise ValueError("file must be left out: the page reads none")
+    return build_case(document, Path())
+
+
+def _names_a_file(tables: object) -> bool:
+    if isinstance(tables, dict):
+        by_name = isinstance(tables.get("shear_modulus"), str)  # in place of a table
+        return by_name or _FILE in tables or any(map(_names_a_file, tables.values()))
+    return isinstance(tables, list) and any(map(_names_a_file, tables))
+
+
+def _parameter(message: str) -> str | None:
+    if found := _BEGINNING.match(message):
+        return ".".join(filter(None, found.group("place", "name")))
+    found = _PLACE.match(message)
+    return found["place"] if found else None
+
+
+def _finite(value: float | int | str | None) -> float | int | str | None:
+    """JSON has no numbers for infinite and undefined values."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _warnings(result: Result) -> list[dict[str, str]]:
+    told = [{"kind": kind.name.lower(), "message": message} for kind, message in result.warnings.items()]
+    doubt = unit_doubt(result.ball, result.on)
+    return [*told, *([{"kind": "units", "message": doubt}] if doubt else [])]
+
+
+def _fields(result: Result) -> dict[str, Any]:
+    """Return pressure and stick over the nodes, and heights in the middle plane, deformed and undeformed [SI]."""
+    row, middle = (count // 2 for count in result.x.shape)  # on a ball, the others' coordinates differ a little
+    surface = result.gap[:, middle]
+    state = result.stick.astype(int) + 2 * result.slip.astype(int) if result.friction > 0.0 else None
+    return {
+        "x": result.x[:, middle].tolist(),
+        "z": result.z[row].tolist(),
+        "pressure": result.pressure.tolist(),
+        "stick": None if state is None else state.tolist(),
+        "profile": {
+            "x": result.x[:, middle].tolist(),
+            "surface": surface.tolist(),
+            "rigid": (surface - result.displacement[:, middle]).tolist(),
+        },
+    }

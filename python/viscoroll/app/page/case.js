@@ -1,0 +1,277 @@
+/**
+ * What was typed, and the case that it describes.
+ *
+ * A state holds numbers as they were typed, with their units, [20, "mm"], of everything that the form can show. A case
+ * has the tables and keys of a case file, as JSON in SI units: what solvers take.
+ */
+
+import { KINDS, kindOf, newLayer } from "./materials.js";
+import { fromSI, tidy, toSI } from "./units.js";
+
+/** The example of the README. */
+export function initialState() {
+  return {
+    body: "ball",
+    given: "core_radius",
+    size: [20, "mm"],
+    inner_boundary: "rigid",
+    width: [30, "mm"],
+    crown_radius: null, // flat
+    hub: "straight",
+    sides: "free",
+    layers: [newLayer()],
+    on: "rigid",
+    ground: [newLayer()],
+    radius: [30, "mm"],
+    load: [100, "N"],
+    speed: [2.5, "rad/s"],
+    friction: 0,
+    drive: "force",
+    force: [0, "N"],
+    torque: [0, "N m"],
+    creepage: [0, "%"],
+    compliance: "radial",
+    curvature: "sphere",
+    accuracy: 0.01,
+    numerics: {}, // what else a case file has of them
+  };
+}
+
+/** Whether load and results are per length. */
+const isLine = (state) => state.body === "cylinder";
+
+/** Quantities of the numbers of a state; those of its layers are of their kinds. */
+export function quantity(name, state) {
+  const line = isLine(state);
+  return {
+    size: "length",
+    width: "length",
+    crown_radius: "length",
+    radius: "length",
+    thickness: "length",
+    density: "density",
+    load: line ? "line_force" : "force",
+    force: line ? "line_force" : "force",
+    torque: line ? "line_torque" : "torque",
+    speed: "speed",
+    creepage: "percent",
+  }[name];
+}
+
+/** What lies around the core; a ball that is solid has none. */
+const hasCore = (state) => state.body !== "ball" || state.inner_boundary !== "solid";
+
+function thickness(state) {
+  return state.layers.reduce((sum, layer) => sum + toSI(layer.thickness, "length"), 0);
+}
+
+/** Outer radius [m]. */
+export function outerRadius(state) {
+  const size = toSI(state.size, "length");
+  if (!hasCore(state)) return thickness(state);
+  return tidy(state.given === "outer_diameter" ? 0.5 * size : size + thickness(state));
+}
+
+/** Radius of the core [m]. */
+export function coreRadius(state) {
+  if (!hasCore(state)) return 0;
+  const size = toSI(state.size, "length");
+  return tidy(state.given === "outer_diameter" ? 0.5 * size - thickness(state) : size);
+}
+
+/** Angular speed [rad/s]. */
+const angularSpeed = (state) => toSI(state.speed, "speed", outerRadius(state));
+
+/** What rolls, by its tables in a case file. */
+export const BODIES = { ball: "ball", cylinder: "roller", wheel: "wheel" };
+
+/** What each rolls on. */
+export function groundsOf(body) {
+  return {
+    rigid: "rigid plane",
+    plane: "layers on a rigid base",
+    half_space: "one material, without end",
+    ...(body === "cylinder" ? {} : { groove: "rigid groove or rail" }),
+    ...(body === "ball" ? {} : { drum: "rigid drum or roller" }),
+  };
+}
+
+/**
+ * The same state with another body. Wheels and rollers are bought by their diameter; loads per length and of the whole
+ * have no common number.
+ */
+export function withBody(state, body) {
+  const on = state.on in groundsOf(body) ? state.on : "rigid";
+  const next = { ...sizedBy({ ...state, body }, body === "ball" ? state.given : "outer_diameter"), on };
+  if (isLine(next) === isLine(state)) return next;
+  const [load, force, torque] = isLine(next) ? ["N/mm", "N/mm", "N"] : ["N", "N", "N m"];
+  return { ...next, load: [isLine(next) ? 2 : 100, load], force: [0, force], torque: [0, torque] };
+}
+
+/** The same size, given by the other number. */
+export function sizedBy(state, given) {
+  const meters = given === "core_radius" ? coreRadius(state) : 2 * outerRadius(state);
+  return given === state.given ? state : { ...state, given, size: fromSI(meters, "mm", "length") };
+}
+
+/** Tables of a case file, in SI units. */
+export function caseOf(state) {
+  return {
+    [state.body]: bodyTable(state),
+    ...groundTables(state),
+    rolling: rollingTable(state),
+    numerics: numericsTable(state),
+  };
+}
+
+function bodyTable(state) {
+  const layers = state.layers.map(layerTable);
+  if (state.body === "cylinder") return { core_radius: coreRadius(state), layers };
+  if (state.body === "wheel") {
+    return {
+      core_radius: coreRadius(state),
+      width: toSI(state.width, "length"),
+      ...(state.crown_radius === null ? {} : { crown_radius: toSI(state.crown_radius, "length"), hub: state.hub }),
+      ...(state.sides === "free" ? {} : { sides: state.sides }),
+      layers,
+    };
+  }
+  if (state.inner_boundary === "solid") return { inner_boundary: "solid", layers };
+  return { core_radius: coreRadius(state), inner_boundary: state.inner_boundary, layers };
+}
+
+function layerTable(layer) {
+  return {
+    thickness: toSI(layer.thickness, "length"),
+    shear_modulus: KINDS[layer.kind].table(layer),
+    ...materialTable(layer),
+  };
+}
+
+function materialTable(layer) {
+  const bulk =
+    layer.bulk_modulus === undefined ? { poisson_ratio: layer.poisson_ratio } : { bulk_modulus: layer.bulk_modulus };
+  return { ...bulk, density: toSI(layer.density, "density") };
+}
+
+function groundTables(state) {
+  const radius = toSI(state.radius, "length");
+  switch (state.on) {
+    case "plane":
+      return { plane: { layers: state.ground.map(layerTable) } };
+    case "half_space": {
+      const { thickness: _, ...material } = layerTable(state.ground[0]);
+      return { plane: { base: material } };
+    }
+    case "groove":
+      return { groove: { radius } };
+    case "drum":
+      return { other_cylinder: { core_radius: radius, layers: [] } };
+    default:
+      return {};
+  }
+}
+
+function rollingTable(state) {
+  const rolling = {
+    load: toSI(state.load, quantity("load", state)),
+    angular_speed: angularSpeed(state),
+    friction: state.friction,
+  };
+  if (state.friction === 0) return rolling; // nothing can drive it
+  return { ...rolling, drive: { [state.drive]: toSI(state[state.drive], quantity(state.drive, state)) } };
+}
+
+function numericsTable(state) {
+  const model = state.body === "ball" && state.curvature !== "sphere" ? { curvature: state.curvature } : {};
+  return { accuracy: state.accuracy, compliance: state.compliance, ...model, ...state.numerics };
+}
+
+/**
+ * The state that shows a case, with what the form cannot show in words.
+ * @returns {{state: object, left: string[]}}
+ */
+export function stateOf(tables) {
+  const state = initialState();
+  const left = [];
+  state.body = Object.keys(BODIES).find((name) => name in tables) ?? "ball";
+  const body = tables[state.body] ?? {};
+  const mm = (value) => fromSI(value, "mm", "length");
+  state.size = mm(body.core_radius ?? 0);
+  state.inner_boundary = body.inner_boundary ?? (body.core_radius ? "rigid" : "solid");
+  if (body.width !== undefined) state.width = mm(body.width);
+  if (Number.isFinite(body.crown_radius)) state.crown_radius = mm(body.crown_radius);
+  state.hub = body.hub ?? "straight";
+  state.sides = body.sides ?? "free";
+  state.layers = layersOf(body);
+  readGround(state, tables, left);
+  const rolling = tables.rolling ?? {};
+  const line = isLine(state);
+  state.load = fromSI(rolling.load ?? 100, line ? "N/mm" : "N", quantity("load", state));
+  state.speed = [rolling.angular_speed ?? 2.5, "rad/s"];
+  state.friction = rolling.friction ?? 0;
+  Object.assign(state, { force: [0, line ? "N/mm" : "N"], torque: [0, line ? "N" : "N m"] });
+  if (state.friction > 0) readDrive(state, rolling.drive, left);
+  else if (Object.values(rolling.drive ?? {}).some((value) => value !== 0)) left.push("rolling.drive");
+  readNumerics(state, tables.numerics ?? {}, left);
+  return { state, left };
+}
+
+function readGround(state, tables, left) {
+  const { plane, groove, other_cylinder: drum } = tables;
+  if (plane?.base && !plane.layers?.length) {
+    state.on = "half_space";
+    state.ground = layersOf({ layers: [{ thickness: 1e-3, ...plane.base }] });
+  } else if (plane?.layers?.length) {
+    state.on = "plane";
+    state.ground = layersOf(plane);
+    if (plane.base) left.push("plane.base");
+  } else if (groove) {
+    state.on = "groove";
+    state.radius = fromSI(groove.radius ?? 0, "mm", "length");
+    left.push(
+      ...Object.keys(groove)
+        .filter((name) => name !== "radius")
+        .map((name) => `groove.${name}`),
+    );
+  } else if (drum) {
+    state.on = "drum";
+    state.radius = fromSI(drum.core_radius, "mm", "length");
+    if (drum.layers?.length) left.push("other_cylinder.layers");
+  }
+  left.push(...["other_ball", "other_wheel"].filter((name) => name in tables));
+}
+
+function readDrive(state, drive, left) {
+  if (!drive) return;
+  state.drive = ["force", "torque", "creepage"].find((name) => name in drive) ?? "force";
+  const [, unit] = state[state.drive];
+  state[state.drive] = fromSI(drive[state.drive] ?? 0, unit, quantity(state.drive, state));
+  left.push(...["lateral_creepage", "spin"].filter((name) => drive[name]).map((name) => `drive.${name}`));
+}
+
+function readNumerics(state, { accuracy = 0.01, compliance = "radial", curvature = "sphere", ...others }, left) {
+  const isOfMesh = ([name]) => ["nodes_per_revolution", "theta_nodes_per_revolution", "max_order"].includes(name);
+  const entries = Object.entries(others);
+  Object.assign(state, {
+    accuracy,
+    compliance,
+    curvature,
+    numerics: Object.fromEntries(entries.filter((one) => !isOfMesh(one))),
+  });
+  left.push(...entries.filter(isOfMesh).map(([name]) => `numerics.${name}`)); // the page has meshes of its own
+}
+
+function layersOf({ layers = [] }) {
+  return layers.map(({ thickness: thick, shear_modulus: modulus, poisson_ratio, bulk_modulus, density = 0 }) => {
+    const table = typeof modulus === "number" ? { type: "elastic", modulus } : modulus;
+    const kind = kindOf(table);
+    return {
+      thickness: fromSI(thick, "mm", "length"),
+      kind,
+      ...KINDS[kind].typed(table),
+      ...(bulk_modulus === undefined ? { poisson_ratio } : { bulk_modulus }),
+      density: [density, "kg/m³"],
+    };
+  });
+}

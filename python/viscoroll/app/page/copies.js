@@ -1,0 +1,34 @@
+/** The case as Python, as a case file and as a link, to be copied. */
+
+import { caseOf } from "./case.js";
+import { caseFileOf, pythonOf } from "./code.js";
+import { fragmentOf } from "./link.js";
+
+/** Connect the buttons; `state` gives the state that is shown. */
+export function connectCopies(state) {
+  const texts = {
+    "copy-python": ["Python", () => pythonOf(caseOf(state()))],
+    "copy-case": ["Case file", () => caseFileOf(caseOf(state()))],
+    "copy-link": ["Link", () => location.href.split("#")[0] + fragmentOf(state())],
+  };
+  for (const [id, [name, text]] of Object.entries(texts)) {
+    document.getElementById(id).addEventListener("click", () => copy(name, text()));
+  }
+  document.getElementById("code-close").addEventListener("click", () => {
+    document.getElementById("code").hidden = true;
+  });
+}
+
+/** Copy a text, and show it, for browsers that let no page copy. */
+async function copy(name, text) {
+  const shown = document.getElementById("code");
+  const said = document.getElementById("code-said");
+  shown.hidden = false;
+  shown.querySelector("pre").textContent = text;
+  try {
+    await navigator.clipboard.writeText(text);
+    said.textContent = `${name}: copied.`;
+  } catch {
+    said.textContent = `${name}: mark it and copy it by hand, the browser does not let the page.`;
+  }
+}

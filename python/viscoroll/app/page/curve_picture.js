@@ -1,0 +1,131 @@
+/** The curve of a result against speed, load or thickness, which fills in as it is solved. */
+
+import { chart } from "./chart.js";
+import { ALONG, pointsOf, typedAlong } from "./curve.js";
+import { el } from "./dom.js";
+import { handyUnit } from "./units.js";
+
+/** Results that can be drawn. */
+const DRAWN = [
+  "resisting_torque",
+  "rolling_resistance_coefficient",
+  "dissipated_power",
+  "penetration",
+  "max_pressure",
+  "driving_torque",
+  "driving_force",
+  "creepage",
+];
+
+export class CurvePicture {
+  #root;
+  #results;
+  #along = "speed";
+  #name = DRAWN[0];
+  #state = null;
+  #points = [];
+  #found = [];
+  #marked = null;
+
+  /**
+   * @param {HTMLElement} root with a figure, and places for what can be chosen
+   * @param {Results} results what knows names and units of results
+   * @param {() => void} ask asks for another curve
+   */
+  constructor(root, results, ask) {
+    this.#root = root;
+    this.#results = results;
+    const chosen = root.querySelector("#curve-of");
+    chosen.replaceChildren(...DRAWN.map((name) => el("option", { value: name }, results.label(name))));
+    chosen.addEventListener("change", () => {
+      this.#name = chosen.value;
+      this.#draw();
+    });
+    const buttons = Object.entries(ALONG).map(([along, { label }]) =>
+      el(
+        "button",
+        {
+          type: "button",
+          "aria-pressed": String(along === this.#along),
+          "data-along": along,
+          onclick: () => this.#choose(along, ask),
+        },
+        label,
+      ),
+    );
+    root.querySelector("#curve-along").replaceChildren(...buttons);
+  }
+
+  /** Take back the curve, and return the cases of the next one. */
+  begin(state) {
+    this.#state = state;
+    this.#points = pointsOf(state, this.#along);
+    this.#found = [];
+    this.#marked = null;
+    this.#root.dataset.filling = "begun";
+    return this.#points;
+  }
+
+  /** Add the answer of one of these cases. */
+  add(place, { result }) {
+    this.#found.push({ ...this.#points[place], scalars: result?.scalars ?? null });
+    this.#root.dataset.filling = this.#found.length === this.#points.length ? "done" : "filling";
+    this.#draw();
+  }
+
+  /** The answer of the case itself. */
+  mark(result) {
+    this.#marked = result.scalars;
+    this.#draw();
+  }
+
+  #choose(along, ask) {
+    this.#along = along;
+    for (const button of this.#root.querySelectorAll("[data-along]"))
+      button.setAttribute("aria-pressed", button.dataset.along === along);
+    ask();
+  }
+
+  #draw() {
+    const typed = typedAlong(this.#state, this.#along);
+    if (!typed) return;
+    const solved = this.#found
+      .filter(({ scalars }) => Number.isFinite(scalars?.[this.#name]))
+      .sort((a, b) => a.at - b.at);
+    const unit = this.#results.unit(this.#name);
+    const sizes = solved.map(({ scalars }) => Math.abs(scalars[this.#name]));
+    const [handy, one] = handyUnit(Math.max(0, ...sizes) || this.#marked?.[this.#name], unit);
+    const ends = this.#points.map(({ at }) => at);
+    const mark =
+      this.#marked && Number.isFinite(this.#marked[this.#name])
+        ? { x: typed[0], y: this.#marked[this.#name] / one }
+        : undefined;
+    this.#root.querySelector("figure").replaceChildren(
+      chart({
+        width: Math.max(this.#root.clientWidth, 280),
+        lines: [
+          {
+            x: solved.map(({ at }) => at),
+            y: solved.map(({ scalars }) => scalars[this.#name] / one),
+            name: this.#results.label(this.#name),
+            kind: "one",
+            points: true,
+          },
+        ],
+        xLabel: `${ALONG[this.#along].label} [${typed[1]}]`,
+        yLabel: `${this.#results.label(this.#name)}${handy ? ` [${handy}]` : ""}`,
+        logX: true,
+        xRange: [Math.min(...ends), Math.max(...ends)],
+        mark,
+      }),
+    );
+    const failed = this.#found.filter(({ scalars }) => scalars === null).length;
+    const open = this.#points.length - this.#found.length;
+    this.#root.querySelector("#curve-said").textContent = [
+      open > 0
+        ? `${open} of ${this.#points.length} points to come, on a coarse mesh.`
+        : "On a coarse mesh; the ring is the case above.",
+      failed ? `${failed} have no answer: too large a load, or too fast.` : "",
+    ].join(" ");
+  }
+}

@@ -1,0 +1,265 @@
+/** The form: what rolls, on what, how; and what the solver says of each of its numbers. */
+
+import { BODIES, coreRadius, groundsOf, outerRadius, quantity, sizedBy, withBody } from "./case.js";
+import { el } from "./dom.js";
+import { choiceField, numberField } from "./field.js";
+import { layerRow, layerRows } from "./layer_rows.js";
+import { handy, shown } from "./units.js";
+
+/** Fields that warnings are about, by their kinds; others stand beside the results. */
+const WARNED = { large_strain: "load", contact_at_side: "width", edge_pressure: "sides", tight_crown: "crown_radius" };
+
+const INSIDES = { rigid: "rigid core", hollow: "hollow", solid: "solid, no core" };
+
+const DRIVES = { force: "a force on the center", torque: "a torque (0: towed)", creepage: "a creepage" };
+
+/** Sliders of drives, of the whole and per length [SI]. */
+const DRIVEN = {
+  force: { label: "force, forward", range: [-500, 500], line: [-1e4, 1e4] },
+  torque: { label: "driving torque", range: [-10, 10], line: [-100, 100] },
+  creepage: { label: "creepage", range: [-0.1, 0.1], line: [-0.1, 0.1] },
+};
+
+export class Form {
+  #root;
+  #change;
+  #fields = [];
+  #state;
+  #modelIsOpen = false;
+
+  /**
+   * @param {HTMLElement} root is filled
+   * @param {(state) => void} change is called with each new state
+   */
+  constructor(root, change) {
+    this.#root = root;
+    this.#change = change;
+  }
+
+  /** Show a state, with the fields that it has; the focus stays at its place. */
+  show(state) {
+    const place = this.#controls().indexOf(document.activeElement);
+    this.#state = state;
+    this.#fields = [];
+    this.#root.replaceChildren(this.#body(), this.#layers(), this.#ground(), this.#rolling(), this.#model());
+    if (place >= 0) this.#controls()[place]?.focus();
+  }
+
+  /** Say what is wrong at the field that caused it; return whether there is one. */
+  sayError({ message, parameter }) {
+    const field = parameter && this.#field(parameter);
+    field?.say(message, "error");
+    field?.root.closest("details")?.setAttribute("open", "");
+    return Boolean(field);
+  }
+
+  /** Say warnings at their fields; return those that have none. */
+  sayWarnings(warnings) {
+    return warnings.filter(({ kind, message }) => {
+      const field = WARNED[kind] && this.#field(WARNED[kind]);
+      field?.say(message, "warning");
+      return !field;
+    });
+  }
+
+  /** Take back all that was said. */
+  sayNothing() {
+    for (const field of this.#fields) field.say("", "");
+  }
+
+  #controls() {
+    return [...this.#root.querySelectorAll("input, select, button, summary")];
+  }
+
+  /** The field of a parameter as messages name it: by its whole path, or its last name. */
+  #field(parameter) {
+    const path = parameter
+      .replace(/^(ball|cylinder|wheel|rolling|numerics)\./, "")
+      .replace(/^(plane|groove|other_cylinder)\./, "on.")
+      .replace(/^on\.base\./, "on.layers[0].")
+      .replace(/shear_modulus$/, "type")
+      .replace(/(shear_modulus|drive)\./g, "")
+      .replace(/^layer\./, "layers[0].");
+    const last = (name) => name.split(".").at(-1);
+    return (
+      this.#fields.find((field) => field.parameter === path) ??
+      this.#fields.find((field) => last(field.parameter) === last(path))
+    );
+  }
+
+  /** Change the state; `redraw` where it has other fields then. */
+  #set(part, redraw = false) {
+    this.#state = { ...this.#state, ...part };
+    if (redraw) this.show(this.#state);
+    else for (const field of this.#fields) field.refresh();
+    this.#change(this.#state);
+  }
+
+  #add(field) {
+    this.#fields.push(field);
+    return field.root;
+  }
+
+  #number(name, label, more) {
+    return this.#add(
+      numberField({
+        label,
+        parameter: name,
+        value: this.#state[name],
+        quantity: quantity(name, this.#state),
+        radius: () => outerRadius(this.#state),
+        change: (value) => this.#set({ [name]: value }),
+        ...more,
+      }),
+    );
+  }
+
+  #choice(name, label, options, more) {
+    return this.#add(
+      choiceField({
+        label,
+        parameter: name,
+        value: () => String(this.#state[name]),
+        options,
+        change: (value) => this.#set({ [name]: value }, true),
+        ...more,
+      }),
+    );
+  }
+
+  /** A field that is there while a condition holds; numbers that are being typed are not drawn anew for that. */
+  #shownWhile(condition, root) {
+    const refresh = () => (root.hidden = !condition());
+    refresh();
+    this.#fields.push({ root, parameter: "", say: () => {}, refresh });
+    return root;
+  }
+
+  #body() {
+    const { body, given, inner_boundary: inside } = this.#state;
+    const solid = body === "ball" && inside === "solid";
+    const choose = (chosen) => this.#set(withBody(this.#state, chosen), true);
+    const size = [
+      this.#choice(
+        "given",
+        "size by",
+        { core_radius: "radius of the core", outer_diameter: "outer diameter" },
+        { change: (by) => this.#set(sizedBy(this.#state, by), true) },
+      ),
+      this.#number("size", given === "core_radius" ? "core radius" : "outer diameter", {
+        parameter: "core_radius",
+        range: [2e-3, 0.5],
+      }),
+    ];
+    return group(
+      "What rolls",
+      this.#choice("body", "body", BODIES, { change: choose }),
+      body === "ball"
+        ? this.#choice("inner_boundary", "inside", INSIDES, { change: (chosen) => this.#setInside(chosen) })
+        : null,
+      ...(solid ? [] : size),
+      this.#otherSize(),
+      ...(body === "wheel" ? this.#wheel() : []),
+    );
+  }
+
+  /** What has no rigid core is thick: its layers keep all of their curvature. */
+  #setInside(inside) {
+    this.#set({ inner_boundary: inside, curvature: inside === "rigid" ? "sphere" : "exact" }, true);
+  }
+
+  /** The size that follows from the one that is given. */
+  #otherSize() {
+    const text = el("p", { class: "note" });
+    const refresh = () => {
+      const { given, body, inner_boundary: inside } = this.#state;
+      const byCore = given === "core_radius" || (body === "ball" && inside === "solid");
+      text.textContent = byCore
+        ? `outer diameter ${handy(2 * outerRadius(this.#state), "m", 6)}`
+        : `core radius ${handy(coreRadius(this.#state), "m", 6)}`;
+    };
+    refresh();
+    return this.#add({ root: text, parameter: "outer_radius", say: () => {}, refresh });
+  }
+
+  #wheel() {
+    const hubs = { straight: "straight", crowned: "crowned as the tread" };
+    return [
+      this.#number("width", "width of the tread", { range: [2e-3, 0.2] }),
+      this.#number("crown_radius", "crown radius", {
+        range: [2e-3, 2],
+        empty: "flat",
+        note: "Of the profile across the path, at least half of the width; empty: flat.",
+      }),
+      this.#shownWhile(() => this.#state.crown_radius !== null, this.#choice("hub", "hub", hubs)),
+      this.#choice("sides", "sides", { free: "free faces", endless: "endless, as a sketch" }),
+    ];
+  }
+
+  #layers() {
+    return group("Layers, from the core outwards", ...layerRows(this.#rowsOf("layers", "")));
+  }
+
+  #rowsOf(list, prefix) {
+    const change = (layers, redraw) => this.#set({ [list]: layers }, redraw);
+    return { layers: () => this.#state[list], prefix, add: (field) => this.#add(field), change };
+  }
+
+  #ground() {
+    const fields = {
+      rigid: () => [],
+      plane: () => layerRows(this.#rowsOf("ground", "on.")),
+      half_space: () => [layerRow({ ...this.#rowsOf("ground", "on."), index: 0, endless: true })],
+      groove: () => [
+        this.#number("radius", "radius across", {
+          parameter: "on.radius",
+          range: [-0.5, 0.5],
+          linear: true,
+          note: "Across the path: hollow where it is positive, a rail where it is negative.",
+        }),
+      ],
+      drum: () => [this.#number("radius", "radius of the drum", { parameter: "on.core_radius", range: [5e-3, 2] })],
+    };
+    return group("On what", this.#choice("on", "surface", groundsOf(this.#state.body)), ...fields[this.#state.on]());
+  }
+
+  #rolling() {
+    const { body, drive } = this.#state;
+    const line = body === "cylinder";
+    const rubs = () => this.#state.friction > 0;
+    const { label, range, line: lineRange } = DRIVEN[drive];
+    return group(
+      "How",
+      this.#number("load", line ? "load per length" : "load", { range: line ? [10, 1e6] : [0.1, 1e5] }),
+      this.#number("speed", "speed", { parameter: "angular_speed", range: [1e-2, 1e3] }),
+      this.#number("friction", "friction coefficient", { range: [0, 1], linear: true, step: 0.01 }),
+      this.#shownWhile(rubs, this.#choice("drive", "driven by", DRIVES)),
+      this.#shownWhile(rubs, this.#number(drive, label, { range: line ? lineRange : range, linear: true })),
+    );
+  }
+
+  #model() {
+    const compliances = { radial: "along the radius", vertical: "on undeformed normals" };
+    const curvatures = {
+      sphere: "thin layers",
+      exact: "all: thick layers, solid balls",
+      paper: "as the paper prints it",
+    };
+    const own = this.#state.accuracy; // of a case file
+    const accuracies = { [own]: `${shown(100 * own)} %`, 0.03: "3 %", 0.01: "1 %", 0.003: "0.3 %" };
+    return el(
+      "details",
+      { class: "group", open: this.#modelIsOpen, ontoggle: (event) => (this.#modelIsOpen = event.target.open) },
+      el("summary", {}, "Model and accuracy"),
+      this.#choice("compliance", "pressure acts", compliances),
+      this.#state.body === "ball" ? this.#choice("curvature", "curvature", curvatures) : "",
+      this.#choice("accuracy", "at rest, to", accuracies, {
+        change: (value) => this.#set({ accuracy: Number(value) }),
+      }),
+    );
+  }
+}
+
+function group(title, ...children) {
+  return el("fieldset", { class: "group" }, el("legend", {}, title), ...children.filter(Boolean));
+}

@@ -1,0 +1,188 @@
+/** Kinds of materials that a layer can be typed as, and materials to begin with. */
+
+import { fromSI, tidy, toSI } from "./units.js";
+
+/**
+ * Kinds by the `type` of a case file. `fields`: what is typed, as the form shows it; `table`: the table of a case file;
+ * `typed`: the way back. Names of fields are those of case files where these have them.
+ */
+export const KINDS = {
+  standard_linear_solid: {
+    label: "modulus and one relaxation",
+    fields: [
+      { name: "instantaneous_modulus", label: "shear modulus, instantaneous", quantity: "modulus", range: [1e4, 1e9] },
+      { name: "share", label: "relaxed share", range: [0.02, 1], linear: true, parameter: "relaxed_modulus" },
+      { name: "relaxation_time", label: "relaxation time", quantity: "time", range: [1e-6, 10] },
+    ],
+    initial: { instantaneous_modulus: [6, "MPa"], share: 0.5, relaxation_time: [0.125, "s"] },
+    table: (layer) => {
+      const instantaneous = toSI(layer.instantaneous_modulus, "modulus");
+      return {
+        type: "standard_linear_solid",
+        instantaneous_modulus: instantaneous,
+        relaxed_modulus: tidy(instantaneous * layer.share),
+        relaxation_time: toSI(layer.relaxation_time, "time"),
+      };
+    },
+    typed: (table) => ({
+      instantaneous_modulus: fromSI(table.instantaneous_modulus, "MPa", "modulus"),
+      share: tidy(table.relaxed_modulus / table.instantaneous_modulus),
+      relaxation_time: fromSI(table.relaxation_time, "s", "time"),
+    }),
+  },
+  hardness: {
+    label: "hardness and rebound",
+    fields: [
+      { name: "hardness", label: "hardness", range: [20, 90], linear: true, step: 1 },
+      { name: "scale", label: "scale", options: { A: "Shore A", D: "Shore D" } },
+      {
+        name: "rebound",
+        label: "rebound",
+        quantity: "percent",
+        range: [0.02, 0.99],
+        linear: true,
+        step: 1,
+        empty: "no loss",
+      },
+      { name: "reference_frequency", label: "which holds at", quantity: "frequency", range: [1, 1e5] },
+    ],
+    initial: { hardness: 85, scale: "A", rebound: [55, "%"], reference_frequency: [300, "rad/s"] },
+    table: (layer) => ({
+      type: "hardness",
+      hardness: layer.hardness,
+      ...(layer.scale === "A" ? {} : { scale: layer.scale }),
+      ...(layer.rebound === null
+        ? {}
+        : {
+            rebound: toSI(layer.rebound, "percent"),
+            reference_frequency: toSI(layer.reference_frequency, "frequency"),
+          }),
+    }),
+    typed: (table) => ({
+      hardness: table.hardness,
+      scale: table.scale ?? "A",
+      rebound: table.rebound === undefined ? null : fromSI(table.rebound, "%", "percent"),
+      reference_frequency: [table.reference_frequency ?? 300, "rad/s"],
+    }),
+  },
+  loss_factor: {
+    label: "modulus and loss factor",
+    fields: [
+      { name: "modulus", label: "storage shear modulus", quantity: "modulus", range: [1e4, 1e9] },
+      { name: "loss_factor", label: "loss factor tan δ", range: [0.01, 1], linear: true, step: 0.01 },
+      { name: "reference_frequency", label: "which hold at", quantity: "frequency", range: [1, 1e5] },
+    ],
+    initial: { modulus: [3, "MPa"], loss_factor: 0.2, reference_frequency: [300, "rad/s"] },
+    table: (layer) => ({
+      type: "loss_factor",
+      modulus: toSI(layer.modulus, "modulus"),
+      loss_factor: layer.loss_factor,
+      reference_frequency: toSI(layer.reference_frequency, "frequency"),
+    }),
+    typed: (table) => ({
+      modulus: fromSI(table.modulus, "MPa", "modulus"),
+      loss_factor: table.loss_factor,
+      reference_frequency: [table.reference_frequency, "rad/s"],
+    }),
+  },
+  elastic: {
+    label: "modulus, no loss",
+    fields: [{ name: "modulus", label: "shear modulus", quantity: "modulus", range: [1e4, 1e11] }],
+    initial: { modulus: [3, "MPa"] },
+    table: (layer) => ({ type: "elastic", modulus: toSI(layer.modulus, "modulus") }),
+    typed: (table) => ({ modulus: fromSI(table.modulus, "MPa", "modulus") }),
+  },
+  published: {
+    label: "as measured and published",
+    fields: [
+      {
+        name: "name",
+        label: "material",
+        options: {
+          pressure_sensitive_adhesive: "pressure-sensitive adhesive 468MP",
+          vinyl_nitrile_foam: "vinyl nitrile foam VN01",
+        },
+      },
+      { name: "temperature", label: "temperature", quantity: "temperature", range: [-10, 50], linear: true, step: 10 },
+    ],
+    initial: { name: "pressure_sensitive_adhesive", temperature: [20, "°C"] },
+    table: (layer) => ({ type: "published", name: layer.name, temperature: layer.temperature[0] }),
+    typed: (table) => ({ name: table.name, temperature: [table.temperature, "°C"] }),
+  },
+  kept: {
+    label: "as in the case file",
+    fields: [],
+    initial: null, // there is none to choose
+    table: (layer) => layer.kept,
+    typed: (table) => ({ kept: table }),
+  },
+};
+
+/** The kind that a table of a case file is typed as. */
+export function kindOf(table) {
+  const kind = KINDS[table.type];
+  const optional = ["type", "scale", "rebound", "reference_frequency"];
+  const needed = Object.keys(kind?.initial ?? {}).map((name) => (name === "share" ? "relaxed_modulus" : name));
+  const known = kind && Object.keys(table).every((name) => optional.includes(name) || needed.includes(name));
+  return known ? table.type : "kept";
+}
+
+const rubber = { poisson_ratio: 0.5, density: [1000, "kg/m³"] };
+const urethane = { poisson_ratio: 0.495, density: [1100, "kg/m³"] };
+const hard = (hardness, rebound) => ({
+  kind: "hardness",
+  hardness,
+  scale: "A",
+  rebound: [rebound, "%"],
+  reference_frequency: [300, "rad/s"],
+});
+
+const BLOW =
+  "A hardness gives a modulus at rest, to a factor of 1.4 or so; a rebound the loss under a blow of milliseconds.";
+
+/** Materials to begin with, by name: what of a layer they set, and where it comes from. */
+export const PRESETS = {
+  paper_rubber: {
+    label: "rubber of the paper",
+    source: "G.-P. Zéhil and H. P. Gavin, Rolling resistance of a rigid sphere with viscoelastic coatings, section 14.",
+    layer: { kind: "standard_linear_solid", ...KINDS.standard_linear_solid.initial, ...rubber },
+  },
+  skate: {
+    label: "skate wheel, 82 A, rebound 70 %",
+    source: `No measurement: what makers print on good ones; of the row 78, 82, 86 A. ${BLOW}`,
+    layer: { ...hard(82, 70), ...urethane },
+  },
+  caster: {
+    label: "caster polyurethane, 85 A, rebound 55 %",
+    source: `No measurement: round numbers of data sheets. ${BLOW}`,
+    layer: { ...hard(85, 55), ...urethane },
+  },
+  soft_rubber: {
+    label: "soft rubber, 60 A, rebound 45 %",
+    source: `No measurement: round numbers of data sheets. ${BLOW}`,
+    layer: { ...hard(60, 45), poisson_ratio: 0.499, density: [1150, "kg/m³"] },
+  },
+  adhesive: {
+    label: "pressure-sensitive adhesive",
+    source:
+      "468MP, as measured: A. Perego, hermes-rheo (3M), MIT license, github.com/3mcloud/hermes-rheo. Poisson's ratio was not measured.",
+    layer: { kind: "published", ...KINDS.published.initial, poisson_ratio: 0.499, density: [1000, "kg/m³"] },
+  },
+  foam: {
+    label: "vinyl nitrile foam",
+    source:
+      "VN01, as measured: A. K. Landauer et al., Materials & Design (2023) 112381; data doi:10.18434/mds2-2989. Its density was not measured.",
+    layer: {
+      kind: "published",
+      name: "vinyl_nitrile_foam",
+      temperature: [30, "°C"], // below, it is a hundred times as soft at rest, or more
+      poisson_ratio: 0.22825,
+      density: [0, "kg/m³"],
+    },
+  },
+};
+
+/** A layer of the rubber of the paper. */
+export function newLayer() {
+  return { thickness: [1, "mm"], preset: "paper_rubber", ...PRESETS.paper_rubber.layer };
+}

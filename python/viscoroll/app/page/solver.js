@@ -1,0 +1,109 @@
+/**
+ * Who solves: the program that serves the page, or WebAssembly in a worker. Either has
+ *
+ *     async solve(request, signal) -> {result} or {error}    async scalars() -> [{name, unit, description}]
+ *
+ * of the same request; an aborted signal ends a solve, whose promise is then rejected by an AbortError.
+ */
+
+import { withMaterials } from "./tabulated.js";
+
+/** The solver that the page was given, or null where it has none. */
+export function connect(start) {
+  if (start.solver === "native") return new NativeSolver();
+  if (start.solver === "wasm") return new WorkerSolver(globalThis.viscorollWorker, globalThis.viscorollMaterials);
+  return null;
+}
+
+/** Asks the program that serves the page. */
+class NativeSolver {
+  where = "on this machine, by the installed library";
+
+  async solve(request, signal) {
+    return post("solve", request, signal);
+  }
+
+  async scalars() {
+    return post("scalars", {});
+  }
+}
+
+async function post(name, content, signal) {
+  const options = { method: "POST", body: JSON.stringify(content), signal };
+  let response;
+  try {
+    response = await fetch(name, options);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    throw new Error("viscoroll app does not answer: was it ended?");
+  }
+  if (!response.ok) throw new Error(`viscoroll app refuses: ${response.status} ${response.statusText}`);
+  return response.json();
+}
+
+/** Asks a worker, which answers one request after the other; whoever aborts one ends the worker, and gets a new one. */
+class WorkerSolver {
+  where = "in this browser, by WebAssembly: nothing leaves it";
+  #script;
+  #materials;
+  #worker = null;
+  #waiting = new Map();
+  #count = 0;
+
+  /**
+   * @param {string} text of the worker's script; as a text it is there on a page that was opened as a file, too
+   * @param {object} materials as of tabulated.js
+   */
+  constructor(text, materials) {
+    this.#script = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    this.#materials = materials;
+  }
+
+  async solve(request, signal) {
+    const { known, error } = withMaterials(request, this.#materials);
+    return error ? { error } : this.#ask("solve", known, signal);
+  }
+
+  async scalars() {
+    return this.#ask("scalars", null);
+  }
+
+  #ask(name, content, signal) {
+    signal?.throwIfAborted();
+    this.#worker ??= this.#newWorker();
+    const id = (this.#count += 1);
+    return new Promise((resolve, reject) => {
+      const aborted = () => {
+        this.#end(new DOMException("a newer request was made", "AbortError"));
+      };
+      const settled = (settle) => (value) => {
+        signal?.removeEventListener("abort", aborted);
+        settle(value);
+      };
+      this.#waiting.set(id, { resolve: settled(resolve), reject: settled(reject) });
+      signal?.addEventListener("abort", aborted);
+      this.#worker.postMessage({ id, name, content });
+    });
+  }
+
+  #newWorker() {
+    const worker = new Worker(this.#script);
+    worker.onmessage = ({ data: { id, answer, failure } }) => {
+      const asked = this.#waiting.get(id);
+      this.#waiting.delete(id);
+      if (failure === undefined) asked?.resolve(answer);
+      else asked?.reject(new Error(failure));
+    };
+    worker.onerror = (event) =>
+      this.#end(new Error(`the solver does not start: ${event.message ?? "no reason given"}`));
+    return worker;
+  }
+
+  #end(reason) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    const waiting = [...this.#waiting.values()];
+    this.#waiting.clear();
+    for (const asked of waiting) asked.reject(reason);
+  }
+}

@@ -1,0 +1,70 @@
+/**
+ * Materials of data sheets and laboratories, for the library in WebAssembly, which does not know them: their formulas and
+ * data are the Python package's. What they come to was tabulated by it when the site was built (app/tabulated.py).
+ */
+
+/**
+ * A request whose case has materials that the library knows.
+ * @returns {{known: object}|{error: {message: string, parameter: string}}} the latter for what is between the tables
+ */
+export function withMaterials(request, tables) {
+  try {
+    return { known: { ...request, case: replaced(request.case, tables, "") } };
+  } catch (error) {
+    if (error instanceof NotTabulated) return { error: { message: error.message, parameter: error.parameter } };
+    throw error;
+  }
+}
+
+class NotTabulated extends Error {
+  constructor(place, name, rule, value) {
+    super(`${place}: ${name} must be ${rule} on this page, got ${value}`);
+    this.parameter = `${place}.${name}`;
+  }
+}
+
+function replaced(value, tables, place) {
+  if (Array.isArray(value)) return value.map((one, i) => replaced(one, tables, `${place}[${i}]`));
+  if (value === null || typeof value !== "object") return value;
+  const made = { hardness: ofDataSheet, loss_factor: ofLossFactor, published: ofLaboratory }[value.type];
+  if (made) return made(value, tables, place);
+  const inside = (name) => (place ? `${place}.${name}` : name);
+  return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, replaced(one, tables, inside(name))]));
+}
+
+function ofDataSheet({ hardness, scale = "A", rebound, reference_frequency: frequency }, tables, place) {
+  const modulus = tables.hardness[scale][hardness];
+  if (modulus === undefined) {
+    const all = Object.keys(tables.hardness[scale]);
+    throw new NotTabulated(place, "hardness", `a whole number in [${all[0]}, ${all.at(-1)}] Shore ${scale}`, hardness);
+  }
+  if (rebound === undefined) return { type: "elastic", modulus };
+  const series = tables.rebound[percent(rebound)];
+  if (!series) throw new NotTabulated(place, "rebound", "a whole percent in [2, 99]", `${percent(rebound)} %`);
+  return scaled(series, tables.relaxation_times, modulus, frequency);
+}
+
+function ofLossFactor({ modulus, loss_factor: lossFactor, reference_frequency: frequency }, tables, place) {
+  const series = tables.loss_factor[percent(lossFactor)];
+  if (!series) throw new NotTabulated(place, "loss_factor", "a multiple of 0.01 in [0.01, 1]", lossFactor);
+  return scaled(series, tables.relaxation_times, modulus, frequency);
+}
+
+function ofLaboratory({ name, temperature }, tables, place) {
+  const table = tables.published[name][temperature];
+  if (!table) throw new NotTabulated(place, "temperature", "a multiple of 10 °C in [-10, 50]", `${temperature} °C`);
+  return table;
+}
+
+const percent = (share) => Number((100 * share).toPrecision(12));
+
+/** A series of 1 Pa and 1 rad/s, whose weights are geometric between their ends, of a modulus that holds at a frequency. */
+function scaled([instantaneous, first, second, ratio, last], times, modulus, frequency) {
+  const between = Array.from({ length: times.length - 2 }, (_, k) => second * ratio ** k);
+  return {
+    type: "prony",
+    instantaneous_modulus: instantaneous * modulus,
+    weights: [first, ...between, last],
+    relaxation_times: times.map((time) => time / frequency),
+  };
+}

@@ -1,0 +1,144 @@
+/** Units that engineers type and read, and the SI values behind them. */
+
+const TURN = 2 * Math.PI;
+
+/** SI value of one of each unit, by quantity; the first is the one that a new number has. */
+export const UNITS = {
+  length: { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 },
+  modulus: { MPa: 1e6, kPa: 1e3, GPa: 1e9, Pa: 1, psi: 6894.757293168 },
+  force: { N: 1, kN: 1e3, kgf: 9.80665, lbf: 4.4482216152605 },
+  line_force: { "N/mm": 1e3, "N/m": 1, "kN/m": 1e3, "lbf/in": 175.12683524647636 },
+  torque: { "N m": 1, "mN m": 1e-3, "lbf in": 0.1129848290276167 },
+  line_torque: { N: 1, "N mm/mm": 1 },
+  speed: { "km/h": null, "m/s": null, mph: null, rpm: TURN / 60, "rad/s": 1 },
+  time: { s: 1, ms: 1e-3, µs: 1e-6 },
+  frequency: { "rad/s": 1, Hz: TURN },
+  density: { "kg/m³": 1, "g/cm³": 1e3 },
+  temperature: { "°C": 1 },
+  percent: { "%": 1e-2 },
+};
+
+/** SI unit of each quantity, as messages of the solver have it. */
+export const SI = {
+  length: "m",
+  modulus: "Pa",
+  force: "N",
+  line_force: "N/m",
+  torque: "N m",
+  line_torque: "N",
+  speed: "rad/s",
+  time: "s",
+  frequency: "rad/s",
+  density: "kg/m³",
+  temperature: "°C",
+  percent: "",
+};
+
+/** What people type for these units. */
+const ALIASES = {
+  kg: "kgf",
+  lb: "lbf",
+  inch: "in",
+  '"': "in",
+  nm: "N m",
+  mnm: "mN m",
+  "kg/m3": "kg/m³",
+  "g/cm3": "g/cm³",
+  us: "µs",
+  kmh: "km/h",
+  kph: "km/h",
+  c: "°C",
+};
+
+/** The unit of a quantity that a text names, in capitals or not, or undefined. */
+export function unitNamed(text, quantity) {
+  const name = text.toLowerCase();
+  const wanted = (ALIASES[name] ?? name).toLowerCase();
+  return Object.keys(UNITS[quantity]).find((unit) => unit.toLowerCase() === wanted);
+}
+
+/** Speeds of the center, in m/s: over the outer radius they are angular speeds. */
+const CENTER_SPEEDS = { "km/h": 1 / 3.6, "m/s": 1, mph: 0.44704 };
+
+/**
+ * SI value of what was typed, rid of the last digit that products of decimals leave: 3 mm are 0.003 m.
+ * @param {[number, string]} typed number and unit
+ * @param {string} quantity
+ * @param {number} [radius] outer radius [m], for speeds of the center
+ */
+export function toSI([value, unit], quantity, radius) {
+  return tidy(value * factor(unit, quantity, radius));
+}
+
+/** What is typed in a unit for an SI value. */
+export function fromSI(value, unit, quantity, radius) {
+  return [tidy(value / factor(unit, quantity, radius)), unit];
+}
+
+function factor(unit, quantity, radius) {
+  return unit in CENTER_SPEEDS && quantity === "speed" ? CENTER_SPEEDS[unit] / radius : UNITS[quantity][unit];
+}
+
+/** A number without the noise of its last digits. */
+export function tidy(value) {
+  return Number(value.toPrecision(13));
+}
+
+/** A number as people write it, with so many significant digits at the most. */
+export function shown(value, digits = 4) {
+  if (value === null || value === undefined) return "–";
+  const rounded = Number(value.toPrecision(digits));
+  const size = Math.abs(rounded);
+  if (size !== 0 && (size >= 1e6 || size < 1e-4)) {
+    const [mantissa, exponent] = rounded.toExponential().split("e");
+    return `${mantissa}·10${[...String(Number(exponent))].map((c) => SUPERSCRIPTS[c]).join("")}`;
+  }
+  return String(rounded).replace("-", "−");
+}
+
+const SUPERSCRIPTS = Object.fromEntries([..."-0123456789"].map((c, i) => [c, [..."⁻⁰¹²³⁴⁵⁶⁷⁸⁹"][i]]));
+
+const PREFIXES = [
+  ["G", 1e9],
+  ["M", 1e6],
+  ["k", 1e3],
+  ["", 1],
+  ["m", 1e-3],
+  ["µ", 1e-6],
+  ["n", 1e-9],
+];
+
+/** Units with prefixes that engineers read them with; a meter has no larger ones. */
+const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
+
+/**
+ * The unit in which a result reads best, and its SI value.
+ * @returns {[string, number]}
+ */
+export function handyUnit(value, unit) {
+  if (unit === "1") return ["", 1];
+  if (unit === "m^2") return ["mm²", 1e-6];
+  const allowed = PREFIXED[unit];
+  const size = Math.abs(value ?? 0);
+  if (!allowed || size === 0) return [unit, 1];
+  if (unit === "Pa" && size >= 1e5 && size < 1e9) return ["MPa", 1e6]; // 0.3 MPa, not 300 kPa: as moduli are typed
+  if (unit === "m" && size >= 1e-5) return size < 1 ? ["mm", 1e-3] : ["m", 1]; // as lengths are typed
+  const fitting = PREFIXES.filter(([prefix]) => prefix === "" || allowed.includes(prefix));
+  const [prefix, one] = fitting.find(([, step]) => size >= step) ?? fitting.at(-1);
+  return [prefix + unit, one];
+}
+
+/** A result with its handy unit. */
+export function handy(value, unit, digits = 4) {
+  if (value === null || value === undefined) return "–";
+  const [name, one] = handyUnit(value, unit);
+  return `${shown(value / one, digits)} ${name}`.trim();
+}
+
+/** In line contact what has these units is per length. */
+const PER_LENGTH = { "N m": "N", N: "N/m", W: "W/m", "m^2": "m" };
+
+/** The unit of a scalar result; `unit` is that of its table. */
+export function resultUnit(unit, lineContact) {
+  return (lineContact && PER_LENGTH[unit]) || unit;
+}

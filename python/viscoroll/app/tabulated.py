@@ -1,0 +1,68 @@
+"""Materials of data sheets and laboratories as tables, for the page where this package is not there to read them.
+
+The library of C++ knows neither hardness nor rebound, and no published material: their formulas and data are in Python
+alone. What they come to is tabulated as finely as data sheets tell, and `page/tabulated.js` looks it up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from ..materials import LossFactor, MasterCurve, Prony, StandardLinearSolid
+from ..rheology import example_material, hardness_to_modulus, rebound_to_loss_factor
+from ..rheology.published import EXAMPLES
+
+__all__ = ["tabulated_materials"]
+
+#: Whole degrees of a durometer, by scale; whole percents of rebound; hundredths of loss factors; degrees Celsius.
+_HARDNESS = {"A": range(20, 91), "D": range(30, 86)}
+_REBOUNDS = range(2, 100)
+_LOSS_FACTORS = range(1, 101)
+_TEMPERATURES = range(-10, 60, 10)
+
+
+def tabulated_materials() -> dict[str, Any]:
+    """Return the tables as JSON has them.
+
+    Returns
+    -------
+    dict
+        ``hardness``: by scale and hardness, shear modulus [Pa]; ``rebound`` and ``loss_factor``: by percent of either,
+        the Prony series of a modulus of 1 Pa that holds at 1 rad/s, with `relaxation_times` [s] and weights between the
+        first and the last that are geometric: instantaneous modulus, first weight, second, ratio, and last;
+        ``published``: by name and temperature [°C], the table of a case file.
+    """
+    return {
+        "hardness": {
+            scale: {str(shore): hardness_to_modulus(float(shore), scale=scale).value for shore in values}
+            for scale, values in _HARDNESS.items()
+        },
+        "relaxation_times": list(_series(0.1).relaxation_times),  # of all of them
+        "rebound": {str(percent): _numbers(rebound_to_loss_factor(percent / 100).value) for percent in _REBOUNDS},
+        "loss_factor": {str(percent): _numbers(percent / 100) for percent in _LOSS_FACTORS},
+        "published": {
+            name: {str(degrees): _table(example_material(name).at(temperature=degrees)) for degrees in _TEMPERATURES}
+            for name in EXAMPLES
+        },
+    }
+
+
+def _series(loss_factor: float) -> Prony:
+    return LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0).prony()
+
+
+def _numbers(loss_factor: float) -> list[float]:
+    """Return what a series is made of; all its weights would be as much to download as the rest of the page."""
+    series = _series(loss_factor)
+    first, second, third, *_, last = series.weights
+    return [series.instantaneous_modulus, first, second, third / second, last]
+
+
+def _table(modulus: MasterCurve | Prony | StandardLinearSolid) -> dict[str, Any]:
+    """Return the table of a case file for a modulus that was measured."""
+    if isinstance(modulus, StandardLinearSolid):
+        return {"type": "standard_linear_solid", **asdict(modulus)}
+    assert isinstance(modulus, MasterCurve)
+    columns = {name: list(map(float, getattr(modulus, name))) for name in ("frequency", "storage", "loss")}
+    return {"type": "master_curve", **columns, "extrapolation": modulus.extrapolation.name.lower()}

@@ -1,0 +1,34 @@
+"""The command that serves the page on which cases are tried."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from .._support.extras import extra
+from ..case.tables import errors_in, read_toml
+from .output import write_line, write_message
+
+with extra("cli"):
+    import typer
+
+__all__ = ["serve_page"]
+
+
+def serve_page(
+    case: Annotated[Path | None, typer.Argument(help="Case file in TOML that the page begins with.")] = None,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
+) -> None:
+    """Try cases on a page in the browser, solved on this machine; Ctrl-C ends it."""
+    from ..app import serve
+    from ..app.answer import OTHER_TABLES, readable_case
+
+    document = None
+    if case is not None:
+        with errors_in(case):
+            document = read_toml(case)
+            for name in [name for name in OTHER_TABLES if name in document]:
+                write_message(f"skipped in {case.name}: the page has no table [{name}]")
+                del document[name]
+            readable_case(document)
+    serve(document, browser=browser, tell=write_line)

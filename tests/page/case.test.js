@@ -1,0 +1,126 @@
+/** States become cases, cases become states, and links restore them. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { caseOf, initialState, outerRadius, stateOf, withBody } from "../../python/viscoroll/app/page/case.js";
+import { pointsOf, spread } from "../../python/viscoroll/app/page/curve.js";
+import { EXAMPLES, exampleState } from "../../python/viscoroll/app/page/examples.js";
+import { fragmentOf, stateOfFragment } from "../../python/viscoroll/app/page/link.js";
+import { KINDS, newLayer } from "../../python/viscoroll/app/page/materials.js";
+
+const README = {
+  ball: {
+    core_radius: 0.02,
+    inner_boundary: "rigid",
+    layers: [
+      {
+        thickness: 0.001,
+        shear_modulus: {
+          type: "standard_linear_solid",
+          instantaneous_modulus: 6e6,
+          relaxed_modulus: 3e6,
+          relaxation_time: 0.125,
+        },
+        poisson_ratio: 0.5,
+        density: 1000,
+      },
+    ],
+  },
+  rolling: { load: 100, angular_speed: 2.5, friction: 0 },
+  numerics: { accuracy: 0.01, compliance: "radial" },
+};
+
+test("the page begins with the case of the README", () => {
+  assert.deepEqual(caseOf(initialState()), README);
+});
+
+test("an outer diameter gives the core, and a core the outer radius", () => {
+  const state = { ...initialState(), given: "outer_diameter", size: [42, "mm"] };
+  assert.deepEqual(caseOf(state), README);
+  assert.equal(outerRadius(initialState()), 0.021);
+});
+
+test("a case becomes a state, and the same case again", () => {
+  for (const name of Object.keys(EXAMPLES)) {
+    const tables = caseOf(exampleState(name));
+    const { state, left } = stateOf(tables);
+    assert.deepEqual(left, [], name);
+    assert.deepEqual(caseOf(state), tables, name);
+  }
+});
+
+test("materials of all kinds survive the way back", () => {
+  for (const [kind, { initial }] of Object.entries(KINDS)) {
+    if (initial === null) continue;
+    const layer = { ...newLayer(), kind, ...initial };
+    const tables = caseOf({ ...initialState(), layers: [layer] });
+    assert.equal(stateOf(tables).state.layers[0].kind, kind);
+    assert.deepEqual(caseOf(stateOf(tables).state), tables);
+  }
+});
+
+test("a material that the form has no fields for is kept as it is", () => {
+  const prony = { type: "prony", instantaneous_modulus: 1e6, weights: [0.5], relaxation_times: [1] };
+  const tables = structuredClone(README);
+  tables.ball.layers[0].shear_modulus = prony;
+  assert.deepEqual(caseOf(stateOf(tables).state), tables);
+});
+
+test("numerics that the form has no fields for are kept, but for those of a mesh", () => {
+  const numerics = { accuracy: 0.02, compliance: "radial", patch_load: "spherical", slip_kinematics: "flat" };
+  const { state, left } = stateOf({ ...README, numerics });
+  assert.deepEqual(left, []);
+  assert.deepEqual(caseOf(state).numerics, numerics);
+});
+
+test("what the form has nothing for is named", () => {
+  const tables = { ...README, numerics: { nodes_per_revolution: 500 }, other_ball: { core_radius: 1, layers: [] } };
+  assert.deepEqual(stateOf(tables).left, ["other_ball", "numerics.nodes_per_revolution"]);
+});
+
+test("loads per length and of the whole are not taken for each other", () => {
+  const roller = withBody(initialState(), "cylinder");
+  assert.deepEqual(roller.load, [2, "N/mm"]);
+  assert.equal(caseOf(roller).rolling.load, 2000);
+  assert.deepEqual(withBody(roller, "wheel").load, [100, "N"]);
+  assert.deepEqual(withBody({ ...initialState(), on: "groove" }, "cylinder").on, "rigid");
+});
+
+test("without friction nothing drives", () => {
+  assert.equal("drive" in caseOf({ ...initialState(), drive: "torque", torque: [1, "N m"] }).rolling, false);
+  const slid = { ...README, rolling: { ...README.rolling, drive: { creepage: 0.1 } } };
+  assert.deepEqual(stateOf(slid).left, ["rolling.drive"]);
+  const towed = { ...initialState(), friction: 0.3, drive: "torque" };
+  assert.deepEqual(caseOf(towed).rolling.drive, { torque: 0 });
+});
+
+test("a link restores every example", () => {
+  assert.equal(fragmentOf(initialState()), "");
+  for (const name of Object.keys(EXAMPLES)) {
+    const state = exampleState(name);
+    const fragment = fragmentOf(state);
+    assert.match(fragment, /^(#[\w-]+)?$/);
+    if (fragment) assert.deepEqual(stateOfFragment(fragment), state);
+  }
+});
+
+test("fragments of others are no states", () => {
+  for (const fragment of ["", "#", "#answer", "#%%%", "#bnVsbA", "#eyJ4IjoxfQ"])
+    assert.equal(stateOfFragment(fragment), null);
+});
+
+test("a curve goes through the case in its middle, ends first", () => {
+  const state = exampleState("caster");
+  for (const along of ["speed", "load", "thickness"]) {
+    const points = pointsOf(state, along);
+    assert.equal(new Set(points.map(({ at }) => at)).size, points.length);
+    assert.ok(points.slice(2).every(({ at }) => at > points[0].at && at < points[1].at));
+  }
+  assert.deepEqual(spread(5), [0, 4, 2, 1, 3]);
+  assert.deepEqual(
+    [...spread(21)].sort((a, b) => a - b),
+    Array.from({ length: 21 }, (_, i) => i),
+  );
+  assert.deepEqual(pointsOf({ ...state, layers: [] }, "thickness"), []);
+});

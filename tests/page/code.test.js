@@ -1,0 +1,38 @@
+/** Cases as Python and as case files: their text; that they solve to the same numbers is tests/python/app/test_page.py's. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { caseOf, initialState } from "../../python/viscoroll/app/page/case.js";
+import { caseFileOf, pythonOf } from "../../python/viscoroll/app/page/code.js";
+import { exampleState } from "../../python/viscoroll/app/page/examples.js";
+
+test("the case of the README as Python", () => {
+  const text = pythonOf(caseOf(initialState()));
+  assert.match(text, /^import viscoroll as vr\n/);
+  assert.match(text, /StandardLinearSolid\(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0\.125\)/);
+  assert.match(text, /ball = vr\.CoatedSphere\(core_radius=0\.02, inner_boundary="rigid", layers=\[layer\]\)/);
+  assert.match(text, /r = vr\.solve\(/);
+  assert.ok(text.split("\n").every((line) => line.length <= 120));
+});
+
+test("data sheets are read by Python's functions", () => {
+  const text = pythonOf(caseOf(exampleState("skate")));
+  assert.match(text, /hardness_to_modulus\(82\.0\)\.value/);
+  assert.match(text, /rebound_to_loss_factor\(0\.7\)\.value/);
+});
+
+test("the case of the README as a case file", () => {
+  const text = caseFileOf(caseOf(initialState()));
+  assert.match(
+    text,
+    /^\[ball\]\ncore_radius = 0\.02\ninner_boundary = "rigid"\n\n\[\[ball\.layers\]\]\nthickness = 1e-3\n/m,
+  );
+  assert.match(text, /^shear_modulus = \{ type = "standard_linear_solid", instantaneous_modulus = 6e6, /m);
+  assert.match(text, /^\[rolling\]\nload = 100\.0\nangular_speed = 2\.5\nfriction = 0\.0\n/m);
+});
+
+test("integers stay integers", () => {
+  const tables = { ...caseOf(initialState()), numerics: { nodes_per_revolution: 400 } };
+  assert.match(caseFileOf(tables), /^nodes_per_revolution = 400$/m);
+});

@@ -1,0 +1,128 @@
+/**
+ * Uses the page as people do, in a browser without a window, and prints as JSON what it saw.
+ *
+ *     node tests/page/drive.js ADDRESS FOLDER     BROWSER names the browser; pictures of the page go to the folder
+ */
+
+import { writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+
+const puppeteer = createRequire(import.meta.url)("puppeteer-core"); // by NODE_PATH, too, which imports do not know
+
+const [address, folder] = process.argv.slice(2);
+const browser = await puppeteer.launch({ executablePath: process.env.BROWSER, args: ["--no-sandbox"] });
+const requests = [];
+const complaints = [];
+
+async function open(where, width = 1280) {
+  const page = await browser.newPage();
+  page.on("request", (request) => requests.push(request.url()));
+  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.message));
+  await page.setViewport({ width, height: 900 });
+  await page.goto(where);
+  return page;
+}
+
+/** Numbers of the page, by name, once they are refined. */
+async function refined(page) {
+  await page.waitForSelector('body[data-stage="fine-solved"]', { timeout: 60_000 });
+  return page.$$eval("#table [data-scalar]", (cells) =>
+    Object.fromEntries(
+      cells.map((cell) => [cell.dataset.scalar, cell.dataset.value === undefined ? null : Number(cell.dataset.value)]),
+    ),
+  );
+}
+
+/** The slider beside the field of a label. */
+const slider = (page, label) => page.$(`input[aria-label="${label}, slider"]`);
+
+async function text(page, button) {
+  await page.click(button);
+  return page.$eval("#code pre", (pre) => pre.textContent);
+}
+
+const seen = {};
+
+// The case of the README, from opening the page to its numbers.
+const begun = performance.now();
+const page = await open(address);
+seen.readme = await refined(page);
+seen.start = (performance.now() - begun) / 1e3;
+await page.waitForSelector('#curve[data-filling="done"]', { timeout: 60_000 });
+seen.points = await page.$$eval("#curve circle.dot", (dots) => dots.length);
+await page.setViewport({ width: 1280, height: 1330 });
+await page.screenshot({ path: join(folder, "try-1280.png") });
+await page.setViewport({ width: 1280, height: 900 });
+
+// A slider is moved thirty times; its last value is what is solved.
+const load = await slider(page, "load");
+for (let i = 1; i <= 30; i += 1) {
+  await load.evaluate(
+    (input, value) => {
+      input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+    },
+    100 + 2 * i,
+  );
+}
+const moved = performance.now();
+seen.load = await page.$eval(
+  "#form",
+  () => JSON.parse(atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"))).load,
+);
+await page.waitForFunction(
+  (newton) => JSON.parse(document.getElementById("answer").dataset.of).rolling.load === newton,
+  {},
+  seen.load[0],
+);
+seen.answered = (performance.now() - moved) / 1e3;
+seen.moved = await refined(page);
+
+// What is copied is this case, and a link restores it.
+seen.python = await text(page, "#copy-python");
+seen.caseFile = await text(page, "#copy-case");
+seen.link = await text(page, "#copy-link");
+seen.restored = await refined(await open(seen.link));
+
+// A number that is wrong is told at its field; another one mends it.
+await page.bringToFront();
+const field = await page.evaluateHandle(() =>
+  [...document.querySelectorAll("#form .field")].find((one) => one.querySelector("label").textContent === "thickness"),
+);
+const typed = await field.$("input[type=text]");
+await typed.click({ clickCount: 3 });
+await typed.type("0");
+await page.waitForSelector('body[data-wrong="true"]');
+seen.problem = await field.$eval(".problem", (problem) => problem.textContent);
+await typed.click({ clickCount: 3 });
+await typed.type("1");
+await page.waitForSelector('body[data-wrong="false"]');
+
+// All examples have answers, and none is wider than a telephone.
+seen.examples = {};
+const narrow = await open(address, 400);
+await narrow.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+await refined(narrow);
+const [first, ...others] = await narrow.$$eval("#examples option", (options) =>
+  options.map(({ value }) => value).filter(Boolean),
+);
+for (const name of [...others, first]) {
+  await narrow.evaluate(() => delete document.body.dataset.stage);
+  await narrow.select("#examples", name);
+  const { rolling_resistance_coefficient: coefficient } = await refined(narrow);
+  const width = await narrow.evaluate(() => document.documentElement.scrollWidth);
+  seen.examples[name] = {
+    coefficient,
+    width,
+    python: await text(narrow, "#copy-python"),
+    caseFile: await text(narrow, "#copy-case"),
+  };
+  await narrow.click("#code-close");
+}
+await narrow.$eval("#answer", (answer) => answer.scrollIntoView());
+await narrow.screenshot({ path: join(folder, "try-400.png") });
+
+await browser.close();
+writeFileSync(join(folder, "seen.json"), JSON.stringify({ ...seen, requests: [...new Set(requests)], complaints }));

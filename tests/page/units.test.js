@@ -1,0 +1,63 @@
+/** Units: what is typed, its SI value, and how results read. */
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { SI, UNITS, fromSI, handy, resultUnit, shown, toSI, unitNamed } from "../../python/viscoroll/app/page/units.js";
+
+test("every quantity has an SI unit, and that is one of its units or none", () => {
+  for (const [quantity, units] of Object.entries(UNITS)) {
+    assert.ok(quantity in SI);
+    if (SI[quantity] !== "") assert.ok(SI[quantity] in units, quantity);
+  }
+});
+
+test("decimals stay decimals", () => {
+  assert.equal(toSI([3, "mm"], "length"), 0.003);
+  assert.equal(toSI([0.1, "MPa"], "modulus"), 1e5);
+  assert.equal(toSI([55, "%"], "percent"), 0.55);
+  assert.deepEqual(fromSI(0.003, "mm", "length"), [3, "mm"]);
+});
+
+test("units by their definitions", () => {
+  assert.equal(toSI([1, "in"], "length"), 0.0254);
+  assert.equal(toSI([1, "kgf"], "force"), 9.80665);
+  assert.ok(Math.abs(toSI([1, "psi"], "modulus") - (0.45359237 * 9.80665) / 0.0254 ** 2) < 1e-8);
+  assert.ok(Math.abs(toSI([1, "lbf"], "force") - 0.45359237 * 9.80665) < 1e-11);
+});
+
+test("speeds of the center are angular speeds over the radius", () => {
+  assert.equal(toSI([36, "km/h"], "speed", 0.5), 20);
+  assert.equal(toSI([1.5, "m/s"], "speed", 0.05), 30);
+  assert.ok(Math.abs(toSI([60, "rpm"], "speed") - 2 * Math.PI) < 1e-12);
+  for (const unit of Object.keys(UNITS.speed)) {
+    const [value] = fromSI(toSI([12, unit], "speed", 0.04), unit, "speed", 0.04);
+    assert.ok(Math.abs(value - 12) < 1e-11, unit);
+  }
+});
+
+test("results read in the units of engineers", () => {
+  assert.equal(handy(0.0113962, "N m"), "11.4 mN m");
+  assert.equal(handy(8.46e6, "Pa"), "8.46 MPa");
+  assert.equal(handy(3.2e5, "Pa"), "0.32 MPa");
+  assert.equal(handy(1.475e-4, "m"), "0.1475 mm");
+  assert.equal(handy(2.2e-5, "m^2"), "22 mm²");
+  assert.equal(handy(-0.25, "N"), "−250 mN");
+  assert.equal(handy(0.0054, "1"), "0.0054");
+  assert.equal(handy(null, "m"), "–");
+  assert.equal(shown(6e6), "6·10⁶");
+  assert.equal(shown(2.5e-7), "2.5·10⁻⁷");
+});
+
+test("in line contact units are per length", () => {
+  assert.equal(resultUnit("N m", true), "N");
+  assert.equal(resultUnit("Pa", true), "Pa");
+  assert.equal(resultUnit("N m", false), "N m");
+});
+
+test("units are known by what people type", () => {
+  assert.equal(unitNamed("kg", "force"), "kgf");
+  assert.equal(unitNamed("MPA", "modulus"), "MPa");
+  assert.equal(unitNamed("Nm", "torque"), "N m");
+  assert.equal(unitNamed("furlong", "length"), undefined);
+});

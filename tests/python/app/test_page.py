@@ -1,0 +1,226 @@
+"""The page: its modules by Node's own test runner, and in a browser what it shows, beside what the package computes.
+
+Skipped where node, or a browser and the package puppeteer-core, are missing; `make test-page` brings the latter.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import http.server
+import io
+import json
+import os
+import re
+import runpy
+import shutil
+import subprocess
+import threading
+from pathlib import Path
+
+import pytest
+import viscoroll as vr
+from viscoroll.app import PageServer, answer
+from viscoroll.case import load_case
+from viscoroll.case.case import BODIES, COUNTERPARTS
+
+ROOT = Path(__file__).parents[3]
+TESTS = ROOT / "tests" / "page"
+LIBRARY = ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"
+NODE = shutil.which("node")
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+needs_node = pytest.mark.skipif(NODE is None, reason="no node")
+
+
+@needs_node
+def test_modules():
+    files = sorted(TESTS.glob("*.test.js"))
+    assert len(files) == 5
+    done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def environment():
+    """Return that of node, with the browser, and where `make test-page` puts what the tests need."""
+    own = ROOT / "build" / "page" / "node_modules"
+    paths = filter(None, [str(own), os.environ.get("NODE_PATH")])
+    return os.environ | {"BROWSER": BROWSER or "", "NODE_PATH": os.pathsep.join(paths)}
+
+
+def has_driver():
+    if NODE is None or BROWSER is None:
+        return False
+    words = [NODE, "-e", 'require("puppeteer-core")']
+    return subprocess.run(words, env=environment(), capture_output=True, check=False).returncode == 0
+
+
+def driven(address, folder):
+    """Return what was seen of a page."""
+    words = [NODE, str(TESTS / "drive.js"), address, str(folder)]
+    done = subprocess.run(words, env=environment(), capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads((folder / "seen.json").read_text(encoding="utf-8"))
+
+
+@contextlib.contextmanager
+def served(server):
+    """Serve until the block ends."""
+    with server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        try:
+            yield server
+        finally:
+            server.shutdown()
+            thread.join()
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    """Files of a folder, as any host of sites serves them."""
+
+    def log_message(self, *_):
+        """Say nothing."""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """Return the folder of the page as it stands in the site, with the library in WebAssembly."""
+    if not LIBRARY.exists():
+        pytest.skip("no WebAssembly: `make wasm` makes it")
+    folder = tmp_path_factory.mktemp("site")
+    runpy.run_path(str(ROOT / "docs" / "try_page.py"))["write_page"](folder, LIBRARY)
+    return folder
+
+
+@pytest.fixture(scope="module", params=["viscoroll app", "site from a folder", "site over http"])
+def seen(request, tmp_path_factory):
+    """Return what was seen of a page, and its address."""
+    if not has_driver():
+        pytest.skip("no browser, or no puppeteer-core: `make test-page` brings it")
+    if request.param == "site from a folder":
+        server = contextlib.nullcontext()
+        address = (request.getfixturevalue("site") / "index.html").as_uri()
+    elif request.param == "site over http":
+        handler = functools.partial(Quiet, directory=request.getfixturevalue("site"))
+        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        address = f"http://127.0.0.1:{server.server_port}/"
+        server = served(server)
+    else:
+        server = PageServer()
+        address = server.address
+        server = served(server)
+    with server:
+        yield driven(address, tmp_path_factory.mktemp("seen")) | {"address": address.removesuffix("index.html")}
+
+
+#: How it was solved, and what is left open: differences, which compilers round in their own ways.
+ROUNDED = {"iterations", "operator_applications", "residual", "power_balance_error", "error_estimate"}
+
+
+def assert_numbers(shown, result):
+    """Assert that a page shows the numbers of a result, which the same sources computed: to round-off."""
+    assert shown["penetration"] > 0.0
+    for name, value in shown.items():
+        expected = getattr(result, name)
+        if name in ROUNDED:
+            assert value is not None
+        elif expected is None:
+            assert value is None
+        else:
+            assert value == pytest.approx(expected, rel=1e-9, abs=1e-12), name
+
+
+def readme_ball():
+    rubber = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.125)
+    layer = vr.Layer(thickness=1e-3, shear_modulus=rubber, poisson_ratio=0.5, density=1000.0)
+    return vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+
+
+def solved_by(code):
+    """Return the result of copied Python."""
+    names = {}
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(code, names)
+    assert "rolling resistance coefficient" in printed.getvalue()
+    return names["r"]
+
+
+@pytest.mark.slow
+def test_the_case_of_the_readme_gives_its_numbers(seen):
+    assert_numbers(seen["readme"], vr.solve(readme_ball(), load=100.0, angular_speed=2.5))
+    assert seen["points"] == 21
+
+
+@pytest.mark.slow
+def test_the_last_place_of_a_slider_is_answered_soon(seen):
+    load, unit = seen["load"]
+    assert unit == "N"
+    assert load != 100.0
+    assert seen["answered"] < 1.5
+    assert_numbers(seen["moved"], vr.solve(readme_ball(), load=load, angular_speed=2.5))
+
+
+@pytest.mark.slow
+def test_copied_python_gives_the_numbers_of_the_page(seen):
+    assert_numbers(seen["moved"], solved_by(seen["python"]))
+
+
+@pytest.mark.slow
+def test_a_copied_case_file_gives_the_numbers_of_the_page(seen, tmp_path):
+    (tmp_path / "case.toml").write_text(seen["caseFile"], encoding="utf-8")
+    assert_numbers(seen["moved"], load_case(tmp_path / "case.toml").solve())
+
+
+@pytest.mark.slow
+def test_a_link_restores_the_case(seen):
+    assert seen["restored"] == seen["moved"]
+
+
+@pytest.mark.slow
+def test_what_is_wrong_is_told_at_its_field(seen):
+    assert "thickness must be > 0 m" in seen["problem"]
+
+
+@pytest.mark.slow
+def test_examples_solve_to_the_same_in_python_and_as_case_files(seen, tmp_path):
+    assert {"paper", "skate", "caster"} <= set(seen["examples"])
+    for name, example in seen["examples"].items():
+        assert example["width"] == 400, name
+        (tmp_path / "case.toml").write_text(example["caseFile"], encoding="utf-8")
+        for result in (solved_by(example["python"]), load_case(tmp_path / "case.toml").solve()):
+            assert result.rolling_resistance_coefficient == pytest.approx(example["coefficient"], rel=1e-9), name
+
+
+@pytest.mark.slow
+def test_nothing_but_the_page_is_asked_for(seen):
+    assert seen["requests"]
+    elsewhere = [url for url in seen["requests"] if not url.startswith((seen["address"], "blob:", "data:"))]
+    assert elsewhere == []
+    assert seen["complaints"] == []
+
+
+@needs_node
+def test_the_page_of_the_site_is_one_script(tmp_path):
+    page = runpy.run_path(str(ROOT / "docs" / "try_page.py"))
+    assert page["write_page"](tmp_path / "try", tmp_path / "none.js") is False
+    assert sorted(path.name for path in (tmp_path / "try").iterdir()) == ["index.html", "page.css", "page.js"]
+    done = subprocess.run([NODE, "--check", tmp_path / "try" / "page.js"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    text = (tmp_path / "try" / "index.html").read_text(encoding="utf-8")
+    assert 'type="module"' not in text
+    assert '{"solver": "none"}' in text
+
+
+def test_copied_code_knows_every_body_and_material():
+    code = (ROOT / "python" / "viscoroll" / "app" / "page" / "code.js").read_text(encoding="utf-8")
+    bodies, moduli = (
+        dict(re.findall(r'(\w+): "(\w+)"', code.split(f"const {table} = ")[1].split("};")[0]))
+        for table in ("CLASSES", "MODULI")
+    )
+    assert set(bodies) == {*BODIES, *COUNTERPARTS}
+    table = {"core_radius": 1.0, "layers": [{"shear_modulus": {"type": "none"}, "thickness": 1.0}]}
+    message = answer({"case": {"ball": table, "rolling": {"load": 1.0, "angular_speed": 1.0}}})["error"]["message"]
+    kinds = set(message.split("must be one of ")[1].split(", got")[0].split(", "))
+    assert kinds - {"hardness", "published", "measured"} <= set(moduli)
+    assert all(hasattr(vr, name) for name in {*bodies.values(), *moduli.values()})

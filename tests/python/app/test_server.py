@@ -1,0 +1,170 @@
+"""The server of the page: who is answered, what is served, and how it ends."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+import tomllib
+from contextlib import closing
+
+import pytest
+from specimens import command
+from viscoroll.app import PageServer, answer, scalars
+from viscoroll.case import example_text
+
+CASE = tomllib.loads(example_text())
+
+
+@pytest.fixture
+def server():
+    with PageServer(CASE) as running:
+        thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
+        thread.start()
+        yield running
+        running.shutdown()
+        thread.join()
+
+
+def asked(server, method, path, body=None):
+    """Return status, headers and content of what a server answers."""
+    with closing(http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=60)) as connection:
+        connection.request(method, path, body)
+        response = connection.getresponse()
+        return response.status, response.headers, response.read()
+
+
+def test_the_page_is_served_with_its_case(server):
+    status, headers, content = asked(server, "GET", f"/{server.token}/")
+    assert status == 200
+    assert headers["Content-Type"] == "text/html; charset=utf-8"
+    start = content.decode().split('id="start">')[1].split("</script>")[0]
+    assert json.loads(start) == {"solver": "native", "case": CASE}
+
+
+def test_all_that_the_page_names_is_served(server):
+    content = asked(server, "GET", f"/{server.token}/")[2].decode()
+    names = [part.split('"')[0] for part in content.split('href="')[1:] + content.split('src="')[1:]]
+    files = [name for name in names if not name.startswith("data:")]
+    assert sorted(files) == ["main.js", "page.css"]
+    types = {"js": "text/javascript; charset=utf-8", "css": "text/css; charset=utf-8"}
+    for name in files:
+        status, headers, _ = asked(server, "GET", f"/{server.token}/{name}")
+        assert (status, headers["Content-Type"]) == (200, types[name.rpartition(".")[2]])
+
+
+@pytest.mark.parametrize("path", ["/", "/solve", "/page.css", "/{wrong}/", "/{wrong}/solve", "/{token}"])
+@pytest.mark.parametrize("method", ["GET", "POST"])
+def test_nobody_without_the_token_is_answered(server, path, method):
+    wrong = server.token[:-1] + ("A" if server.token[-1] != "A" else "B")
+    status, _, content = asked(server, method, path.format(wrong=wrong, token=server.token), "{}")
+    assert (status, content) == (403, b"Forbidden")
+
+
+@pytest.mark.parametrize(
+    "name", ["server.py", "../server.py", "..%2Fserver.py", "package.json", "/etc/passwd", "../../../../../etc/passwd"]
+)
+def test_no_other_file_is_served(server, name):
+    assert asked(server, "GET", f"/{server.token}/{name}")[0] == 404
+
+
+def test_it_listens_to_this_machine_alone(server):
+    assert server.server_address[0] == "127.0.0.1"
+
+
+def test_answers_are_those_of_the_package(server):
+    request = {"case": CASE, "fields": True}
+    status, headers, content = asked(server, "POST", f"/{server.token}/solve", json.dumps(request))
+    assert (status, headers["Content-Type"]) == (200, "application/json; charset=utf-8")
+    assert json.loads(content) == answer(request)
+    assert json.loads(asked(server, "POST", f"/{server.token}/scalars")[2]) == scalars()
+
+
+def test_errors_are_answers(server):
+    request = {"case": CASE | {"rolling": CASE["rolling"] | {"load": -1.0}}}
+    status, _, content = asked(server, "POST", f"/{server.token}/solve", json.dumps(request))
+    assert status == 200
+    assert json.loads(content)["error"]["parameter"] == "load"
+
+
+@pytest.mark.parametrize(
+    ("name", "body", "status"),
+    [("solve", b"{", 400), ("solve", b"\xff", 400), ("solve", b"[" * 100_000, 400), ("other", b"{}", 404)],
+)
+def test_requests_that_are_none(server, name, body, status):
+    assert asked(server, "POST", f"/{server.token}/{name}", body)[0] == status
+
+
+def test_requests_that_are_too_long(server):
+    with closing(http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=60)) as connection:
+        connection.putrequest("POST", f"/{server.token}/solve")
+        connection.putheader("Content-Length", "1000001")
+        connection.endheaders()
+        assert connection.getresponse().status == 413
+
+
+def test_two_windows_are_answered(server):
+    slow = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-3}}
+    found = []
+    ask = lambda case: found.append(asked(server, "POST", f"/{server.token}/solve", json.dumps({"case": case})))  # noqa: E731
+    windows = [threading.Thread(target=ask, args=(case,)) for case in (slow, CASE)]
+    for window in windows:
+        window.start()
+    for window in windows:
+        window.join()
+    # The quick one need not wait for the slow one.
+    assert [json.loads(content)["result"]["scalars"]["friction"] for *_, content in found] == [0.0, 0.3]
+
+
+def test_a_solve_ends_with_the_window_that_asked(server):
+    endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
+    body = json.dumps({"case": endless}).encode()
+    head = f"POST /{server.token}/solve HTTP/1.0\r\nContent-Length: {len(body)}\r\n\r\n".encode()
+    before = threading.active_count()
+    with socket.create_connection(("127.0.0.1", server.server_port)) as window:
+        window.sendall(head + body)
+        time.sleep(0.3)
+        assert threading.active_count() > before
+    deadline = time.monotonic() + 10.0
+    while threading.active_count() > before and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert threading.active_count() == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there SIGINT goes to a whole console")
+def test_ctrl_c_ends_it_with_a_solve_under_way():
+    words = [sys.executable, "-m", "viscoroll", "app", "--no-browser"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
+        address = program.stdout.readline().split()[0]
+        port, token = address.removeprefix("http://127.0.0.1:").rstrip("/").split("/")
+        endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
+        with closing(http.client.HTTPConnection("127.0.0.1", int(port))) as window:
+            window.request("POST", f"/{token}/solve", json.dumps({"case": endless}))
+            with socket.create_connection(("127.0.0.1", int(port))):  # says nothing, as browsers do in advance
+                time.sleep(0.3)
+                program.send_signal(signal.SIGINT)
+                output, messages = program.communicate(timeout=10)
+    assert (program.returncode, output, messages) == (0, "", "")
+
+
+def test_the_command_says_what_it_leaves_out_and_what_is_wrong(tmp_path, monkeypatch):
+    begun = []
+    monkeypatch.setattr("viscoroll.app.serve", lambda case, **_: begun.append(case))
+    path = tmp_path / "case.toml"
+    path.write_text(example_text() + "\n[thermal]\nconvection = 10.0\nambient = 293.15\n", encoding="utf-8")
+    done = command("app", path)
+    assert "skipped in case.toml: the page has no table [thermal]" in done.stderr
+    assert begun == [CASE]
+    path.write_text(example_text().replace("load = 100.0", "laod = 100.0"), encoding="utf-8")
+    done = command("app", path)
+    assert done.returncode == 2
+    assert "did you mean load?" in done.stderr
+    assert command("app", tmp_path / "none.toml").returncode == 2
+    command("app", "--no-browser")
+    assert begun == [CASE, None]

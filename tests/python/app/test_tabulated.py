@@ -1,0 +1,58 @@
+"""Tables of materials for the page in the site: what they come to is what the package's own functions give."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from viscoroll.app.tabulated import tabulated_materials
+from viscoroll.case import build_case, example_text
+from viscoroll.case.tables import read_toml
+
+#: Weights are powers of a ratio; their sum leaves as little as 1.4e-5 to the modulus at rest.
+DIGITS = 1e-9
+
+OMEGA = np.geomspace(1e-2, 1e5, 15)
+
+
+@pytest.fixture(scope="module")
+def tables():
+    """Return the tables as the page has them."""
+    return json.loads(json.dumps(tabulated_materials(), allow_nan=False))
+
+
+def modulus(table, tmp_path):
+    """Return what a case file has of a table."""
+    (tmp_path / "case.toml").write_text(example_text(), encoding="utf-8")
+    case = read_toml(tmp_path / "case.toml")
+    case["ball"]["layers"][0]["shear_modulus"] = table
+    return build_case(case, tmp_path).ball.layers[0].shear_modulus
+
+
+@pytest.mark.parametrize(("scale", "shore"), [("A", 20), ("A", 85), ("D", 40)])
+def test_hardness(tables, scale, shore):
+    assert tables["hardness"][scale][str(shore)] == vr.hardness_to_modulus(float(shore), scale=scale).value
+
+
+@pytest.mark.parametrize(
+    ("name", "percent"), [("rebound", 2), ("rebound", 55), ("loss_factor", 1), ("loss_factor", 100)]
+)
+def test_series_are_those_of_a_constant_loss_factor(tables, name, percent):
+    share = percent / 100
+    loss_factor = vr.rebound_to_loss_factor(share).value if name == "rebound" else share
+    expected = vr.LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0)
+    instantaneous, first, second, ratio, last = tables[name][str(percent)]
+    times = tables["relaxation_times"]
+    weights = [first, *(second * ratio**k for k in range(len(times) - 2)), last]
+    found = vr.Prony(instantaneous_modulus=instantaneous, weights=weights, relaxation_times=times)
+    assert found.complex_modulus(OMEGA) == pytest.approx(expected.complex_modulus(OMEGA), rel=DIGITS)
+
+
+@pytest.mark.parametrize("name", ["pressure_sensitive_adhesive", "vinyl_nitrile_foam"])
+@pytest.mark.parametrize("degrees", [-10, 20, 50])
+def test_published_materials(tables, name, degrees, tmp_path):
+    expected = vr.example_material(name).at(temperature=degrees)
+    found = modulus(tables["published"][name][str(degrees)], tmp_path)
+    assert found.complex_modulus(OMEGA) == pytest.approx(expected.complex_modulus(OMEGA), rel=DIGITS)

@@ -1,0 +1,102 @@
+"""Commands and TOML files on the pages run as printed, page by page in a folder of their own, from top to bottom.
+
+A command is a line of a block `console` or `sh`, a line that is indented, or inline code that names a file. A TOML
+block names its file in its first line; one without a body is the lower part of the example case, as its comment says.
+What a reader brings along, measurements and a case file of the example, is there.
+"""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+import viscoroll as vr
+from specimens import command
+from viscoroll.case import example_text
+
+ROOT = Path(__file__).parents[3]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+
+_BLOCKS = re.compile(
+    r"^```(?P<language>toml|console|sh)\n(?P<block>.*?)^```|"
+    r"^ {4}(?P<line>viscoroll [^\n]*)$|"
+    r"`(?P<inline>viscoroll \w+[^`]* [^`]*\w\.\w[^`]*)`",
+    re.DOTALL | re.MULTILINE,
+)
+
+#: Tables of what rolls.
+_BODIES = ("[ball]", "[cylinder]", "[wheel]")
+
+#: Commands that take minutes on a page, and what of them takes seconds.
+_SHORT = {"viscoroll reproduce": "viscoroll reproduce table2 --coarse"}
+
+#: The command that ends on Ctrl-C alone, tested in `app/test_server.py`.
+_SERVES = "app"
+
+
+def steps(page: Path) -> list[tuple[str, str]]:
+    """Return what a page does in the shell: ("toml", text) and ("run", command), in its order."""
+    found = []
+    for match in _BLOCKS.finditer(page.read_text(encoding="utf-8")):
+        if match["language"] == "toml":
+            found.append(("toml", match["block"]))
+        elif match["language"]:
+            lines = match["block"].replace("\\\n", " ").splitlines()
+            found += [("run", line.removeprefix("$ ")) for line in lines if "viscoroll " in line.partition("#")[0]]
+        else:
+            found.append(("run", " ".join((match["line"] or match["inline"]).split())))
+    return found
+
+
+COMMANDED = [page for page in PAGES if steps(page)]
+
+
+def brought_along(folder: Path) -> None:
+    """Write what readers have: measurements in a file of each kind, and a case."""
+    source = vr.example_data("pressure_sensitive_adhesive.txt")
+    (folder / "dma.txt").write_bytes(source.read_bytes())
+    rows = [
+        f"{sweep.temperature},{w},{storage},{loss}"
+        for sweep in vr.read_rheology(source, tensile=False).between(-35.0, 160.0).isotherms
+        for w, storage, loss in zip(sweep.frequency, sweep.storage, sweep.loss, strict=True)
+    ]
+    (folder / "dma.csv").write_text("T,w,G',G''\n°C,rad/s,Pa,Pa\n" + "\n".join(rows), encoding="utf-8")
+    (folder / "case.toml").write_text(example_text(), encoding="utf-8")
+
+
+def write_file(block: str, folder: Path) -> None:
+    name = re.match(r"# (\S+\.toml)\b", block)
+    assert name, f"a TOML block must begin with the name of its file, as # case.toml, got {block.splitlines()[0]!r}"
+    whole = any(table in block for table in _BODIES)
+    (folder / name[1]).write_text(block if whole else f"{example_text()}\n{block}", encoding="utf-8")
+
+
+def run_line(line: str, folder: Path) -> None:
+    """Run a command, with what it prints in a file where the page has it so; what it is to write must be there."""
+    words, arrow, target = line.partition(">")
+    program, *arguments = shlex.split(_SHORT.get(words.partition("#")[0].strip(), words), comments=True)
+    assert program == "viscoroll"
+    if arguments[0] == _SERVES:
+        return
+    done = command(*arguments, cwd=folder)
+    assert done.returncode == 0, f"{line}: {done.stderr}"
+    if arrow:
+        (folder / target.partition("#")[0].strip()).write_text(done.stdout, encoding="utf-8")
+    for option, name in re.findall(r"--(plot|save|section|output)[ =](\S+)", words):
+        assert (folder / name).exists(), f"{line}: no file of --{option}"
+
+
+def test_pages_have_commands_of_all_kinds():
+    assert {"README.md", "shell.md", "dma.md", "studies.md", "transient.md"} <= {p.name for p in COMMANDED}
+    listed = [line for kind, line in steps(ROOT / "docs" / "shell.md") if kind == "run"]
+    assert len({line.split()[1] for line in listed}) == 11  # all commands but `demo`
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", COMMANDED, ids=lambda page: page.stem)
+def test_commands_and_files_of_a_page(page, tmp_path):
+    brought_along(tmp_path)
+    for kind, text in steps(page):
+        (write_file if kind == "toml" else run_line)(text, tmp_path)

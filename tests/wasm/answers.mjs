@@ -1,0 +1,50 @@
+// Answers requests, a JSON array on the standard input, by the package in a folder: `node answers.mjs PACKAGE [WAY]`.
+// By its module; or as "script" by viscoroll.single.js, read as a page does that was opened as a file; or as "worker"
+// by viscoroll-worker.js, of which node must make a worker as browsers have it.
+
+import fs from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import vm from "node:vm";
+import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";
+
+async function byModule(folder) {
+  return import(pathToFileURL(path.join(folder, "viscoroll.js")));
+}
+
+function byScript(folder) {
+  vm.runInThisContext(fs.readFileSync(path.join(folder, "viscoroll.single.js"), "utf8"));
+  return globalThis.viscoroll;
+}
+
+function byWorker(folder) {
+  const worker = new Worker(new URL(import.meta.url), { workerData: folder });
+  const ask = (name, content) =>
+    new Promise((resolve, reject) => {
+      worker.once("message", ({ answer, failure }) => {
+        if (failure === undefined) resolve(answer);
+        else reject(new Error(failure));
+      });
+      worker.once("error", reject);
+      worker.postMessage({ id: 1, name, content });
+    });
+  return { solve: (request) => ask("solve", request), scalars: () => ask("scalars"), end: () => worker.terminate() };
+}
+
+/** In the worker: the scope that browsers have, and then the file of the package. */
+async function beWorker(folder) {
+  globalThis.postMessage = (answer) => parentPort.postMessage(answer);
+  await import(pathToFileURL(path.join(folder, "viscoroll-worker.js")));
+  parentPort.on("message", (data) => globalThis.onmessage({ data }));
+}
+
+async function answerAll(folder, way = "module") {
+  const viscoroll = await { module: byModule, script: byScript, worker: byWorker }[way](folder);
+  const answers = [];
+  for (const request of JSON.parse(fs.readFileSync(0, "utf8"))) answers.push(await viscoroll.solve(request));
+  console.log(JSON.stringify({ answers, scalars: await viscoroll.scalars() }));
+  await viscoroll.end?.();
+}
+
+if (isMainThread) await answerAll(...process.argv.slice(2));
+else await beWorker(workerData);

@@ -1,0 +1,5 @@
+/** A worker that answers requests: `new Worker(address, { type: "module" })`. */
+
+import { serve } from "./viscoroll.js";
+
+serve();

@@ -1,0 +1,164 @@
+#include "answer_to_json.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace viscoroll::wasm {
+namespace {
+
+/// The compiler sees to it that none is left out.
+std::string_view name_of(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::max_iterations:
+      return "max_iterations";
+    case Status::accuracy_not_reached:
+      return "accuracy_not_reached";
+  }
+  return "";
+}
+
+std::string_view name_of(WarningKind kind) {
+  switch (kind) {
+    case WarningKind::max_iterations:
+      return "max_iterations";
+    case WarningKind::accuracy_not_reached:
+      return "accuracy_not_reached";
+    case WarningKind::coarse_mesh:
+      return "coarse_mesh";
+    case WarningKind::power_balance:
+      return "power_balance";
+    case WarningKind::pressure_peak:
+      return "pressure_peak";
+    case WarningKind::large_strain:
+      return "large_strain";
+    case WarningKind::contact_at_side:
+      return "contact_at_side";
+    case WarningKind::edge_pressure:
+      return "edge_pressure";
+    case WarningKind::tight_crown:
+      return "tight_crown";
+  }
+  return "";
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+template <class Value>
+Json or_null(const Value& value) {
+  return value;
+}
+
+/// Nodes of a result by row and column.
+class Nodes {
+ public:
+  explicit Nodes(const Result& result)
+      : rows_(static_cast<std::size_t>(result.phi_nodes)), columns_(static_cast<std::size_t>(result.theta_nodes)) {}
+
+  /// @return of each row its column in the middle plane
+  template <class Value>
+  [[nodiscard]] Json middle(const Value& value) const {
+    Json all = Json::array();
+    for (std::size_t row = 0; row < rows_; ++row) all.push_back(value(row * columns_ + columns_ / 2));
+    return all;
+  }
+
+  /// @return all columns of the first row
+  template <class Value>
+  [[nodiscard]] Json across(const Value& value) const {
+    Json all = Json::array();
+    for (std::size_t column = 0; column < columns_; ++column) all.push_back(value(column));
+    return all;
+  }
+
+  /// @return rows of columns
+  template <class Value>
+  [[nodiscard]] Json all(const Value& value) const {
+    Json rows = Json::array();
+    for (std::size_t row = 0; row < rows_; ++row) {
+      rows.push_back(across([&](std::size_t column) { return value(row * columns_ + column); }));
+    }
+    return rows;
+  }
+
+ private:
+  std::size_t rows_;
+  std::size_t columns_;
+};
+
+bool is_of_name(char letter) {
+  constexpr std::string_view kOthers = "_.[]";
+  return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || kOthers.find(letter) != kOthers.npos;
+}
+
+bool is_name(std::string_view text) {
+  for (const char letter : text) {
+    if (!is_of_name(letter)) return false;
+  }
+  return !text.empty();
+}
+
+/// The name that a message begins with, "load must be > 0 N", maybe behind a place, "ball.layers[0]: thickness must
+/// ..."; a place is the name where none follows.
+std::string parameter_of(const std::string& message) {
+  const std::size_t colon = message.find(": ");
+  std::string place = colon != std::string::npos && is_name(message.substr(0, colon)) ? message.substr(0, colon) : "";
+  const std::string rest = place.empty() ? message : message.substr(colon + 2);
+  const std::string name = rest.substr(0, rest.find(' '));
+  const std::string_view verb = std::string_view(rest).substr(name.size());
+  const bool named = is_name(name) && (verb.starts_with(" must ") || verb.starts_with(" has "));
+  if (!named) return place;
+  return place.empty() ? name : place + "." + name;
+}
+
+}  // namespace
+
+Json result_to_json(const Result& result) {
+  Json scalars;
+#define VISCOROLL_SCALAR(type, name, unit, label, details) scalars[#name] = or_null(result.name);
+#include "viscoroll/result_scalars.def"
+#undef VISCOROLL_SCALAR
+  scalars["contact_nodes"] = result.refinements.back().contact_nodes;
+  scalars["nodes_per_revolution"] = result.mesh.nodes_per_revolution;
+  scalars["max_order"] = or_null(result.mesh.max_order);
+  Json warnings = Json::array();
+  for (const Warning& warning : result.warnings) {
+    warnings.push_back({{"kind", name_of(warning.kind)}, {"message", warning.message}});
+  }
+  return {{"scalars", scalars}, {"state", name_of(result.status)}, {"warnings", warnings}};
+}
+
+Json fields_to_json(const Result& result, bool with_friction) {
+  const Nodes nodes(result);
+  const auto of = [](const std::vector<double>& field) { return [&](std::size_t node) { return field[node]; }; };
+  const auto state = [&](std::size_t node) { return result.stick[node] + 2 * result.slip[node]; };
+  const auto rigid = [&](std::size_t node) { return result.gap[node] - result.displacement[node]; };
+  const Json x = nodes.middle(of(result.x));
+  return {{"x", x},
+          {"z", nodes.across(of(result.z))},
+          {"pressure", nodes.all(of(result.pressure))},
+          {"stick", with_friction ? nodes.all(state) : Json()},
+          {"profile", {{"x", x}, {"surface", nodes.middle(of(result.gap))}, {"rigid", nodes.middle(rigid)}}}};
+}
+
+Json scalars_to_json() {
+  return {
+#define VISCOROLL_SCALAR(type, name, unit, label, details) {{"name", #name}, {"unit", unit}, {"description", label}},
+#include "viscoroll/result_scalars.def"
+#undef VISCOROLL_SCALAR
+  };
+}
+
+Json error_to_json(const std::string& message) {
+  const std::string parameter = parameter_of(message);
+  return {{"message", message}, {"parameter", parameter.empty() ? Json() : Json(parameter)}};
+}
+
+}  // namespace viscoroll::wasm

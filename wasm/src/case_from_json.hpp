@@ -1,0 +1,23 @@
+/// @file
+/// @brief Cases as JSON: the tables and keys of a case file.
+#pragma once
+
+#include "bodies_from_json.hpp"
+#include "table.hpp"
+#include "viscoroll/load_case.hpp"
+#include "viscoroll/options.hpp"
+
+namespace viscoroll::wasm {
+
+/// @brief All that `solve` takes.
+struct Case {
+  Pair pair;
+  LoadCase load_case;
+  Options options;  ///< on one thread
+};
+
+/// @param[in] json tables of a case file that need no other files: bodies, rolling, numerics
+/// @throws std::invalid_argument for unknown and missing keys and values out of range, with their places
+[[nodiscard]] Case case_from_json(const Json& json);
+
+}  // namespace viscoroll::wasm

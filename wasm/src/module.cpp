@@ -1,0 +1,72 @@
+/// @file
+/// @brief What the module of WebAssembly exports: functions of texts, which are JSON.
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "answer_to_json.hpp"
+#include "case_from_json.hpp"
+#include "table.hpp"
+#include "viscoroll/errors.hpp"
+#include "viscoroll/solve.hpp"
+
+namespace viscoroll::wasm {
+namespace {
+
+/// No case is nested as deeply as calls may be that go through it.
+Json parsed(const char* request) {
+  constexpr int kDeepest = 100;
+  return Json::parse(request, [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kDeepest) throw std::invalid_argument("request must not be nested as deeply");
+    return true;
+  });
+}
+
+Json solved(const Json& request) {
+  Table table(request, "request");
+  const Json& given = table.require("case");
+  const Json* fields = table.take("fields");
+  table.close();
+  if (fields != nullptr && !fields->is_boolean()) {
+    throw std::invalid_argument("request.fields: input should be true or false, got " + shown(*fields));
+  }
+  const Case read = case_from_json(given);
+  const Result result = solve(read.pair.body, read.pair.on, read.load_case, read.options);
+  Json answer = result_to_json(result);
+  if (fields != nullptr && fields->get<bool>()) {
+    answer["fields"] = fields_to_json(result, read.load_case.friction > 0.0);
+  }
+  return answer;
+}
+
+Json answer_to(const char* request) {
+  try {
+    return {{"result", solved(parsed(request))}};
+  } catch (const std::bad_alloc&) {
+    return {{"error", error_to_json("memory ran out: a coarser mesh, or a larger accuracy, needs less")}};
+  } catch (const std::exception& error) {
+    return {{"error", error_to_json(error.what())}};
+  }
+}
+
+/// Kept until the next call, by which JavaScript has read it.
+const char* kept(const Json& json) {
+  static std::string text;
+  text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.c_str();
+}
+
+}  // namespace
+}  // namespace viscoroll::wasm
+
+extern "C" {
+
+/// @param[in] request {"case": tables of a case file, "fields": whether they are wanted}
+/// @return {"result": ...} or {"error": {"message", "parameter"}}
+const char* solve(const char* request) { return viscoroll::wasm::kept(viscoroll::wasm::answer_to(request)); }
+
+/// @return [{"name", "unit", "description"}] of the scalar results
+const char* scalars() { return viscoroll::wasm::kept(viscoroll::wasm::scalars_to_json()); }
+}

@@ -1,0 +1,95 @@
+#include "modulus_from_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <stdexcept>
+
+namespace viscoroll::wasm {
+namespace {
+
+constexpr auto kExtrapolations =
+    std::to_array<Name<Extrapolation>>({{"error", Extrapolation::error}, {"hold", Extrapolation::hold}});
+
+/// Parameters are taken first, and checked, where that is needed to make the modulus, when all keys are known.
+using Made = std::function<ShearModulus()>;
+
+Made elastic(Table& table) {
+  return [modulus = Elastic{table.number("modulus")}] { return modulus; };
+}
+
+Made standard_linear_solid(Table& table) {
+  return [instantaneous = table.number("instantaneous_modulus"), relaxed = table.number("relaxed_modulus"),
+          time = table.number("relaxation_time")] {
+    return viscoroll::standard_linear_solid(instantaneous, relaxed, time);
+  };
+}
+
+Made prony(Table& table) {
+  return [modulus = Prony{.instantaneous_modulus = table.number("instantaneous_modulus"),
+                          .weights = table.numbers("weights"),
+                          .relaxation_times = table.numbers("relaxation_times")}] { return modulus; };
+}
+
+Made kelvin_voigt(Table& table) {
+  return [modulus = KelvinVoigt{.modulus = table.number("modulus"), .viscosity = table.number("viscosity")}] {
+    return modulus;
+  };
+}
+
+Made fractional_zener(Table& table) {
+  return [modulus = FractionalZener{.instantaneous_modulus = table.number("instantaneous_modulus"),
+                                    .relaxed_modulus = table.number("relaxed_modulus"),
+                                    .relaxation_time = table.number("relaxation_time"),
+                                    .order = table.number("order")}] { return modulus; };
+}
+
+Made master_curve(Table& table) {
+  return [modulus = MasterCurve{.frequency = table.numbers("frequency"),
+                                .storage = table.numbers("storage"),
+                                .loss = table.numbers("loss"),
+                                .extrapolation = table.one_of("extrapolation", kExtrapolations,
+                                                              MasterCurve{}.extrapolation)}] { return modulus; };
+}
+
+/// Those that the library has itself; others are made of them in Python.
+constexpr auto kTypes = std::to_array<Name<Made (*)(Table&)>>({
+    {"elastic", elastic},
+    {"standard_linear_solid", standard_linear_solid},
+    {"prony", prony},
+    {"kelvin_voigt", kelvin_voigt},
+    {"fractional_zener", fractional_zener},
+    {"master_curve", master_curve},
+});
+
+ShearModulus checked(const Made& made, const std::string& place) {
+  return at_place(place, [&] {
+    ShearModulus modulus = made();
+    validate(modulus, "");
+    return modulus;
+  });
+}
+
+}  // namespace
+
+ShearModulus modulus_from_json(const Json& json, const std::string& place) {
+  if (json.is_number()) {
+    return checked([&] { return Elastic{json.get<double>()}; }, place);
+  }
+  if (!json.is_object()) {
+    throw std::invalid_argument(place + ": shear_modulus must be a table or a number, got " + shown(json));
+  }
+  Table table(json, place);
+  const Json& type = table.take_type();
+  const auto found =
+      std::ranges::find_if(kTypes, [&](const auto& one) { return type.is_string() && type == one.name; });
+  if (found == kTypes.end()) {
+    throw std::invalid_argument(table.place_of("type") + " must be one of " + names_of(kTypes) + ", got " +
+                                shown(type));
+  }
+  const Made made = found->value(table);
+  table.close();
+  return checked(made, place);
+}
+
+}  // namespace viscoroll::wasm

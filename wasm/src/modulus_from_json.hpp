@@ -1,0 +1,17 @@
+/// @file
+/// @brief Shear moduli as case files have them.
+#pragma once
+
+#include <string>
+
+#include "table.hpp"
+#include "viscoroll/materials.hpp"
+
+namespace viscoroll::wasm {
+
+/// @param[in] json a table with the key `type`, or a number, which is an elastic modulus [Pa]
+/// @param[in] place where it stands in the case
+/// @throws std::invalid_argument for unknown and missing keys and values out of range
+[[nodiscard]] ShearModulus modulus_from_json(const Json& json, const std::string& place);
+
+}  // namespace viscoroll::wasm

@@ -1,0 +1,119 @@
+#include "table.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace viscoroll::wasm {
+namespace {
+
+const Json kNull;
+
+[[noreturn]] void reject(const std::string& place, const std::string& wanted, const Json& got) {
+  throw std::invalid_argument(place + ": input should be a valid " + wanted + ", got " + shown(got));
+}
+
+/// JSON has no numbers for these; they have the names that TOML gives them.
+constexpr auto kNotFinite = std::to_array<Name<double>>({{"inf", std::numeric_limits<double>::infinity()},
+                                                         {"-inf", -std::numeric_limits<double>::infinity()},
+                                                         {"nan", std::numeric_limits<double>::quiet_NaN()}});
+
+double number_from_json(const Json& value, const std::string& place) {
+  if (value.is_number()) return value.get<double>();
+  for (const auto& [name, number] : kNotFinite) {
+    if (value.is_string() && value == name) return number;
+  }
+  reject(place, "number", value);
+}
+
+}  // namespace
+
+std::string shown(const Json& value) {
+  constexpr std::size_t kLongest = 120;
+  const std::string text = value.is_string() ? "'" + value.get<std::string>() + "'"
+                                             : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= kLongest ? text : text.substr(0, kLongest - 3) + "...";
+}
+
+Table::Table(const Json& content, std::string place) : content_(&content), place_(std::move(place)) {
+  if (!content.is_object()) reject(place_.empty() ? "case" : place_, "table", content);
+}
+
+std::string Table::place_of(std::string_view key) const {
+  return (place_.empty() ? "" : place_ + ".") + std::string(key);
+}
+
+const Json* Table::take(std::string_view key) {
+  taken_.emplace_back(key);
+  const auto found = content_->find(taken_.back());
+  return found == content_->end() || found->is_null() ? nullptr : &*found;
+}
+
+const Json& Table::require(std::string_view key) {
+  const Json* given = take(key);
+  if (given != nullptr) return *given;
+  missing_.emplace_back(key);
+  return kNull;
+}
+
+double Table::number(std::string_view key) {
+  const Json& given = require(key);
+  return given.is_null() ? std::numeric_limits<double>::quiet_NaN() : number_from_json(given, place_of(key));
+}
+
+std::optional<double> Table::maybe_number(std::string_view key) {
+  const Json* given = take(key);
+  return given == nullptr ? std::nullopt : std::optional(number_from_json(*given, place_of(key)));
+}
+
+std::optional<int> Table::maybe_integer(std::string_view key) {
+  const Json* given = take(key);
+  if (given == nullptr) return std::nullopt;
+  if (!given->is_number_integer()) reject(place_of(key), "integer", *given);
+  const double number = given->get<double>();
+  if (std::abs(number) > std::numeric_limits<int>::max()) {
+    throw std::invalid_argument(std::string(key) + " must fit into 32 bits, got " + shown(*given));
+  }
+  return given->get<int>();
+}
+
+std::vector<double> Table::numbers(std::string_view key) {
+  const Json& given = require(key);
+  if (given.is_null()) return {};
+  if (!given.is_array()) reject(place_of(key), "list", given);
+  std::vector<double> values;
+  values.reserve(given.size());
+  for (const Json& value : given) {
+    values.push_back(number_from_json(value, place_of(key) + "[" + std::to_string(values.size()) + "]"));
+  }
+  return values;
+}
+
+const Json& Table::take_type() {
+  const Json* given = take("type");
+  if (given == nullptr) return kNull;
+  if (given->is_string()) type_ = given->get<std::string>();
+  return *given;
+}
+
+std::string Table::unknown(const std::string& key, const Json& value) const {
+  if (!type_.empty()) return place_ + " of type " + type_ + " has no parameter " + key + ", got " + shown(value);
+  return place_of(key) + ": extra inputs are not permitted, got " + shown(value);
+}
+
+std::string Table::missing(const std::string& key) const {
+  if (!type_.empty()) return place_ + " of type " + type_ + " must have " + key;
+  return place_of(key) + ": field required";
+}
+
+void Table::close() const {
+  std::string message;
+  const auto tell = [&](const std::string& told) { message += (message.empty() ? "" : "; ") + told; };
+  for (const auto& [key, value] : content_->items()) {
+    if (std::ranges::find(taken_, key) == taken_.end()) tell(unknown(key, value));
+  }
+  for (const std::string& key : missing_) tell(missing(key));
+  if (!message.empty()) throw std::invalid_argument(message);
+}
+
+}  // namespace viscoroll::wasm
