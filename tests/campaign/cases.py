@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from enum import Enum
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import viscoroll as vr
 
-from .materials import draw_modulus, modulus_at, scaled_modulus
+from .balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
+from .bodies import as_roller, materials, on_a_wheel
+from .counterparts import elsewhere
 from .pairs import on_a_ball
 
 __all__ = ["Case", "draw", "source"]
@@ -22,41 +24,49 @@ class Case:
 
     Attributes
     ----------
+    call : str
+        The function of `viscoroll` that is called.
     name : str
         "SEED:NUMBER".
-    ball : CoatedSphere or CoatedWheel
+    ball : CoatedSphere, CoatedCylinder or CoatedWheel
         What rolls.
     arguments : dict
-        The other arguments of `viscoroll.solve`.
+        Its other arguments.
     absurd : str
         Name of the argument that must be refused, or the empty text.
     """
 
+    call: ClassVar[str] = "solve"
     name: str
-    ball: vr.CoatedSphere | vr.CoatedWheel
+    ball: vr.bodies.RollingBody
     arguments: dict[str, Any] = field(default_factory=dict)
     absurd: str = ""
 
     @property
-    def on(self) -> vr.CoatedSphere | None:
-        """The other ball, where it rolls on one."""
+    def on(self) -> vr.bodies.Counterpart | None:
+        """What it rolls on, where that is not the rigid plane."""
         return self.arguments.get("on")
 
     @property
-    def layers(self) -> list[vr.Layer]:
-        """Return the layers of both bodies."""
-        return [*self.ball.layers, *(self.on.layers if self.on else ())]
+    def materials(self) -> list[vr.Layer | vr.HalfSpace]:
+        """Return the layers of both bodies, and a half-space below them."""
+        return [*materials(self.ball), *(materials(self.on) if self.on else ())]
+
+    @property
+    def thickness(self) -> float:
+        """Thickness of all layers together, infinite on a half-space [m]."""
+        return sum(getattr(material, "thickness", math.inf) for material in self.materials)
 
     @property
     def has_friction(self) -> bool:
         """Whether stick and slip are to be found."""
-        return float(self.arguments["friction"]) > 0.0
+        return float(self.arguments.get("friction", 0.0)) > 0.0
 
     def source(self) -> str:
         """Return the call as Python text, after ``from viscoroll import *``."""
         arguments = {name: value for name, value in self.arguments.items() if name != "threads"}
         given = ", ".join(f"{name}={source(value)}" for name, value in arguments.items())
-        return f"solve({source(self.ball)}, {given})"
+        return f"{self.call}({source(self.ball)}, {given})"
 
 
 def source(value: Any) -> str:
@@ -77,23 +87,17 @@ def source(value: Any) -> str:
 def draw(seed: int, number: int) -> Case:
     """Return a case of a campaign."""
     rng = np.random.default_rng([seed, number])
-    geometry = _Geometry.draw(rng)
-    depth = _depth(rng, geometry)
+    geometry = Geometry.draw(rng)
+    depth = draw_depth(rng, geometry)
     contact_radius = 1.2 * math.sqrt(geometry.radius * depth)
-    moduli = _moduli(rng, len(geometry.thicknesses))
+    moduli = draw_moduli(rng, len(geometry.thicknesses))
     densities = rng.uniform(0.0, 2000.0, len(moduli)) if rng.random() < 0.5 else np.zeros(len(moduli))
     speed = 10.0 ** rng.uniform(-3.0, 2.0)
     if densities.max() > 0.0:  # a share of the slowest shear wave
         speed = min(speed, 10.0 ** rng.uniform(-3.0, -0.4) * math.sqrt(min(moduli) / 2000.0) / geometry.radius)
     time = contact_radius / (geometry.radius * speed)
-    layers = [
-        vr.Layer(thickness=thickness, shear_modulus=material, density=float(density), **_volume(rng, modulus))
-        for thickness, modulus, material, density in zip(
-            geometry.thicknesses, moduli, _materials(rng, moduli, time, speed), densities, strict=True
-        )
-    ]
-    ball = vr.CoatedSphere(core_radius=geometry.core_radius, layers=layers, inner_boundary=geometry.inner_boundary)
-    load = _load(ball, geometry, depth, 1.0 / time)
+    ball = draw_ball(rng, geometry, moduli, densities, time, speed)
+    load = load_of(ball, geometry, depth, 1.0 / time)
     friction = 0.0 if rng.random() < 0.4 else _friction(rng)
     arguments: dict[str, Any] = {
         "load": load,
@@ -109,14 +113,20 @@ def draw(seed: int, number: int) -> Case:
         arguments["curvature"] = members[np.random.default_rng([seed, number, 1]).integers(len(members))]
     arguments |= _resolution(rng, geometry.radius / contact_radius)
     absurd = _make_absurd(rng, arguments)
+    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
     apart = np.random.default_rng([seed, number, 2])  # as above
     if apart.random() < _WHEELS and geometry.inner_boundary is vr.InnerBoundary.RIGID:
-        return Case(name=f"{seed}:{number}", absurd=absurd, **_on_a_wheel(apart, ball, contact_radius, arguments))
-    apart = np.random.default_rng([seed, number, 3])
-    if apart.random() < _PAIRS:
-        return Case(name=f"{seed}:{number}", absurd=absurd, **on_a_ball(apart, ball, time, arguments))
-    return Case(name=f"{seed}:{number}", ball=ball, arguments=arguments, absurd=absurd)
+        drawn = on_a_wheel(apart, ball, contact_radius, arguments)
+    elif (apart := np.random.default_rng([seed, number, 3])).random() < _PAIRS:
+        drawn = on_a_ball(apart, ball, time, arguments)
+    apart = np.random.default_rng([seed, number, 6])  # with 4 and 5, cases that are told of elsewhere would change
+    if "on" not in drawn["arguments"] and apart.random() < _ELSEWHERE:
+        drawn = _elsewhere(apart, contact_radius, time, absurd, **drawn)
+    return Case(name=f"{seed}:{number}", absurd=absurd, **drawn)
 
+
+#: Share of the balls and wheels on the rigid plane that become rollers, or roll on something else, or both.
+_ELSEWHERE = 0.45
 
 #: Share of the balls that roll on another one.
 _PAIRS = 0.25
@@ -125,110 +135,27 @@ _PAIRS = 0.25
 _WHEELS = 0.2
 
 
-def _on_a_wheel(
-    rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, arguments: dict[str, Any]
+def _elsewhere(
+    rng: np.random.Generator,
+    contact_radius: float,
+    time: float,
+    absurd: str,
+    ball: vr.CoatedSphere | vr.CoatedWheel,
+    arguments: dict[str, Any],
 ) -> dict[str, Any]:
-    """Return a wheel with the layers of a ball, and its arguments: about as much load for each width of the contact."""
-    width = contact_radius * 10.0 ** rng.uniform(-0.3, 1.0)
-    is_flat = rng.random() < 0.4
-    # The crown falls by so much to the faces, and lies within the outermost layer, as straight hubs need it.
-    drop = min(0.8 * ball.layers[-1].thickness, 0.5 * width) * 10.0 ** rng.uniform(-1.5, 0.0)
-    crown_radius = math.inf if is_flat else (0.25 * width**2 + drop**2) / (2.0 * drop)
-    wheel = vr.CoatedWheel(
-        core_radius=ball.core_radius,
-        layers=ball.layers,
-        width=width,
-        crown_radius=crown_radius,
-        hub=vr.Hub.STRAIGHT if rng.random() < 0.5 else vr.Hub.CROWNED,
-        sides=vr.Sides.FREE if rng.random() < 0.3 else vr.Sides.ENDLESS,
-    )
-    wider = min(math.sqrt(crown_radius / ball.outer_radius), 0.5 * width / contact_radius)
-    drive = arguments["drive"]
-    pulled = {name: None if (f := getattr(drive, name)) is None else f * wider for name in ("force", "torque")}
-    mesh = arguments.get("mesh")
-    changed = {
-        "load": arguments["load"] * wider,
-        "drive": replace(drive, **pulled),
-        "curvature": vr.Curvature.SPHERE,
-        "patch_load": vr.PatchLoad.FLAT,
-        **({} if mesh is None else {"mesh": replace(mesh, max_order=None)}),
-    }
-    return {"ball": wheel, "arguments": arguments | changed}
-
-
-@dataclass(frozen=True, kw_only=True)
-class _Geometry:
-    radius: float
-    core_radius: float
-    thicknesses: list[float]
-    inner_boundary: vr.InnerBoundary
-
-    @property
-    def thickness(self) -> float:
-        return sum(self.thicknesses)
-
-    @classmethod
-    def draw(cls, rng: np.random.Generator) -> _Geometry:
-        radius = 10.0 ** rng.uniform(-3.0, 0.0)
-        boundary = rng.choice([0, 1, 2], p=[0.7, 0.15, 0.15])
-        inner_boundary = (vr.InnerBoundary.RIGID, vr.InnerBoundary.HOLLOW, vr.InnerBoundary.SOLID)[boundary]
-        solid = inner_boundary is vr.InnerBoundary.SOLID
-        thickness = radius if solid else radius * 10.0 ** rng.uniform(-3.0, math.log10(0.9))
-        count = int(rng.choice([1, 2, 3], p=[0.55, 0.3, 0.15]))
-        shares = 0.05 + rng.dirichlet(np.ones(count))
-        thicknesses = (thickness * shares / shares.sum()).tolist()
-        return cls(
-            radius=radius,
-            core_radius=0.0 if solid else radius - thickness,
-            thicknesses=thicknesses,
-            inner_boundary=inner_boundary,
-        )
-
-
-def _depth(rng: np.random.Generator, geometry: _Geometry) -> float:
-    """Return the penetration to aim at: 0.1 to 40 % of the thickness, with contacts of at most half a radius."""
-    depth = geometry.thickness * 10.0 ** rng.uniform(-3.0, math.log10(0.4))
-    return min(depth, 0.15 * geometry.radius)
-
-
-def _moduli(rng: np.random.Generator, count: int) -> list[float]:
-    """Return moduli [Pa] with a contrast of up to 1e4."""
-    contrast = rng.uniform(0.0, 4.0) if rng.random() < 0.7 else 0.0
-    exponents = rng.uniform(4.0, 10.0) + contrast * rng.uniform(-0.5, 0.5, count)
-    return [float(modulus) for modulus in 10.0**exponents]
-
-
-def _materials(rng: np.random.Generator, moduli: list[float], time: float, speed: float) -> list[Any]:
-    """Return materials of these moduli, of kinds of their own or with one relaxation function."""
-    if rng.random() < 0.5:
-        return [draw_modulus(rng, modulus, time, speed) for modulus in moduli]
-    common = draw_modulus(rng, moduli[0], time, speed)
-    return [scaled_modulus(common, stress=modulus / moduli[0], time=1.0) for modulus in moduli]
-
-
-def _volume(rng: np.random.Generator, modulus: float) -> dict[str, float]:
-    match rng.choice(5, p=[0.35, 0.3, 0.2, 0.05, 0.1]):
-        case 0:
-            return {"poisson_ratio": 0.5}
-        case 1:
-            return {"poisson_ratio": rng.uniform(0.0, 0.5)}
-        case 2:
-            return {"poisson_ratio": rng.uniform(-0.99, 0.0)}
-        case 3:
-            return {"poisson_ratio": 0.5 - 10.0 ** rng.uniform(-8.0, -2.0)}
-        case _:
-            return {"bulk_modulus": modulus * 10.0 ** rng.uniform(-1.0, 4.0)}
-
-
-def _load(ball: vr.CoatedSphere, geometry: _Geometry, depth: float, frequency: float) -> float:
-    """Return a load [N] that should press the ball about so deep: that of the softest layer alone."""
-    radius, thickness = geometry.radius, geometry.thickness
-    softest = min(abs(modulus_at(layer.shear_modulus, frequency)) for layer in ball.layers)
-    hertz = 8.0 / 3.0 * softest * math.sqrt(radius * depth**3)
-    bonded = math.pi * softest * radius * depth**2 / thickness  # incompressible thin layers bear more
-    if geometry.inner_boundary is vr.InnerBoundary.HOLLOW:
-        return min(hertz, 4.0 * softest * thickness**2 * depth / radius)  # a shell bends
-    return hertz if geometry.inner_boundary is vr.InnerBoundary.SOLID else hertz + bonded
+    """Return a body of a case and its arguments: half of the balls on cores as rollers, most on other than planes."""
+    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
+    is_roller = rng.random() < 0.5 and getattr(ball, "inner_boundary", None) is vr.InnerBoundary.RIGID
+    if is_roller:
+        drawn = as_roller(ball, contact_radius, arguments)
+    # A slope under the pressure pushes, so that drives which are absurd on the rigid plane need not be so elsewhere.
+    if absurd not in ("drive.force", "drive.torque") and not (is_roller and rng.random() < 0.3):
+        drawn = elsewhere(rng, drawn["ball"], contact_radius, time, drawn["arguments"])
+    drive = drawn["arguments"]["drive"]
+    if not is_roller and arguments["friction"] > 0.0 and drive.creepage is not None and rng.random() < 0.5:
+        spin = 10.0 ** rng.uniform(-3.0, 0.3) / ball.outer_radius * rng.choice([-1.0, 1.0])
+        drawn["arguments"] = drawn["arguments"] | {"drive": replace(drive, spin=float(spin))}
+    return drawn
 
 
 def _friction(rng: np.random.Generator) -> float:

@@ -9,9 +9,10 @@ import numpy as np
 import viscoroll as vr
 from numpy.typing import NDArray
 
+from .bodies import curvature, deforms
 from .cases import Case
 
-__all__ = ["violations"]
+__all__ = ["depth_of", "violations"]
 
 #: The solver ends at residuals of 1e-8; conditions at single nodes are allowed a hundred times that.
 TOLERANCE = 1e-6
@@ -34,21 +35,29 @@ def _is_finite(result: vr.Result) -> bool:
 
 
 def _areas(result: vr.Result) -> NDArray[np.float64]:
-    """Return the areas on which tractions act [m²]."""
+    """Return the areas on which tractions act [m²], of a roller per length [m]."""
     radius = result.ball.outer_radius
+    if isinstance(result.ball, vr.CoatedCylinder):
+        return np.full(result.z.shape, radius * result.mesh.spacing)
     if isinstance(result.ball, vr.CoatedWheel):  # whose columns are so wide that they end at its faces
         return np.full(result.z.shape, radius * result.mesh.spacing * abs(result.z[0, 1] - result.z[0, 0]))
     flat = radius**2 * result.mesh.spacing * result.mesh.theta_spacing
-    on = result.on
-    if isinstance(on, vr.CoatedSphere) and on.layers:  # whose nodes lie between both, on a paraboloid
+    if deforms(result.on):  # whose nodes lie between both, on a paraboloid
         return np.full(result.z.shape, flat)
     if result.patch_load is vr.PatchLoad.FLAT and result.curvature is not vr.Curvature.EXACT:
         return np.full(result.z.shape, flat)
     return flat * np.sqrt(1.0 - (result.z / radius) ** 2)
 
 
+def depth_of(result: vr.Result) -> float:
+    """Return the approach of the bodies [m]; on a half-plane, where it has no datum, the depth of the contact's arc."""
+    if result.penetration is None:
+        return _arm(result) ** 2 / (2.0 * result.ball.outer_radius)
+    return result.penetration + result.centrifugal_displacement
+
+
 def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    depth = result.penetration + result.centrifugal_displacement
+    depth = depth_of(result)
     peak = float(result.pressure.max())
     inside, outside = result.contact, ~result.contact
     yield "pressure < 0", -float(result.pressure.min()) / peak
@@ -57,8 +66,7 @@ def _contact(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     yield "pressure out of contact", float(result.pressure[outside].max(initial=0.0)) / peak
     yield "load balance", abs(float((result.pressure * _areas(result)).sum()) / result.load - 1.0)
     yield "penetration <= 0", 0.0 if depth > 0.0 else 1.0
-    thickness = sum(layer.thickness for layer in case.layers)
-    yield "penetration >= thickness", 0.0 if result.penetration < thickness else 1.0
+    yield "penetration >= thickness", 0.0 if (result.penetration or 0.0) < case.thickness else 1.0
 
 
 def _status(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
@@ -107,7 +115,8 @@ def _drive(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     area = _areas(result)
     force = -float((result.shear_traction[0] * area).sum())
     bound = min(result.friction, 1.0) * result.load
-    if case.on is None:  # which leans on the pressure, else
+    if not deforms(case.on):  # which leans on the pressure, else
+        force -= curvature(case.on) * result.resisting_torque  # a track that rises ahead of the pressure holds back
         yield "driving force", abs(force - result.driving_force) / bound
     if drive.force is not None:
         yield "force balance", abs(result.driving_force - drive.force) / bound
@@ -122,39 +131,43 @@ def _powers(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
     rolling = result.load * _arm(result) * result.angular_speed
     yield "power gained in the coating", -result.bulk_power / rolling
     yield "power gained by slip", -result.slip_power / rolling
-    if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.layers):
+    if all(isinstance(layer.shear_modulus, vr.Elastic) for layer in case.materials):
         yield "power lost in an elastic coating", abs(result.bulk_power) / rolling
 
 
 def _pair(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    """Two balls pay for what both lose, and without friction each of them for itself.
+    """Let both bodies pay for what they lose, together, and without friction each for itself.
 
     The pressure's moment is known to a spacing's lever, and a loss to the share of a node in the contact's half length.
     """
     if case.on is None:
         return
-    spacing = result.mesh.spacing * result.ball.outer_radius
-    rolling = result.angular_speed * result.ball.outer_radius
+    radius, bend = result.ball.outer_radius, curvature(case.on)
+    spacing = result.mesh.spacing * radius
+    rolling = result.angular_speed * radius
     speed = rolling if result.linear_speed is None else result.linear_speed
-    turning = abs(speed) / case.on.outer_radius
+    # What turns as well has a lever of its own; a track that deforms is paid for by a force, the moment per radius.
+    is_soft_track = isinstance(case.on, vr.CoatedPlane | vr.Groove) and deforms(case.on)
+    turning = abs(speed) * max(abs(bend), 1.0 / radius if is_soft_track else 0.0)
     levers = result.load * spacing * np.array([result.angular_speed, turning])
     losses = np.array([result.rolling_bulk_power, result.counterpart_bulk_power])
     share = min(spacing / _arm(result), 1.0)
-    distance = result.center_height + case.on.outer_radius
+    height = radius if result.center_height is None else result.center_height
     own = result.driving_torque * result.angular_speed
-    others = (result.driving_torque + result.driving_force * distance) * speed / case.on.outer_radius
-    guided = result.lateral_force * result.drive.lateral_creepage * rolling
+    others = (bend * (result.driving_torque + result.driving_force * height) + result.driving_force) * speed
+    drive = result.drive
+    guided = (result.lateral_force * drive.lateral_creepage + result.spin_moment * drive.spin) * rolling
     unknown = float(levers.sum()) + share * result.dissipated_power
     yield "power of a pair", TOLERANCE * abs(own + others - guided - result.dissipated_power) / unknown
     if not case.has_friction:
         first, other = levers + share * losses.sum()
         yield "power of the first of a pair", TOLERANCE * abs(own - losses[0]) / first
-        yield "power of the other of a pair", TOLERANCE * abs(others - losses[1]) / other
+        yield "power of the other of a pair", TOLERANCE * abs(others - losses[1]) / other if other > 0.0 else 0.0
 
 
 def _symmetry(case: Case, result: vr.Result) -> Iterator[tuple[str, float]]:
-    """Without lateral creepage the ball's two sides are the same."""
-    if result.drive.lateral_creepage:
+    """Without lateral creepage and spin both sides are the same."""
+    if result.drive.lateral_creepage or result.drive.spin:
         return
     peak = float(result.pressure.max())
     forward, sideways = result.shear_traction

@@ -1,4 +1,4 @@
-"""Balls on balls: the other body of a case, and the same pair seen otherwise."""
+"""Balls on balls: the other body of a case, and the same pair, of rollers as well, seen otherwise."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import viscoroll as vr
 
+from .bodies import with_loads
 from .materials import draw_modulus, modulus_at
 
 __all__ = ["on_a_ball", "on_its_mirror", "swapped"]
@@ -44,15 +45,11 @@ def on_a_ball(
         arguments = arguments | {"mesh": replace(mesh, theta_nodes_per_revolution=None)}
     other = _other(rng, kind, ball, ratio * radius, time, arguments["angular_speed"])
     share = ratio / (1.0 + ratio)  # of the relative radius in the first one's
-    drive = arguments["drive"]
-    pulled = {name: None if (f := getattr(drive, name)) is None else f * share for name in ("force", "torque")}
     changed: dict[str, Any] = {
-        "load": share * arguments["load"],
-        "drive": replace(drive, **pulled),
         "compliance": vr.Compliance.RADIAL,
         "patch_load": vr.PatchLoad.FLAT,
     }
-    given = arguments | changed | {"on": other}
+    given = with_loads(arguments | changed, share) | {"on": other}
     if kind == "coated under a rigid one":
         ball, given = swapped(ball, given)
     return {"ball": ball, "arguments": given}
@@ -76,9 +73,9 @@ def _other(
     return vr.CoatedSphere(core_radius=radius - thickness, layers=[layer])
 
 
-def swapped(ball: vr.CoatedSphere, arguments: dict[str, Any]) -> tuple[vr.CoatedSphere, dict[str, Any]]:
+def swapped(ball: Any, arguments: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
     """Return the same pair with the other one as what rolls, at the same nodes."""
-    other: vr.CoatedSphere = arguments["on"]
+    other = arguments["on"]
     ratio = other.outer_radius / ball.outer_radius
     changed = {"on": ball, "angular_speed": arguments["angular_speed"] / ratio}
     if mesh := arguments.get("mesh"):

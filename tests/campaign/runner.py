@@ -12,11 +12,13 @@ import traceback
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
+from functools import partial
 from multiprocessing.connection import Connection, wait
-from typing import Any
+from typing import Any, TypeVar
 
 import viscoroll as vr
 
+from .bodies import with_loads
 from .cases import Case, draw
 from .invariants import violations
 from .twins import twins
@@ -26,7 +28,9 @@ try:
 except ImportError:  # Windows, where only the clock on the wall ends a case
     resource = None  # type: ignore[assignment]
 
-__all__ = ["FAILURES", "KINDS", "Outcome", "run", "run_case"]
+__all__ = ["FAILURES", "KINDS", "SLOW", "Outcome", "attempt", "run", "run_case"]
+
+Solution = TypeVar("Solution")
 
 #: How a case can end. Those from the third on are failures, and so is a solution with violations.
 KINDS = ("solved", "refused", "refused improperly", "no convergence", "hang", "crash", "error")
@@ -107,7 +111,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     outcome = Outcome(case=case.name, has_friction=case.has_friction, source=case.source())
     before_each(outcome)
     start = time.process_time()
-    result = _solve(case, outcome)
+    result = attempt(vr.solve, case, outcome)
     outcome.seconds = time.process_time() - start
     if result is None:
         if outcome.kind == "refused":
@@ -121,7 +125,7 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     for twin in twins(case) if outcome.seconds < SLOW else ():
         outcome.stage = twin.kind
         before_each(outcome)
-        other = _solve(twin.case, outcome)
+        other = attempt(vr.solve, twin.case, outcome)
         if other is None:
             return outcome
         found = twin.differences(result, other)
@@ -130,12 +134,12 @@ def run_case(case: Case, before_each: Callable[[Outcome], object] = lambda _: No
     return outcome
 
 
-def _solve(case: Case, outcome: Outcome) -> vr.Result | None:
-    """Solve, and note in the outcome what was raised and warned of."""
+def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solution | None:
+    """Solve a case by its arguments, and note in the outcome what was raised and warned of."""
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            result = vr.solve(case.ball, **case.arguments)
+            result = solve(case.ball, **case.arguments)
     except vr.ConvergenceError as error:
         outcome.message = str(error)
         outcome.kind = "refused" if math.isinf(case.arguments["friction"]) else "no convergence"  # of full stick
@@ -152,10 +156,11 @@ def _solve(case: Case, outcome: Outcome) -> vr.Result | None:
     return None
 
 
-def _is_proper(message: str, case: Case) -> bool:
+def _is_proper(message: str, case: Any) -> bool:
     """Whether a message names an argument that was given, and speaks of nothing else."""
     name = re.match(r"([a-z_]+)[\w.\[\]]* must be ", message)
     given = case.arguments.keys() | {"layers", "core_radius", "width", "crown_radius", "sides"}
+    given |= {"driving_force", "driving_torque"}  # of a drive over time
     return name is not None and name[1] in given and not _INTERNAL.search(message)
 
 
@@ -163,19 +168,15 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
     """Look whether a load that was refused can be borne, by what smaller loads do.
 
     Penetration grows with the power 2/3 of the load on a thick layer, and slower on a thin one; the contact's radius
-    with the power 1/3. Shells that bend are left out.
+    with the power 1/3. Along a line these are 1 and 1/2. Shells that bend are left out.
     """
     shell = getattr(case.ball, "inner_boundary", None) is vr.InnerBoundary.HOLLOW
     if not outcome.message.startswith("load ") or case.absurd or shell:
         return
     outcome.stage = "smaller load"
+    depth_power, radius_power = (1.0, 1.0 / 2.0) if case.ball.line_contact else (2.0 / 3.0, 1.0 / 3.0)
     for factor in (10.0, 100.0, 1000.0):
-        smaller = dict(case.arguments, load=case.arguments["load"] / factor)
-        drive = smaller["drive"]
-        if drive.force:
-            smaller["drive"] = vr.Drive(force=drive.force / factor)
-        elif drive.torque:
-            smaller["drive"] = vr.Drive(torque=drive.torque / factor)
+        smaller = with_loads(case.arguments, 1.0 / factor)
         before_each(outcome)
         try:
             with warnings.catch_warnings():
@@ -183,16 +184,29 @@ def _judge_refusal(case: Case, outcome: Outcome, before_each: Callable[[Outcome]
                 result = vr.solve(case.ball, **smaller)
         except (ValueError, vr.ConvergenceError):
             continue
-        depth = factor ** (2.0 / 3.0) * result.penetration / case.ball.thickness
-        radius = factor ** (1.0 / 3.0) * max(result.semi_axis_x, result.semi_axis_z) / case.ball.outer_radius
+        depth = factor**depth_power * (result.penetration or 0.0) / case.thickness
+        radius = factor**radius_power * max(result.semi_axis_x, result.semi_axis_z or 0.0) / _smallest_radius(case)
         if depth < 0.5 and radius < 0.5:
             outcome.violations["bearable load refused"] = 0.5 / max(depth, radius)
         break
     outcome.stage = "case"
 
 
+def _smallest_radius(case: Case) -> float:
+    """Return the smaller radius of two that turn, or bulge, beyond 60° of which no load is borne [m]."""
+    names = ("outer_radius", "radius", "path_radius")
+    others = [abs(radius) for name in names if (radius := getattr(case.on, name, None)) is not None]
+    return min([case.ball.outer_radius, *others])
+
+
 def run(
-    seed: int, numbers: Iterable[int], *, jobs: int, limit: float, draw: Callable[[int, int], Case] = draw
+    seed: int,
+    numbers: Iterable[int],
+    *,
+    jobs: int,
+    limit: float,
+    draw: Callable[[int, int], Any] = draw,
+    run_case: Callable[..., Outcome] = run_case,
 ) -> Iterator[Outcome]:
     """Solve cases in several processes; yield how they ended, as they end.
 
@@ -208,9 +222,11 @@ def run(
         Time of the processor that one solve may take [s].
     draw : callable
         Called in each process as draw(seed, number); returns the case.
+    run_case : callable
+        Called there as run_case(case, before_each), as the one of this name.
     """
     waiting = iter(numbers)
-    workers = [_Worker(seed, limit, draw) for _ in range(jobs)]
+    workers = [_Worker(seed, limit, partial(_serve, seed, limit, draw, run_case)) for _ in range(jobs)]
     try:
         busy = {worker for worker in workers if worker.start_next(waiting)}
         while busy:
@@ -229,8 +245,8 @@ def run(
 class _Worker:
     """A process that solves one case after the other, and is replaced when it dies."""
 
-    def __init__(self, seed: int, limit: float, draw: Callable[[int, int], Case]) -> None:
-        self._seed, self._limit, self._draw = seed, limit, draw
+    def __init__(self, seed: int, limit: float, serve: Callable[[Connection], None]) -> None:
+        self._seed, self._limit, self._serve = seed, limit, serve
         self._number = -1
         self._so_far: Outcome | None = None
         self._start()
@@ -238,7 +254,7 @@ class _Worker:
     def _start(self) -> None:
         context = multiprocessing.get_context("spawn")
         self.connection, theirs = context.Pipe()
-        self._process = context.Process(target=_serve, args=(self._seed, self._limit, self._draw, theirs), daemon=True)
+        self._process = context.Process(target=self._serve, args=(theirs,), daemon=True)
         self._process.start()
         theirs.close()
 
@@ -289,7 +305,13 @@ class _Worker:
 _OUT_OF_TIME = (24,)  # SIGXCPU
 
 
-def _serve(seed: int, limit: float, draw: Callable[[int, int], Case], connection: Connection) -> None:
+def _serve(
+    seed: int,
+    limit: float,
+    draw: Callable[[int, int], Any],
+    run_case: Callable[..., Outcome],
+    connection: Connection,
+) -> None:
     """Solve the cases whose numbers come, until the connection ends."""
 
     def before_each(outcome: Outcome) -> None:

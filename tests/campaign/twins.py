@@ -12,6 +12,7 @@ import viscoroll as vr
 from numpy.typing import NDArray
 
 from .cases import Case
+from .invariants import depth_of
 from .materials import scaled_modulus
 from .pairs import on_its_mirror, swapped
 
@@ -33,7 +34,10 @@ PAIR_TOLERANCE = 1e-5
 #: the elements' size there, they are known to 4 % (case 73:58 with elements of a sixteenth and of a 64th).
 ELEMENT_TOLERANCE = 1e-3
 
-#: Results by the powers of length, stress and time that scale them.
+#: A groove that is so many radii wide is a plane: its curvature is that share of what rolls.
+WIDE = 1e9
+
+#: Results by the powers of length, stress and time that scale them; those of a length less where they are per length.
 SCALARS = {
     "resisting_torque": (3, 1, 0),
     "driving_torque": (3, 1, 0),
@@ -44,6 +48,7 @@ SCALARS = {
     "slip_power": (3, 1, -1),
 }
 FIELDS = {"pressure": (0, 1, 0), "gap": (1, 0, 0), "shear_traction": (0, 1, 0)}
+NEVER_PER_LENGTH = {"penetration", *FIELDS}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,19 +73,22 @@ class Twin:
 def twins(case: Case) -> Iterator[Twin]:
     """Yield all twins that the case has."""
     yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
-    wheel = case.ball if isinstance(case.ball, vr.CoatedWheel) else None
-    if not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # its crown cuts one layer
+    body = case.ball if case.ball.layers else case.on
+    wheel = body if isinstance(body, vr.CoatedWheel) else None
+    if body.layers and not (wheel and wheel.hub is vr.Hub.STRAIGHT):  # its crown cuts one layer
         by_elements = wheel is not None and wheel.sides is vr.Sides.FREE
         differences = partial(_differences, allowed=ELEMENT_TOLERANCE, summed=True) if by_elements else _differences
         yield Twin(kind="split layer", case=_split(case), differences=differences)
-    if case.on is not None and _tells_both_alike(case):
+    if isinstance(case.on, vr.CoatedPlane):
+        yield from _planes(case, case.on)
+    elif _tells_both_alike(case):
         yield Twin(kind="swap", case=_swapped(case), differences=_swap_differences)
         if case.on == case.ball:
             mirror = replace(case, arguments=on_its_mirror(case.arguments))
             yield Twin(kind="mirror plane", case=mirror, differences=_mirror_differences)
     drive = case.arguments["drive"]
-    if drive.lateral_creepage:
-        mirrored = replace(drive, lateral_creepage=-drive.lateral_creepage)
+    if drive.lateral_creepage or drive.spin:
+        mirrored = replace(drive, lateral_creepage=-drive.lateral_creepage, spin=-drive.spin)
         yield Twin(
             kind="mirror",
             case=replace(case, arguments=case.arguments | {"drive": mirrored}),
@@ -88,9 +96,32 @@ def twins(case: Case) -> Iterator[Twin]:
         )
 
 
+def _planes(case: Case, plane: vr.CoatedPlane) -> Iterator[Twin]:
+    """Yield the same plane as a very wide groove, and with some of its half-space as a layer."""
+    radius = WIDE * case.ball.outer_radius
+    across = {} if isinstance(case.ball, vr.CoatedCylinder) else {"radius": -radius}
+    groove = vr.Groove(layers=plane.layers, base=plane.base, path_radius=radius, **across)
+    yield Twin(
+        kind="wide groove", case=replace(case, arguments=case.arguments | {"on": groove}), differences=_differences
+    )
+    if plane.base is None or "mesh" not in case.arguments:  # which is chosen by how thick layers are
+        return
+    base = {name: getattr(plane.base, name) for name in ("shear_modulus", "poisson_ratio", "bulk_modulus", "density")}
+    thickness = sum(layer.thickness for layer in plane.layers) or 0.01 * case.ball.outer_radius
+    thicker = replace(plane, layers=[vr.Layer(thickness=thickness, **base), *plane.layers])
+    yield Twin(
+        kind="layer of the base",
+        case=replace(case, arguments=case.arguments | {"on": thicker}),
+        differences=partial(_differences, fields={}),  # in a window of another size, which is guessed from thicknesses
+    )
+
+
 def _tells_both_alike(case: Case) -> bool:
-    """Whether the other ball may roll in place of the first one, at the same nodes and speeds."""
-    if not (case.ball.layers and case.on.layers):  # nodes lie on a paraboloid where what is rolled on deforms
+    """Whether the other body may roll in place of the first one, at the same nodes and speeds."""
+    if type(case.on) is not type(case.ball) or isinstance(case.ball, vr.CoatedWheel):
+        return False
+    # Balls' nodes lie on a paraboloid where what is rolled on deforms; rollers' always at the same arcs.
+    if not isinstance(case.ball, vr.CoatedCylinder) and not (case.ball.layers and case.on.layers):
         return False
     return not case.has_friction and case.arguments["drive"].creepage is None and "mesh" in case.arguments
 
@@ -122,34 +153,44 @@ def _pair_differences(one: vr.Result, pairs: dict[str, tuple[float, float]]) -> 
 
 
 def _scaled(case: Case) -> Case:
-    on = {} if case.on is None else {"on": _scaled_body(case.on)}
+    on = {} if case.on is None else {"on": scaled_body(case.on)}
     given = case.arguments
     drive = given["drive"]
+    per_length = LENGTH if case.ball.line_contact else 1.0
     if drive.force is not None:
-        drive = vr.Drive(force=STRESS * LENGTH**2 * drive.force)
+        drive = vr.Drive(force=STRESS * LENGTH**2 / per_length * drive.force)
     elif drive.torque is not None:
-        drive = vr.Drive(torque=STRESS * LENGTH**3 * drive.torque)
+        drive = vr.Drive(torque=STRESS * LENGTH**3 / per_length * drive.torque)
+    elif drive.spin:
+        drive = replace(drive, spin=drive.spin / LENGTH)
     changed = {
-        "load": STRESS * LENGTH**2 * given["load"],
+        "load": STRESS * LENGTH**2 / per_length * given["load"],
         "angular_speed": given["angular_speed"] / TIME,
         "drive": drive,
     }
-    return replace(case, ball=_scaled_body(case.ball), arguments=given | changed | on)
+    return replace(case, ball=scaled_body(case.ball), arguments=given | changed | on)
 
 
-def _scaled_body(body: Any) -> Any:
-    layers = [
-        replace(
-            layer,
-            thickness=LENGTH * layer.thickness,
-            shear_modulus=scaled_modulus(layer.shear_modulus, stress=STRESS, time=TIME),
-            bulk_modulus=None if layer.bulk_modulus is None else STRESS * layer.bulk_modulus,
-            density=STRESS * TIME**2 / LENGTH**2 * layer.density,
-        )
-        for layer in body.layers
-    ]
-    lengths = [name for name in ("core_radius", "width", "crown_radius") if hasattr(body, name)]
-    return replace(body, layers=layers, **{name: LENGTH * getattr(body, name) for name in lengths})
+def scaled_body(body: Any) -> Any:
+    """Return a body with all lengths, stresses and times multiplied."""
+    changed: dict[str, Any] = {"layers": [_scaled_material(layer) for layer in body.layers]}
+    if getattr(body, "base", None) is not None:
+        changed["base"] = _scaled_material(body.base)
+    for name in ("core_radius", "width", "crown_radius", "radius", "path_radius"):
+        if (length := getattr(body, name, None)) is not None:
+            changed[name] = LENGTH * length
+    return replace(body, **changed)
+
+
+def _scaled_material(material: Any) -> Any:
+    changed = {
+        "shear_modulus": scaled_modulus(material.shear_modulus, stress=STRESS, time=TIME),
+        "bulk_modulus": None if material.bulk_modulus is None else STRESS * material.bulk_modulus,
+        "density": STRESS * TIME**2 / LENGTH**2 * material.density,
+    }
+    if isinstance(material, vr.Layer):
+        changed["thickness"] = LENGTH * material.thickness
+    return replace(material, **changed)
 
 
 def _split(case: Case) -> Case:
@@ -176,19 +217,23 @@ def _differences(
     scaled: bool = False,
     mirrored: bool = False,
     summed: bool = False,
+    fields: dict[str, tuple[int, int, int]] = FIELDS,
     allowed: float = TOLERANCE,
 ) -> dict[str, float]:
-    if one.mesh != other.mesh or one.pressure.shape != other.pressure.shape:
+    if one.mesh != other.mesh or (fields and one.pressure.shape != other.pressure.shape):
         return {"mesh": float("inf")}
     scales = _scales(one)
     found: dict[str, float] = {}
-    for name, powers in (SCALARS | FIELDS).items():
-        unit = _unit(powers) if scaled else 1.0
+    for name, powers in (SCALARS | fields).items():
+        if getattr(one, name) is None:  # the approach on a half-plane
+            continue
+        per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
+        unit = _unit(powers) / per_length if scaled else 1.0
         values = np.asarray(getattr(other, name)) / unit
         if mirrored:
             values = _mirrored(name, values)
         difference = values - getattr(one, name)
-        if summed and name in FIELDS:
+        if summed and name in fields:
             difference = np.cumsum(difference, axis=-1) / difference.shape[-1]
         found[name] = float(np.abs(difference).max()) / (allowed * scales[name])
     return {name: value for name, value in found.items() if not value <= 1.0}
@@ -213,7 +258,7 @@ def _scales(result: vr.Result) -> dict[str, float]:
     torque = result.load * max(result.semi_axis_x, result.mesh.spacing * radius)
     force = max(min(result.friction, 1.0) * result.load, 1e-3 * result.load)
     pressure = float(result.pressure.max())
-    depth = result.penetration + result.centrifugal_displacement
+    depth = depth_of(result)
     return {
         "resisting_torque": torque,
         "driving_torque": torque + force * radius,

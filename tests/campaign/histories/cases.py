@@ -1,0 +1,183 @@
+"""The random histories: what rolls on what, how, and by which steps, drawn from a seed and a number."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+import viscoroll as vr
+
+from ..balls import Geometry, draw_ball, draw_depth, draw_moduli, load_of
+from ..bodies import as_roller, curvature, on_a_wheel
+from ..cases import Case
+from ..counterparts import elsewhere
+from ..pairs import on_a_ball
+from .motions import Motion, draw_motion
+
+__all__ = ["HistoryCase", "draw"]
+
+#: Moduli whose retardation spectra are known: of others, tables and functions, few are fitted well enough.
+_DISCRETE = (vr.Elastic, vr.StandardLinearSolid, vr.Prony, vr.KelvinVoigt, vr.FractionalZener)
+
+#: Of the radius: what all layers are at least thick, so that a contact has some nodes of 200 a revolution.
+_THINNEST = 0.05
+
+#: Largest penetration by the radius: contacts of a fourth of the radius to either side.
+_DEEPEST = 0.05
+
+
+@dataclass(frozen=True, kw_only=True)
+class HistoryCase(Case):
+    """One history."""
+
+    call: ClassVar[str] = "roll"
+
+    @property
+    def moduli(self) -> list[Any]:
+        """Return the shear moduli of both bodies."""
+        return [material.shear_modulus for material in self.materials]
+
+    @property
+    def is_followed(self) -> bool:
+        """Whether discrete retardation times stand for all moduli, and what does not yield at once is not asked to."""
+        viscous = any(isinstance(modulus, vr.KelvinVoigt) for modulus in self.moduli)
+        jumps = self.arguments["start"] is vr.Start.FRESH or 0.0 in np.diff(self.arguments["time"])
+        fitted = any(not isinstance(modulus, _DISCRETE) for modulus in self.moduli)
+        return not fitted and not (viscous and (jumps or len(self.moduli) > 1))
+
+
+def draw(seed: int, number: int) -> HistoryCase:
+    """Return a history of a campaign: mostly of materials that can be followed, which few of any kind are."""
+    for attempt in itertools.count():
+        rng = np.random.default_rng([seed, number, 7, attempt])
+        case = _draw(rng, f"{seed}:{number}")
+        is_quick = not isinstance(case.ball, vr.CoatedWheel)  # whose tables for dozens of fitted times take a minute
+        if case.is_followed or (is_quick and rng.random() < _ANY):
+            return case
+    raise AssertionError
+
+
+#: Share of the draws of materials that histories need not know which are kept nevertheless.
+_ANY = 0.03
+
+
+def _draw(rng: np.random.Generator, name: str) -> HistoryCase:
+    geometry = Geometry.draw(rng, thinnest=_THINNEST)
+    depth = min(max(draw_depth(rng, geometry), 0.05 * geometry.thickness), _DEEPEST * geometry.radius)
+    contact_radius = 1.2 * math.sqrt(geometry.radius * depth)
+    moduli = draw_moduli(rng, len(geometry.thicknesses))
+    speed = 10.0 ** rng.uniform(-2.0, 2.0)
+    time = contact_radius / (geometry.radius * speed)
+    ball = draw_ball(rng, geometry, moduli, np.zeros(len(moduli)), time, speed)
+    nodes = round(math.pi * geometry.radius / contact_radius * rng.uniform(3.0, 12.0))
+    arguments: dict[str, Any] = {
+        "load": load_of(ball, geometry, depth, 1.0 / time),
+        "angular_speed": speed,
+        "drive": vr.Drive(force=0.0),
+        "mesh": vr.Mesh(nodes_per_revolution=min(max(60, nodes), 200)),
+    }
+    drawn = _bodies(rng, ball, contact_radius, time, arguments)
+    motion = draw_motion(rng, turn=contact_radius / geometry.radius, time=time, load=drawn["arguments"]["load"])
+    given = drawn["arguments"]
+    changed = {
+        **({"on": given["on"]} if "on" in given else {}),
+        "time": motion.time,
+        "angle": motion.angle,
+        "load": motion.load,
+        "start": vr.Start.RELAXED if rng.random() < 0.5 else vr.Start.FRESH,
+        "mesh": given["mesh"],
+        "lattices": int(rng.choice([1, 2, 4], p=[0.5, 0.4, 0.1])),
+        "steps_per_spacing": int(rng.choice([2, 4, 8], p=[0.2, 0.6, 0.2])),
+        # Of one motion, whether it is followed at once or not.
+        "shortest_time": (motion.time[-1] - motion.time[0]) * 10.0 ** rng.uniform(-6.0, -3.0),
+        "longest_time": (motion.time[-1] - motion.time[0]) * 10.0,
+        "threads": 1,
+    }
+    if isinstance(drawn["ball"], vr.CoatedSphere) and rng.random() < 0.15:
+        changed["curvature"] = vr.Curvature.PAPER
+    case = HistoryCase(name=name, ball=drawn["ball"], arguments=changed)
+    case.arguments.update(_along(rng, case, motion, depth, time))
+    absurd = _make_absurd(rng, case.arguments)
+    return replace(case, absurd=absurd)
+
+
+def _bodies(
+    rng: np.random.Generator, ball: vr.CoatedSphere, contact_radius: float, time: float, arguments: dict[str, Any]
+) -> dict[str, Any]:
+    """Return a ball, a roller or a wheel with these layers, and what it rolls on."""
+    drawn: dict[str, Any] = {"ball": ball, "arguments": arguments}
+    has_core = ball.inner_boundary is vr.InnerBoundary.RIGID
+    shape = rng.choice(["ball", "roller", "wheel"], p=[0.4, 0.35, 0.25]) if has_core else "ball"
+    if shape == "roller":
+        drawn = as_roller(ball, contact_radius, arguments)
+    elif shape == "wheel":
+        drawn = on_a_wheel(rng, ball, contact_radius, arguments)
+    if shape == "ball" and rng.random() < 0.25:
+        return on_a_ball(rng, ball, time, arguments)
+    if rng.random() < 0.7:
+        return elsewhere(rng, drawn["ball"], contact_radius, time, drawn["arguments"])
+    return drawn
+
+
+def _along(rng: np.random.Generator, case: HistoryCase, motion: Motion, depth: float, time: float) -> dict[str, Any]:
+    """Return friction, what moves the center, and the compliance, or nothing: what goes with what."""
+    is_ball_on_plane = isinstance(case.ball, vr.CoatedSphere) and case.on is None
+    compliance = {"compliance": vr.Compliance.VERTICAL} if is_ball_on_plane and rng.random() < 0.3 else {}
+    if rng.random() < 0.6:
+        return compliance
+    friction = 10.0 ** rng.uniform(-1.3, 0.3)
+    least = min(motion.load)
+    given: dict[str, Any] = {"friction": friction, **compliance}
+    kinds = ["free", "towed", "led"]
+    if not motion.lifts:
+        kinds += ["pushed"]
+    if curvature(case.on) == 0.0:  # else the center goes another way than the contact
+        kinds += ["mass"]
+    match rng.choice(kinds):
+        case "towed":
+            given["drive"] = vr.Drive(torque=0.0)
+        case "led":
+            creepage = depth / case.ball.outer_radius * 10.0 ** rng.uniform(-2.0, 0.5) * rng.choice([-1.0, 1.0])
+            way = (1.0 + creepage) * case.ball.outer_radius * (np.array(motion.angle) - motion.angle[0])
+            given["center_way"] = way.tolist()
+        case "pushed":
+            given["drive"] = vr.Drive(force=rng.uniform(-0.9, 0.9) * min(friction, 1.0) * least)
+        case "mass":
+            load = motion.load[0]
+            given["mass"] = load * time**2 / depth * 10.0 ** rng.uniform(0.0, 2.0)
+            given["drive"] = vr.Drive(force=rng.uniform(-2.0, 2.0) * min(friction, 1.0) * load)
+            given["center_speed"] = case.ball.outer_radius * 0.1 * rng.uniform(-1.0, 1.0) / time
+    return given
+
+
+#: What must be refused, by the argument that the message names.
+_ABSURD: dict[str, Any] = {
+    "load": lambda a: {"load": [1e9 * load for load in a["load"]]},
+    "load[": lambda a: {"load": [*a["load"][:-1], -a["load"][0]]},
+    "time[": lambda a: {"time": [*a["time"][:-1], a["time"][0] - 1.0]},
+    "angle[": lambda a: {"angle": [*a["angle"][:-1], math.inf]},
+    "friction": lambda _: {"friction": math.inf},
+    "lattices": lambda _: {"lattices": 17},
+    "steps_per_spacing": lambda _: {"steps_per_spacing": 0},
+    "spectrum_tolerance": lambda _: {"spectrum_tolerance": 1.0},
+    "mass": lambda _: {"mass": 1.0, "friction": 0.0, "drive": vr.Drive(force=0.0), "center_way": None},
+    "curvature": lambda _: {"curvature": vr.Curvature.EXACT},
+}
+
+
+def _make_absurd(rng: np.random.Generator, arguments: dict[str, Any]) -> str:
+    """Now and then, make one argument impossible.
+
+    Returns
+    -------
+    str
+        How the message begins that must refuse it.
+    """
+    if rng.random() >= 0.08:
+        return ""
+    name = str(rng.choice(list(_ABSURD)))
+    arguments.update(_ABSURD[name](arguments))
+    return name

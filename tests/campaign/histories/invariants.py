@@ -1,0 +1,203 @@
+"""What must hold in any history, whatever was rolled."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import viscoroll as vr
+from numpy.typing import NDArray
+
+from ..bodies import curvature, deforms
+from .cases import HistoryCase
+
+__all__ = ["nodes_of", "scales", "turnover", "violations"]
+
+#: Instants are solved to residuals of 1e-12, or where that stalls 1e-10; sums of forces and moments of them, and what
+#: hundreds of them add up to, are allowed more.
+TOLERANCE = 1e-7
+
+#: Friction gives no work but where a node turns back within a step, whose mean traction is then not that of its work:
+#: up to 1.5e-3 of all energy in 100 histories with two to eight steps a spacing, of coarse meshes.
+TURNED_BACK = 3e-3
+
+#: Series that are not told: the approach on a half-plane, a line's width, the spread of one lattice.
+UNTOLD = ("penetration", "semi_axis_z", "error_estimate")
+
+
+def violations(case: HistoryCase, history: vr.History) -> dict[str, float]:
+    """Return the conditions that a history violates, each with its error relative to what is allowed."""
+    if not _is_finite(history):
+        return {"not finite": math.inf}
+    checks = (_motion, _lifted, _energies, _balance, _forces, *((_friction,) if case.has_friction else ()))
+    errors = {name: error for check in checks for name, error in check(case, history)}
+    return {name: error for name, error in errors.items() if not error <= 1.0}
+
+
+def _is_finite(history: vr.History) -> bool:
+    series = {name: values for name, values in history._series().items() if name not in UNTOLD}
+    told = {
+        "penetration": not _is_without_datum(history),
+        "semi_axis_z": not history.ball.line_contact,
+        "error_estimate": history.lattices > 1,
+    }
+    series |= {name: getattr(history, name) for name, is_told in told.items() if is_told}
+    return all(np.isfinite(values).all() for values in series.values())
+
+
+def _is_without_datum(history: vr.History) -> bool:
+    """Whether it is a line on a half-plane, on which nothing rests."""
+    return history.ball.line_contact and getattr(history.on, "base", None) is not None
+
+
+def scales(history: vr.History) -> dict[str, float]:
+    """Return the size of each series where nothing cancels."""
+    radius = history.ball.outer_radius
+    load = float(history.load.max())
+    torque = load * max(float(history.semi_axis_x.max()), history.mesh.spacing * radius)
+    force = max(torque / radius, min(history.friction, 1.0) * load)
+    energy = turnover(history) + float(np.abs(history.stored_energy).max())
+    way = radius * float(np.ptp(history.angle)) + float(np.ptp(history.center_way))
+    depth = np.abs(history.penetration)
+    return {
+        "resisting_torque": torque,
+        "driving_torque": max(torque, force * radius),
+        "driving_force": force,
+        "penetration": 1.0 if np.isnan(depth).any() else float(depth.max()),
+        "max_pressure": float(history.max_pressure.max()),
+        "stored_energy": energy,
+        "dissipated_energy": energy,
+        "slip_energy": energy,
+        "work": energy,
+        "center_way": max(way, 1e-3 * torque / load),
+    }
+
+
+def turnover(history: vr.History) -> float:
+    """Return all energy that comes and goes: what is stored and given back, and what is lost [J]."""
+    return float(np.abs(np.diff(history.stored_energy)).sum() + history.dissipated_energy[-1])
+
+
+def _motion(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    given = case.arguments
+    ends = (history.time[-1], history.angle[-1], history.load[-1])
+    wanted = (given["time"][-1], given["angle"][-1], given["load"][-1])
+    yield "time goes back", float((np.diff(history.time) < 0.0).any()) * 2.0
+    yield "not at the last knot", float(ends != wanted) * 2.0
+    yield "spectrum", history.spectrum_error / 0.01  # the tolerance, by default
+
+
+def _lifted(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    """Let nothing touch without load, and something with it."""
+    lifted = history.load == 0.0
+    for name in ("resisting_torque", "driving_torque", "driving_force", "contact_area", "max_pressure"):
+        if name == "driving_force" and history.mass > 0.0:  # which is less the center's inertia
+            continue
+        yield f"{name} without load", 2.0 * float(np.any(getattr(history, name)[lifted] != 0.0))
+    yield "no contact under load", 2.0 * float(np.any(history.contact_area[~lifted] <= 0.0))
+    # A patch bears at most the largest pressure.
+    borne = history.max_pressure * history.contact_area
+    short = (history.load - borne)[~lifted] / history.load.max()
+    slack = 1.0 if _is_ball_on_rigid(case) else 0.0  # whose patches are smaller beside the middle
+    yield "load above largest pressure", float(short.max(initial=0.0)) / TOLERANCE * (1.0 - slack)
+
+
+def _is_ball_on_rigid(case: HistoryCase) -> bool:
+    return isinstance(case.ball, vr.CoatedSphere) and not deforms(case.on)
+
+
+def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    """Let what is lost never come back, and nothing store less than nothing, but where approach has no datum.
+
+    With friction a counterpart is told to lose what a way of the center beside the rolled one takes, which may be less
+    than nothing: docs/theory.md section 13, power of friction between any two.
+    """
+    energy = turnover(history) + float(np.abs(history.stored_energy).max())
+    others = history.counterpart_dissipated_energy
+    lost = {"body": history.dissipated_energy - history.slip_energy - others}
+    if not case.has_friction:
+        lost["counterpart"] = others
+    for name, series in lost.items():
+        yield f"energy gained in the {name}", -float(np.diff(series).min()) / (TOLERANCE * energy)
+        if all(isinstance(modulus, vr.Elastic) for modulus in case.moduli):
+            yield f"energy lost in the elastic {name}", float(np.abs(series).max()) / (TOLERANCE * energy)
+    yield "energy gained by slip", -float(np.diff(history.slip_energy).min()) / (TURNED_BACK * energy)
+    if not _is_without_datum(history):
+        yield "stored energy < 0", -float(history.stored_energy.min()) / (TOLERANCE * energy)
+        yield "stored in the counterpart < 0", -float(history.counterpart_stored_energy.min()) / (TOLERANCE * energy)
+
+
+def _balance(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    """Let work be what is stored and lost, but for what steps leave open.
+
+    Over a step the forces F of the nodes are linear in time and their ways u are not: ½ Σ|ΔF| |Δu| is the most that the
+    trapezoidal rule leaves open. A turn by Δψ moves a node of the contact by x/R_x r_o Δψ and hands on what lies within
+    r_o Δψ of an end: P r_o²/R_x Δψ² at most. A load that changes by ΔP leaves ½ ΔP Δd, and one that sinks in by Δd
+    hands on Δd/d of itself, which leaves P Δd²/d. What slides by s beside the track leaves μ s times what is handed on,
+    P r_o Δψ/a and ½ ΔP. Jumps leave nothing. Half of 40 histories with friction leave less than a hundredth of that
+    open, those whose load passes from node to node up to 0.9 of it.
+    """
+    if _is_without_datum(history):  # nobody tells how far it sinks in
+        return
+    steps = np.diff(history.time) > 0.0
+    radius = case.ball.outer_radius
+    load = np.maximum(history.load[1:], history.load[:-1])
+    turn = np.diff(history.angle)
+    sunk = np.abs(np.diff(history.penetration))
+    deeper = np.maximum(history.penetration[1:], history.penetration[:-1])
+    share = np.divide(sunk, deeper, out=np.ones_like(sunk), where=deeper > sunk)
+    left = load * radius * (1.0 + radius * curvature(case.on)) * turn**2
+    left = left + (0.5 * np.abs(np.diff(history.load)) + share * load) * sunk
+    if case.has_friction:
+        half_length = np.maximum(history.semi_axis_x[1:], history.semi_axis_x[:-1])
+        passed = radius * np.abs(turn) / np.maximum(half_length, history.mesh.spacing * radius)
+        handed_on = load * np.minimum(passed, 1.0) + 0.5 * np.abs(np.diff(history.load))
+        slid = np.abs(np.diff(history.center_way) - radius * turn)
+        left = left + min(history.friction, 1.0) * handed_on * slid
+    allowed = float(left[steps].sum()) + TOLERANCE * (turnover(history) + float(np.abs(history.stored_energy).max()))
+    yield "energy balance", float(np.abs(history.energy_imbalance).max()) / allowed
+
+
+def _forces(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    """Let torque and force be the resistance together, and nothing of a rigid body or on a rigid plane."""
+    if case.has_friction:
+        return
+    size = scales(history)["resisting_torque"] * TOLERANCE
+    radius = case.ball.outer_radius
+    if history.compliance is vr.Compliance.RADIAL:
+        sum_of_both = history.driving_torque + radius * history.driving_force
+        yield "torque and force", float(np.abs(sum_of_both - history.resisting_torque).max()) / size
+    if not case.ball.layers:
+        yield "torque of a rigid body", float(np.abs(history.driving_torque).max()) / size
+    if case.on is None:
+        yield "force on a rigid plane", radius * float(np.abs(history.driving_force).max()) / size
+
+
+def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:
+    given = case.arguments
+    drive = history.drive
+    bound = min(history.friction, 1.0) * history.load.max()
+    pressed = history.load > 0.0
+    yield "share that sticks", 2.0 * float(np.any((history.stick_share < 0.0) | (history.stick_share > 1.0)))
+    if case.on is None and history.mass == 0.0:
+        excess = np.abs(history.driving_force) - history.friction * history.load
+        yield "force > friction", float(excess.max()) / (TOLERANCE * bound)
+    if "center_way" in given:
+        ways = np.interp(given["time"], history.time, history.center_way) - np.array(given["center_way"])
+        is_jump = np.isin(given["time"], history.time[:-1][np.diff(history.time) == 0.0])
+        yield "center led", float(np.abs(ways[~is_jump]).max()) / (TOLERANCE * scales(history)["center_way"])
+    elif history.mass == 0.0 and drive.force is not None:
+        off = (history.driving_force - drive.force)[1:][pressed[1:]]  # it is not pushed yet as it is pressed on
+        yield "force balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound)
+    elif drive.torque is not None:
+        off = (history.driving_torque - drive.torque)[1:][pressed[1:]]
+        yield "torque balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound * case.ball.outer_radius)
+
+
+def nodes_of(history: vr.History) -> int:
+    """Return how many nodes a lattice has in contact, about and at most."""
+    radius = history.ball.outer_radius
+    across = 1.0 if history.ball.line_contact else radius * history.mesh.theta_spacing
+    areas: NDArray[np.float64] = history.contact_area
+    return round(float(areas.max()) / (radius * history.mesh.spacing * across))

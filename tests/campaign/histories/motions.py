@@ -1,0 +1,82 @@
+"""Random motions: knots of angle and load, between which a body rolls, stands, jumps or has lifted off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+__all__ = ["Motion", "draw_motion"]
+
+
+@dataclass
+class Motion:
+    """Knots, appended one by one.
+
+    Attributes
+    ----------
+    time, angle, load : list of float
+        [s], [rad], and [N], of a roller per length.
+    """
+
+    time: list[float] = field(default_factory=list)
+    angle: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)
+
+    def go(self, duration: float, turn: float, load: float) -> None:
+        """Append a knot."""
+        self.time.append(self.time[-1] + duration)
+        self.angle.append(self.angle[-1] + turn)
+        self.load.append(load)
+
+    @property
+    def lifts(self) -> bool:
+        """Whether the body lifts off anywhere."""
+        return 0.0 in self.load
+
+    @property
+    def jumps(self) -> bool:
+        """Whether anything happens in no time."""
+        return any(later == time for time, later in zip(self.time, self.time[1:], strict=False))
+
+
+def draw_motion(rng: np.random.Generator, *, turn: float, time: float, load: float) -> Motion:
+    """Return a random motion.
+
+    Parameters
+    ----------
+    rng : Generator
+        Of the case.
+    turn : float
+        Angle by which a body turns while it rolls half the length of its contact [rad].
+    time : float
+        That it takes [s].
+    load : float
+        That the layers bear [N], of a roller per length.
+    """
+    elsewhere = rng.random() < 0.5  # than at 0 s and 0 rad
+    motion = Motion(
+        time=[elsewhere * time * rng.uniform(-1.0, 1.0)],
+        angle=[elsewhere * rng.uniform(-3.0, 3.0)],
+        load=[load * rng.uniform(0.3, 1.0)],
+    )
+    for _ in range(rng.integers(2, 6)):
+        borne = load * rng.uniform(0.3, 1.0) if rng.random() < 0.5 else motion.load[-1]
+        stretch = rng.uniform(0.3, 3.0)
+        speed = 10.0 ** rng.uniform(-0.5, 0.5)
+        match rng.choice(["forward", "backward", "stand", "jump", "lift"], p=[0.35, 0.25, 0.2, 0.1, 0.1]):
+            case "forward":
+                motion.go(stretch * time / speed, stretch * turn, borne)
+            case "backward":
+                motion.go(stretch * time / speed, -stretch * turn, borne)
+            case "stand":
+                motion.go(time * 10.0 ** rng.uniform(-1.0, 2.0), 0.0, borne)
+            case "jump":
+                # Of two jumps to one place a state in between knows one.
+                turned = turn * rng.uniform(-0.3, 0.3) if rng.random() < 0.3 else 0.0
+                motion.go(0.0, turned, load * rng.uniform(0.3, 1.0))
+            case _:
+                rolls = rng.choice([-1.0, 0.0, 1.0], size=3)  # while it is lifted, and before and after
+                for rolled, left in zip(rolls.tolist(), (0.0, 0.0, borne), strict=True):
+                    motion.go(stretch * time / speed, rolled * stretch * turn / 3.0, left)
+    return motion

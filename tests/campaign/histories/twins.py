@@ -1,0 +1,155 @@
+"""Histories that must be the same as another: mirrored, in other units, elsewhere along the track, interrupted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+import viscoroll as vr
+
+from ..twins import LENGTH, STRESS, TIME, scaled_body
+from .cases import HistoryCase
+from .invariants import scales
+
+__all__ = ["Twin", "twins"]
+
+#: Powers of two are exact: what differs is an absolute number somewhere.
+SCALING_TOLERANCE = 1e-8
+
+#: Of mirror images and other places, whose sums have other round-off; instants are solved to 1e-10 at least, and later
+#: ones inherit what is left.
+TOLERANCE = 1e-6
+
+#: Series by the powers of length, stress and time that scale them; those of forces a length less per length.
+SERIES = {
+    "resisting_torque": (3, 1, 0),
+    "driving_torque": (3, 1, 0),
+    "driving_force": (2, 1, 0),
+    "penetration": (1, 0, 0),
+    "max_pressure": (0, 1, 0),
+    "stored_energy": (3, 1, 0),
+    "dissipated_energy": (3, 1, 0),
+    "slip_energy": (3, 1, 0),
+    "work": (3, 1, 0),
+    "center_way": (1, 0, 0),
+}
+NEVER_PER_LENGTH = ("penetration", "max_pressure", "center_way")
+
+#: What changes its sign with the sense of rolling.
+ODD = ("resisting_torque", "driving_torque", "driving_force", "center_way")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Twin:
+    """A history that is known from another.
+
+    Attributes
+    ----------
+    kind : str
+        What was done to it.
+    case : HistoryCase
+        What is rolled.
+    differences : callable
+        Called with the first history and the twin's; returns differences by name, relative to what is allowed.
+    roll : callable
+        How it is rolled, as by `viscoroll.roll`.
+    """
+
+    kind: str
+    case: HistoryCase
+    differences: Callable[[vr.History, vr.History], dict[str, float]]
+    roll: Callable[..., vr.History] = vr.roll
+
+
+def twins(case: HistoryCase) -> Iterator[Twin]:
+    """Yield all twins of a case."""
+    yield Twin(kind="mirror", case=_mirrored(case), differences=partial(_differences, odd=-1.0, allowed=TOLERANCE))
+    yield Twin(kind="scaling", case=_scaled(case), differences=_scaling_differences)
+    yield Twin(kind="elsewhere", case=_elsewhere(case), differences=partial(_differences, allowed=TOLERANCE))
+    yield Twin(kind="interrupted", case=case, differences=_last_bits, roll=_in_two)
+
+
+def _changed(case: HistoryCase, **changes: Any) -> HistoryCase:
+    return replace(case, arguments=case.arguments | changes)
+
+
+def _mirrored(case: HistoryCase) -> HistoryCase:
+    given = case.arguments
+    changes: dict[str, Any] = {"angle": [-angle for angle in given["angle"]]}
+    if "center_way" in given:
+        changes["center_way"] = [-way for way in given["center_way"]]
+    if "center_speed" in given:
+        changes["center_speed"] = -given["center_speed"]
+    if "drive" in given and given["drive"].force:
+        changes["drive"] = vr.Drive(force=-given["drive"].force)
+    return _changed(case, **changes)
+
+
+def _scaled(case: HistoryCase) -> HistoryCase:
+    given = case.arguments
+    force = STRESS * LENGTH**2 / (LENGTH if case.ball.line_contact else 1.0)
+    units = {
+        "time": TIME,
+        "shortest_time": TIME,
+        "longest_time": TIME,
+        "load": force,
+        "center_way": LENGTH,
+        "center_speed": LENGTH / TIME,
+        "mass": force * TIME**2 / LENGTH,
+    }
+    changes: dict[str, Any] = {
+        name: (unit * np.asarray(given[name])).tolist() for name, unit in units.items() if name in given
+    }
+    if "drive" in given and given["drive"].force is not None:
+        changes["drive"] = vr.Drive(force=force * given["drive"].force)
+    if case.on is not None:
+        changes["on"] = scaled_body(case.on)
+    return replace(_changed(case, **changes), ball=scaled_body(case.ball))
+
+
+def _elsewhere(case: HistoryCase) -> HistoryCase:
+    """Return the same motion from a node some way on."""
+    on = 16.0 * case.arguments["mesh"].spacing
+    return _changed(case, angle=[angle + on for angle in case.arguments["angle"]])
+
+
+def _in_two(ball: vr.bodies.RollingBody, **arguments: Any) -> vr.History:
+    """Roll to a knot in the middle, and on from the state there; return what comes after it."""
+    first = slice(len(arguments["time"]) // 2 + 1)
+    knots = {name: arguments[name][first] for name in ("time", "angle", "load", "center_way") if name in arguments}
+    return vr.roll(ball, **(arguments | {"start": vr.roll(ball, **(arguments | knots)).state}))
+
+
+def _scaling_differences(one: vr.History, other: vr.History) -> dict[str, float]:
+    return _differences(one, other, scaled=True, allowed=SCALING_TOLERANCE)
+
+
+def _differences(
+    one: vr.History, other: vr.History, *, odd: float = 1.0, scaled: bool = False, allowed: float
+) -> dict[str, float]:
+    if len(one.time) != len(other.time):
+        return {"steps": float("inf")}
+    sizes = scales(one)
+    found: dict[str, float] = {}
+    for name, powers in SERIES.items():
+        length, stress, time = powers
+        per_length = LENGTH if one.ball.line_contact and name not in NEVER_PER_LENGTH else 1.0
+        unit = LENGTH**length * STRESS**stress * TIME**time / per_length if scaled else 1.0
+        sign = odd if name in ODD else 1.0
+        difference = np.nan_to_num(sign * getattr(other, name) / unit - getattr(one, name))  # no approach, no number
+        found[name] = float(np.abs(difference).max()) / (allowed * sizes[name])
+    return {name: value for name, value in found.items() if not value <= 1.0}
+
+
+def _last_bits(one: vr.History, rest: vr.History) -> dict[str, float]:
+    """Return what is not the same to the last bit after the middle."""
+    after = slice(len(one.time) - len(rest.time), None)
+    series = rest._series()
+    return {
+        name: float("inf")
+        for name, values in one._series().items()
+        if not np.array_equal(values[after], series[name], equal_nan=True)
+    }

@@ -1,0 +1,201 @@
+"""How often intervals hold the truth: `python -m tests.campaign.intervals`.
+
+Sweeps of a known rubber at five temperatures are given noise, shifted onto one another, drawn anew, and rolled at
+these temperatures. Told is in how many of all data sets the interval holds what the rubber itself gives, on the same
+mesh, for each temperature and in all, beside the share of the power that is lost where nobody measured, of which no
+draw knows; with `--moduli` that of its moduli. It fails where intervals of the torque hold it in less than nine of ten.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+import viscoroll as vr
+from viscoroll.rheology import Isotherm, RheologyData
+
+#: What intervals of 95 % must hold.
+LEAST = 0.9
+
+ANSWERS = ("resisting_torque", "dissipated_power", "penetration", "max_pressure")
+
+TEMPERATURES = (30.0, 40.0, 50.0, 60.0, 70.0)
+REFERENCE = 50.0
+
+#: A rubber of 25 terms over twelve decades, at places of no round number, and its law.
+_TIMES = 0.7 * np.logspace(-9, 3, 25)
+_SHAPE = np.exp(-0.5 * ((np.log10(_TIMES) + 5.0) / 1.8) ** 2)
+RUBBER = vr.Prony(
+    instantaneous_modulus=1e9, weights=0.9995 * _SHAPE / _SHAPE.sum(), relaxation_times=_TIMES * 10.0**-1.6
+)
+LAW = vr.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE + 273.15)
+
+#: What is measured of each sweep [rad/s].
+LOWEST, HIGHEST = 0.1, 100.0
+
+CASE = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=500), "progress": False}
+
+
+@dataclass(frozen=True)
+class Noise:
+    """Relative standard deviation of each measured modulus [-]."""
+
+    storage: float = 0.03
+    loss: float = 0.03
+
+
+def true_modulus(temperature):
+    """Return the rubber at a temperature [°C]."""
+    shift = float(LAW(temperature + 273.15))
+    return vr.Prony(
+        instantaneous_modulus=RUBBER.instantaneous_modulus,
+        weights=RUBBER.weights,
+        relaxation_times=np.asarray(RUBBER.relaxation_times) * shift,
+    )
+
+
+def measured(seed, noise):
+    """Return what a rheometer gives: three decades at each temperature, seven points to a decade."""
+    generator = np.random.default_rng(seed)
+    omega = np.geomspace(LOWEST, HIGHEST, 22)
+    sweeps = []
+    for temperature in TEMPERATURES:
+        modulus = true_modulus(temperature).complex_modulus(omega)
+        storage = modulus.real * (1.0 + noise.storage * generator.standard_normal(omega.size))
+        loss = modulus.imag * (1.0 + noise.loss * generator.standard_normal(omega.size))
+        sweeps.append(Isotherm(temperature=temperature, frequency=omega, storage=storage, loss=loss))
+    return RheologyData(isotherms=tuple(sweeps), source="made", is_tensile=False, poisson_ratio=0.5, dropped=0)
+
+
+def coated(modulus):
+    """Return a ball of 20 mm with 2 mm of it."""
+    return vr.CoatedSphere(
+        core_radius=20e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=modulus, poisson_ratio=0.5)]
+    )
+
+
+def of_curve(curve, temperature):
+    """Return the ball of a superposition at a temperature [°C]."""
+    return coated(curve.series_at(temperature=temperature))
+
+
+def of_truth(temperature):
+    """Return the ball as it is."""
+    return coated(true_modulus(temperature))
+
+
+def true_study():
+    """Return results of the rubber itself."""
+    return vr.sweep(of_truth, temperature=TEMPERATURES, **CASE)
+
+
+def unmeasured():
+    """Return the share of the power that is lost at frequencies of no sweep, at each temperature [-]."""
+    shifts = np.array([float(LAW(temperature + 273.15)) for temperature in TEMPERATURES])
+    given = {name: value for name, value in CASE.items() if name != "progress"}
+    spectra = [vr.loss_spectrum(vr.solve(of_truth(temperature), **given)) for temperature in TEMPERATURES]
+    ends = ((LOWEST * shifts.min() / shift, HIGHEST * shifts.max() / shift) for shift in shifts)
+    return [spectrum.share_outside(low, high) for spectrum, (low, high) in zip(spectra, ends, strict=True)]
+
+
+def study(seed, noise, *, draws=100, way="linear"):
+    """Return results with intervals from one data set."""
+    curve = vr.superpose(measured(seed, noise), reference=REFERENCE)
+    return vr.sweep(of_curve, curve=curve.draws(draws, seed=seed), temperature=TEMPERATURES, draws=way, **CASE)
+
+
+def held(found, truth):
+    """Return whether intervals hold the truth (1 or 0), and errors by half widths, of shape (answers, temperatures).
+
+    NaN where there is none: of a largest pressure at the edge.
+    """
+    lower, upper, true, middle = (
+        np.array([dataset[f"{answer}{bound}"].values for answer in ANSWERS])
+        for dataset, bound in ((found, "_lower"), (found, "_upper"), (truth, ""), (found, ""))
+    )
+    holds = np.where(np.isnan(lower), np.nan, (lower <= true) & (true <= upper))
+    return holds, (middle - true) / (0.5 * (upper - lower))
+
+
+def torques(sets, draws, noise, way):
+    """Print how often intervals of results hold the truth; return the share for the torque."""
+    truth = true_study()
+    inside, errors, widths, times = [], [], [], []
+    for seed in range(sets):
+        start = time.process_time()
+        found = study(seed, noise, draws=draws, way=way)
+        times.append(time.process_time() - start)
+        holds, error = held(found, truth)
+        inside.append(holds)
+        errors.append(error)
+        widths.append([(0.5 * (found[f"{a}_upper"] - found[f"{a}_lower"]) / found[a]).values for a in ANSWERS])
+        print(f"\r{seed + 1} of {sets}", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    share, bias, width = np.nanmean(inside, axis=0), np.nanmean(errors, axis=0), np.nanmean(widths, axis=(0, 2))
+    print(
+        f"{sets} data sets of noise {noise.storage:.0%} and {noise.loss:.0%} (storage, loss), {draws} draws, {way}: "
+        f"intervals of 95 % at {', '.join(f'{t:g}' for t in TEMPERATURES)} °C"
+    )
+    for answer, row, off, half in zip(ANSWERS, share, bias, width, strict=True):
+        by_temperature = ", ".join(f"{value:.1%}" for value in row)
+        print(
+            f"{answer}: hold the truth in {np.nanmean(row):.1%} ({by_temperature}); half width {half:.2%} of it; "
+            f"mean error {np.nanmean(off):+.2f} half widths"
+        )
+    print(f"power lost where nobody measured: {', '.join(f'{share:.0%}' for share in unmeasured())}")
+    print(f"processor time of a data set: median {np.median(times):.1f} s, at most {max(times):.1f} s")
+    return float(share[0].mean())
+
+
+def moduli(sets, draws, noise):
+    """Print how often intervals of moduli of a single curve hold the truth; return the share of both."""
+    omega, probe = np.geomspace(1e-1, 1e5, 61), np.geomspace(0.3, 3e4, 25)
+    modulus, true = RUBBER.complex_modulus(omega), RUBBER.complex_modulus(probe)
+    inside, errors, start = [], [], time.process_time()
+    for seed in range(sets):
+        generator = np.random.default_rng(seed)
+        storage = modulus.real * (1.0 + noise.storage * generator.standard_normal(omega.size))
+        loss = modulus.imag * (1.0 + noise.loss * generator.standard_normal(omega.size))
+        fit = vr.fit_prony(Isotherm(temperature=REFERENCE, frequency=omega, storage=storage, loss=loss))
+        low, high = fit.confidence_band(probe, count=draws, seed=seed)
+        inside.append(
+            [(low.real <= true.real) & (true.real <= high.real), (low.imag <= true.imag) & (true.imag <= high.imag)]
+        )
+        found = fit.series.complex_modulus(probe)
+        errors.append([found.real / true.real - 1.0, found.imag / true.imag - 1.0])
+    share, error = np.array(inside), np.array(errors)
+    print(f"{sets} data sets, {draws} draws each, {time.process_time() - start:.0f} s")
+    for k, name in enumerate(("storage", "loss")):
+        by_frequency = share[:, k].mean(axis=0)
+        print(
+            f"{name}: covered {share[:, k].mean():.1%}, {by_frequency.min():.1%} to {by_frequency.max():.1%} by "
+            f"frequency; error {np.sqrt((error[:, k] ** 2).mean()):.2%} rms, {np.abs(error[:, k]).max():.1%} at most"
+        )
+    return float(share.mean())
+
+
+def main():
+    """Run a campaign."""
+    parser = argparse.ArgumentParser(prog="python -m tests.campaign.intervals", description=__doc__)
+    parser.add_argument("--sets", type=int, default=200, help="number of data sets")
+    parser.add_argument("--draws", type=int, default=100, help="of each")
+    parser.add_argument("--storage-noise", type=float, default=0.03, help="relative standard deviation")
+    parser.add_argument("--loss-noise", type=float, default=0.03, help="relative standard deviation")
+    parser.add_argument("--whole", action="store_true", help="solve each draw whole")
+    parser.add_argument("--moduli", action="store_true", help="count intervals of moduli instead")
+    arguments = parser.parse_args()
+    warnings.simplefilter("ignore", vr.ResultWarning)
+    noise = Noise(arguments.storage_noise, arguments.loss_noise)
+    if arguments.moduli:
+        share = moduli(arguments.sets, arguments.draws, noise)
+    else:
+        share = torques(arguments.sets, arguments.draws, noise, "solve" if arguments.whole else "linear")
+    return int(share < LEAST)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,135 @@
+"""A slice of the random histories, and whether their campaign sees what is wrong."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from campaign import materials
+from campaign.histories.cases import HistoryCase, draw
+from campaign.histories.invariants import turnover, violations
+from campaign.histories.running import run_case
+from campaign.histories.twins import twins
+from campaign.runner import Outcome, run
+
+SEED = 1
+
+#: Quick ones of the first cases, of most kinds of pairs.
+NUMBERS = (3, 5, 10, 11, 13, 14, 22, 24, 25, 26, 28, 30, 31, 33, 35, 43, 44, 48, 53, 56, 67, 74, 77, 79, 84)
+
+
+@pytest.fixture(scope="module")
+def outcomes() -> dict[str, Outcome]:
+    """Return how the cases of the slice ended, by name."""
+    return {outcome.case: outcome for outcome in run(SEED, NUMBERS, jobs=1, limit=20.0, draw=draw, run_case=run_case)}
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_slice(outcomes, number):
+    outcome = outcomes[f"{SEED}:{number}"]
+    assert outcome.kind in ("solved", "refused"), outcome
+    assert outcome.violations == {}, outcome
+
+
+def test_histories_are_those_of_their_seed_and_number():
+    assert draw(1, 7).source() == draw(1, 7).source()
+    assert len({draw(seed, number).source() for seed in (1, 2) for number in range(25)}) == 50
+
+
+def test_source_makes_the_history_again():
+    names = vars(vr) | vars(materials) | {"inf": np.inf}
+    for number in range(25):
+        case = draw(3, number)
+        calls: list[tuple[vr.bodies.RollingBody, dict]] = []
+        names["roll"] = lambda ball, calls=calls, **arguments: calls.append((ball, arguments))
+        eval(case.source(), names)
+        assert repr(calls) == repr([(case.ball, {k: v for k, v in case.arguments.items() if k != "threads"})])
+
+
+def history_case(**changes: object) -> HistoryCase:
+    """Return a ball that rolls, stands, is lifted and comes back; with friction, unless there are changes."""
+    rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=0.1)
+    layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.4)
+    arguments = {
+        "time": [0.0, 0.2, 0.4, 0.5, 0.6, 0.8],
+        "angle": [0.0, 0.2, 0.2, 0.2, 0.2, 0.0],
+        "load": [5.0, 5.0, 5.0, 0.0, 0.0, 3.0],
+        "friction": 0.3,
+        "mesh": vr.Mesh(nodes_per_revolution=100),
+        "lattices": 2,
+        "shortest_time": 1e-5,
+        "longest_time": 10.0,
+        "threads": 1,
+    }
+    ball = vr.CoatedSphere(core_radius=20e-3, layers=[layer])
+    return HistoryCase(name="0:0", ball=ball, arguments=arguments | changes)
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+def test_a_sound_history_has_no_violation(friction):
+    case = history_case(friction=friction)
+    assert [twin.kind for twin in twins(case)] == ["mirror", "scaling", "elsewhere", "interrupted"]
+    outcome = run_case(case)
+    assert (outcome.kind, outcome.violations, outcome.stage) == ("solved", {}, "case")
+    assert outcome.nodes > 10
+
+
+def changed(values: np.ndarray, where: slice | int, by: float) -> np.ndarray:
+    values = values.copy()
+    values[where] += by
+    return values
+
+
+DOCTORED = {
+    "not finite": lambda h: {"driving_torque": changed(h.driving_torque, 3, np.nan)},
+    "not at the last knot": lambda h: {"angle": changed(h.angle, -1, 1e-9)},
+    "time goes back": lambda h: {"time": changed(h.time, 5, -0.1)},
+    "contact_area without load": lambda h: {"contact_area": h.contact_area + 1e-9},
+    "no contact under load": lambda h: {"contact_area": h.contact_area - h.contact_area[0]},
+    "energy gained in the body": lambda h: {"dissipated_energy": changed(h.dissipated_energy, 20, 1e-3)},
+    "energy gained by slip": lambda h: {"slip_energy": changed(h.slip_energy, 20, 0.01 * turnover(h))},
+    "stored energy < 0": lambda h: {"stored_energy": h.stored_energy - h.stored_energy.max()},
+    "energy balance": lambda h: {"energy_imbalance": h.energy_imbalance + h.dissipated_energy},
+    "share that sticks": lambda h: {"stick_share": 1.1 * h.stick_share},
+    "force > friction": lambda h: {"driving_force": h.driving_force + 1.6},
+    "force balance": lambda h: {"driving_force": h.driving_force + 1e-3},
+}
+
+
+@pytest.fixture(scope="module")
+def sound() -> vr.History:
+    case = history_case()
+    return vr.roll(case.ball, **case.arguments)
+
+
+@pytest.mark.parametrize("name", DOCTORED)
+def test_doctored_histories_are_seen(sound, name):
+    assert violations(history_case(), sound) == {}
+    assert name in violations(history_case(), replace(sound, **DOCTORED[name](sound)))
+
+
+def test_torque_without_force_is_seen():
+    case = history_case(friction=0.0)
+    history = vr.roll(case.ball, **case.arguments)
+    wrong = replace(history, driving_torque=1.001 * history.driving_torque)
+    assert "torque and force" in violations(case, wrong)
+
+
+@pytest.mark.parametrize(
+    ("kind", "shift"),
+    [
+        ("scaling", lambda h: {"penetration": h.penetration + 1e-9}),
+        ("mirror", lambda h: {"resisting_torque": h.resisting_torque + 1e-7}),
+        ("elsewhere", lambda h: {"work": h.work * (1.0 + 1e-4 * h.angle[0])}),
+        ("interrupted", lambda h: {"max_pressure": h.max_pressure * (1.0 + 1e-15 * len(h.time))}),
+    ],
+)
+def test_what_twins_do_not_share_is_seen(kind, shift):
+    case = history_case(friction=0.0)
+    one = vr.roll(case.ball, **case.arguments)
+    twin = next(twin for twin in twins(case) if twin.kind == kind)
+    other = twin.roll(twin.case.ball, **twin.case.arguments)
+    assert twin.differences(one, other) == {}
+    assert twin.differences(replace(one, **shift(one)), replace(other, **shift(other)))
