@@ -10,9 +10,9 @@ from numpydoc.xref import DEFAULT_LINKS
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
-sys.path.insert(0, str(DOCS))
 
-from tables import benchmark_table, outside_tables, scalar_table, validation_table  # noqa: E402  (beside this file)
+sys.path.insert(0, str(DOCS))
+from try_page import write_page  # noqa: E402  (of this folder)
 
 project = "viscoroll"
 author = "The viscoroll developers"
@@ -29,7 +29,7 @@ extensions = [
     "sphinx_copybutton",
 ]
 templates_path = ["_templates"]
-exclude_patterns = ["_generated", "recorded/*.md"]
+exclude_patterns = ["recorded/*.md"]
 default_role = "py:obj"
 
 # Pages in Markdown; their code cells run when the site is built, and fail the build where they fail or warn.
@@ -40,6 +40,8 @@ nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_timeout = 120
 nb_output_stderr = "warn"
+nb_merge_streams = True
+nb_ipywidgets_js = {}  # they would come from the net: pages show what a widget draws, not the widget
 
 # The API of Python from docstrings, that of C++ from the headers by way of Doxygen.
 autosummary_generate = True
@@ -78,28 +80,22 @@ html_theme = "pydata_sphinx_theme"
 html_title = f"viscoroll {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_extra_path = [str(ROOT / "build" / "site")]  # files as they are: the page of `try.md`
 html_copy_source = False
 html_show_sourcelink = False
+html_sidebars = {"try": []}  # whose page wants the room
 html_theme_options = {
     "show_prev_next": True,
     "navigation_with_keys": False,
-    "secondary_sidebar_items": ["page-toc"],
+    "secondary_sidebar_items": {"**": ["page-toc"], "try": []},
     "footer_start": ["copyright"],
     "footer_end": [],
 }
+
+if not write_page(ROOT / "build" / "site" / "try", ROOT / "build" / "wasm" / "package" / "viscoroll.single.js"):
+    print("the page to try it on has no solver, and says so: `make wasm` makes one")
 
 # MathJax with its font in one file, from a package; by default it would come from the net.
 _mathjax = find_spec("sphinx-mathjax-offline")
 html_static_path.append(str(Path(_mathjax.origin).parent / "static" / "mathjax" / "tex-svg.js"))
 mathjax_path = "tex-svg.js"
-
-# Tables that pages include, made of what tests and benchmarks know.
-_generated = DOCS / "_generated"
-_generated.mkdir(exist_ok=True)
-for name, text in {
-    "validation": validation_table(DOCS / "validation.toml"),
-    "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
-    "scalars": scalar_table(),
-    **{f"outside_{benchmark}": text for benchmark, text in outside_tables(DOCS / "judged-from-outside.toml").items()},
-}.items():
-    (_generated / f"{name}.md").write_text(text, encoding="utf-8")

@@ -1,13 +1,23 @@
-"""Tables of the site that are written nowhere by hand: each is made of what tests, benchmarks or the library know."""
+"""Tables of the pages that are written nowhere by hand: each is made of what tests, benchmarks or the library know.
+
+`make tables` writes them into the pages, between comments with their names, so that whoever reads the sources on a host
+of repositories sees them, too; `test_site.py` sees to it that they are as they would be made.
+"""
 
 from __future__ import annotations
 
 import csv
+import re
 import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from viscoroll.solution.scalars import PER_LENGTH, SCALARS
+
+DOCS = Path(__file__).parent
+ROOT = DOCS.parent
+
+_PLACE = re.compile(r"(<!-- (?P<name>\w+): made by docs/tables.py -->\n).*?(?=<!-- end of (?P=name) -->)", re.DOTALL)
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -82,3 +92,36 @@ def scalar_table() -> str:
 def shown(unit: str) -> str:
     """Return a unit for people: a number has none."""
     return "-" if unit == "1" else unit.replace("^2", "²")
+
+
+def signs(readme: Path) -> str:
+    """Return what the README says of frame and signs."""
+    return readme.read_text(encoding="utf-8").split("<!-- signs -->\n")[1].split("<!-- end of signs -->")[0]
+
+
+def parts() -> dict[str, str]:
+    """Return all that is made, by the names that pages call it."""
+    return {
+        "validation": validation_table(DOCS / "validation.toml"),
+        "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
+        "scalars": scalar_table(),
+        "signs": signs(ROOT / "README.md"),
+        "verdicts": (DOCS / "recorded" / "verdicts.md").read_text(encoding="utf-8"),
+        **{f"outside_{name}": text for name, text in outside_tables(DOCS / "judged-from-outside.toml").items()},
+    }
+
+
+def pages() -> dict[Path, str]:
+    """Return the text of each page that holds some of it, as it should be."""
+    made = parts()
+    texts = {path: path.read_text(encoding="utf-8") for path in sorted(DOCS.glob("*.md"))}
+    return {
+        path: _PLACE.sub(lambda place: f"{place[1]}\n{made[place['name']].strip()}\n\n", text)
+        for path, text in texts.items()
+        if _PLACE.search(text)
+    }
+
+
+if __name__ == "__main__":
+    for page, text in pages().items():
+        page.write_text(text, encoding="utf-8")

@@ -24,6 +24,7 @@ ROOMS = (
     {"interior"},
     {"studies"},
     {"export", "case", "reproduce"},
+    {"app"},
     {"cli"},
     {"__init__", "__main__"},
 )

@@ -1,4 +1,4 @@
-"""A platform on steel balls between rubber-coated dishes, on shaking ground: the worked example of docs/transient.md.
+"""A platform on steel balls between dishes with rubber, on ground that shakes: worked out for docs/jobs/isolation.md.
 
 Every ball, of radius R, rolls between a dish in the floor and an equal one, upside down, in the platform. Both have the
 radius ρ, and both contacts go the way s = ρ θ along them, θ the slope there: the platform swings as a pendulum of the
@@ -13,7 +13,7 @@ level force W tan θ + M / (R cos θ) under a load W / cos θ: what restores and
 M depends on all that was before, so it comes from a rolling history, a step of Newmark's rule at a time; or, nearly, on
 load and speed alone, from a fitted surface, and then any integrator will do.
 
-    python docs/isolation_platform.py [picture.png]
+    python docs/jobs/isolation_platform.py [picture.png]
 """
 
 from __future__ import annotations
