@@ -129,9 +129,11 @@ std::unique_lock<std::mutex> ThreadPool::retire() {
   return lock;
 }
 
-/// Start afresh. What was is not destroyed: the threads that worked are not here, and their handles cannot be closed.
+/// Start afresh. Of what was only the offers are destroyed: others of the parent may wait for its conditions, and the
+/// threads that worked are not here, so their handles cannot be closed.
 void ThreadPool::after_fork_in_child() {
   mutex_.unlock();
+  std::destroy_at(&offers_);
   std::construct_at(this);
 }
 
