@@ -41,8 +41,10 @@ def on_a_ball(
     wanted = 1.0 if kind == "alike" else 10.0 ** rng.uniform(-0.5, 1.0)
     ratio = min(max(16, round(nodes * wanted)), 1_000_000) / nodes
     # Of whole numbers on the first one some are not whole on the other.
-    if mesh and mesh.theta_nodes_per_revolution and (ratio * mesh.theta_nodes_per_revolution) % 1.0 > 0.0:
-        arguments = arguments | {"mesh": replace(mesh, theta_nodes_per_revolution=None)}
+    if mesh:
+        numbers = {name: getattr(mesh, name) for name in ("theta_nodes_per_revolution", "max_order")}
+        broken = {name: None for name, number in numbers.items() if number and (ratio * number) % 1.0 > 0.0}
+        arguments = arguments | {"mesh": replace(mesh, **broken)}
     other = _other(rng, kind, ball, ratio * radius, time, arguments["angular_speed"])
     share = ratio / (1.0 + ratio)  # of the relative radius in the first one's
     changed: dict[str, Any] = {
