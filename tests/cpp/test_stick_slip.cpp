@@ -45,7 +45,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
     state_.creepage = 0.02;
   }
 
-  [[nodiscard]] std::shared_ptr<const Drive> drive() const {
+  [[nodiscard]] std::shared_ptr<const DriveCondition> drive() const {
     switch (std::get<DriveKind>(GetParam())) {
       case DriveKind::force:
         return std::make_shared<GivenForce>(5.0);

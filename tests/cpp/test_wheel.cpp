@@ -303,7 +303,7 @@ TEST(WheelRolling, PowersBalanceWithFriction) {
   options.mesh = Mesh{.nodes_per_revolution = 1600, .theta_nodes_per_revolution = 800};
   LoadCase load_case{.load = 500.0, .angular_speed = 2.5, .friction = 0.5};
   const CoatedWheel crown = crowned(0.3);
-  const auto error = [&](const CoatedWheel& wheel, const Counterpart& on, const viscoroll::Drive& drive) {
+  const auto error = [&](const CoatedWheel& wheel, const Counterpart& on, const Drive& drive) {
     load_case.drive = drive;
     return solve(wheel, on, load_case, options).power_balance_error;
   };

@@ -23,7 +23,7 @@ struct Friction {
   Eigen::ArrayX2d counterpart_way;
   double step;  ///< distance of two rows [m]
   LeverArms arms;
-  std::shared_ptr<const Drive> drive;
+  std::shared_ptr<const DriveCondition> drive;
 };
 
 /// @brief Find forces p >= 0 and how deep the bodies approach one another such that they touch where p > 0 and are

@@ -51,10 +51,10 @@ struct DriveRow {
   [[nodiscard]] double of(const VectorField& force, const VectorField& displacement, double creepage) const;
 };
 
-/// @brief How a rolling body is driven.
-class Drive {
+/// @brief How a rolling body is driven, as the equations have it.
+class DriveCondition {
  public:
-  virtual ~Drive() = default;
+  virtual ~DriveCondition() = default;
 
   /// @brief The condition linearized at a state, where it is exact.
   /// @param[in] state where
@@ -66,7 +66,7 @@ class Drive {
 };
 
 /// @brief A given force on the center, forward; the contact forces balance it, the pushback among them.
-class GivenForce : public Drive {
+class GivenForce : public DriveCondition {
  public:
   explicit GivenForce(double force) : force_(force) {}
   [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;
@@ -76,7 +76,7 @@ class GivenForce : public Drive {
 };
 
 /// @brief A given moment of the contact forces about the center, at displaced points.
-class GivenMoment : public Drive {
+class GivenMoment : public DriveCondition {
  public:
   /// @param[in] moment [N m]
   /// @param[in] pressure_share as for `moment_about_center`
@@ -91,7 +91,7 @@ class GivenMoment : public Drive {
 };
 
 /// @brief A given excess of the speed over that of the undeformed surface, relative to it.
-class GivenCreepage : public Drive {
+class GivenCreepage : public DriveCondition {
  public:
   explicit GivenCreepage(double creepage) : creepage_(creepage) {}
   [[nodiscard]] DriveRow row(const ContactState& state, double creepage_force) const override;

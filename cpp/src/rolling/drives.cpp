@@ -9,11 +9,13 @@ namespace viscoroll::detail {
 namespace {
 
 using std::string;
-using Row = std::shared_ptr<const Drive>;
+using Condition = std::shared_ptr<const DriveCondition>;
 
 GivenMotion given(const DriveForce& drive) { return {.force = drive.force, .torque = {}, .creepage = {}}; }
 
-Row row(const DriveForce& drive, double /*pressure_share*/) { return std::make_shared<GivenForce>(drive.force); }
+Condition condition(const DriveForce& drive, double /*pressure_share*/) {
+  return std::make_shared<GivenForce>(drive.force);
+}
 
 void validate(const DriveForce& drive, const LoadCase& load_case, const Body& body) {
   require_finite("drive.force", drive.force);
@@ -29,7 +31,7 @@ void validate(const DriveForce& drive, const LoadCase& load_case, const Body& bo
 
 GivenMotion given(const DriveTorque& drive) { return {.force = {}, .torque = drive.torque, .creepage = {}}; }
 
-Row row(const DriveTorque& drive, double pressure_share) {
+Condition condition(const DriveTorque& drive, double pressure_share) {
   return std::make_shared<GivenMoment>(drive.torque, pressure_share);
 }
 
@@ -48,7 +50,7 @@ GivenMotion given(const DriveCreepage& drive) {
           .spin = drive.spin};
 }
 
-Row row(const DriveCreepage& drive, double /*pressure_share*/) {
+Condition condition(const DriveCreepage& drive, double /*pressure_share*/) {
   return std::make_shared<GivenCreepage>(drive.creepage);
 }
 
@@ -60,12 +62,12 @@ void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/, const B
 
 }  // namespace
 
-GivenMotion given_motion(const viscoroll::Drive& drive) {
+GivenMotion given_motion(const Drive& drive) {
   return std::visit([](const auto& kind) { return given(kind); }, drive);
 }
 
-std::shared_ptr<const Drive> row_of(const viscoroll::Drive& drive, double pressure_share) {
-  return std::visit([pressure_share](const auto& kind) { return row(kind, pressure_share); }, drive);
+std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share) {
+  return std::visit([pressure_share](const auto& kind) { return condition(kind, pressure_share); }, drive);
 }
 
 void validate_drive(const LoadCase& load_case, const Body& body) {

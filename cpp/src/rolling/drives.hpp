@@ -22,12 +22,12 @@ struct GivenMotion {
   double spin = 0.0;               ///< [1/m]
 };
 
-[[nodiscard]] GivenMotion given_motion(const viscoroll::Drive& drive);
+[[nodiscard]] GivenMotion given_motion(const Drive& drive);
 
 /// @param[in] drive what closes the equations for the speed
 /// @param[in] pressure_share as for `moment_about_center`
-/// @return its row of the system
-[[nodiscard]] std::shared_ptr<const Drive> row_of(const viscoroll::Drive& drive, double pressure_share);
+/// @return its condition, a row of the system
+[[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share);
 
 /// @throws std::invalid_argument for numbers that are not finite, and those that no friction can hold
 void validate_drive(const LoadCase& load_case, const Body& body);

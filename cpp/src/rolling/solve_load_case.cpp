@@ -75,7 +75,7 @@ Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const 
   require_bearable_load(model, load_case.load);
   const Assembly assembly = assemble(model, load_case, options, watch);
   require_lasting_stiffness(assembly);
-  return make_result(assembly, find_window(assembly, seen));
+  return make_result(assembly, find_held_contact(assembly, seen));
 }
 
 Result solve_kept_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,

@@ -140,7 +140,7 @@ bool holds_rough_contact(const Assembly& assembly, const HalfWidths& half, bool 
 
 }  // namespace
 
-HeldContact find_window(const Assembly& assembly, const std::optional<ContactReach>& seen) {
+HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen) {
   const SurfaceGrid& grid = assembly.nodes.grid;
   const ContactReach likely = seen.value_or(assembly.contact);
   const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Finding the window: from a likely one to one that holds the contact.
+/// @brief Solving the contact, in a window that holds it: from a likely one on to wider ones.
 #pragma once
 
 #include <optional>
@@ -22,6 +22,6 @@ struct HeldContact {
 /// @param[in] seen reach of the contact on a coarser mesh, where there was one
 /// @throws std::invalid_argument for loads under which no window does
 /// @throws MeshTooFine where the mesh needs too many nodes
-[[nodiscard]] HeldContact find_window(const Assembly& assembly, const std::optional<ContactReach>& seen);
+[[nodiscard]] HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
 
 }  // namespace viscoroll::detail
