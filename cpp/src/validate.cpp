@@ -76,14 +76,13 @@ void require_nonnegative(std::string_view name, double value, std::string_view u
 }
 
 void require_friction(double value) {
-  constexpr double kLargest = 4.0;
   if (value == std::numeric_limits<double>::infinity()) return;
   require_nonnegative("friction", value, "");
-  if (value <= kLargest) return;
-  reject(
-      "friction",
-      "at most " + text(kLargest) + ", for no pair of materials has more, or infinite, where all of the contact sticks",
-      value);
+  if (value <= kLargestFriction) return;
+  reject("friction",
+         "at most " + text(kLargestFriction) +
+             ", for no pair of materials has more, or infinite, where all of the contact sticks",
+         value);
 }
 
 void require_finite(std::string_view name, double value) {

@@ -25,6 +25,9 @@ void require_positive(std::string_view name, double value, std::string_view unit
 /// @throws std::invalid_argument unless `value` is finite and >= 0
 void require_nonnegative(std::string_view name, double value, std::string_view unit);
 
+/// Coefficient of friction that no pair of materials exceeds [-].
+inline constexpr double kLargestFriction = 4.0;
+
 /// @throws std::invalid_argument unless `value` is a coefficient of friction that a pair of materials may have, or
 /// infinite, where all of the contact sticks
 void require_friction(double value);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/stick_slip_system.hpp"
+#include "contact/stick_slip_conditions.hpp"
 
 namespace viscoroll::detail {
 
@@ -50,7 +50,7 @@ class CycleBreaker {
       if (state.stick) continue;
       const auto node = static_cast<std::size_t>(sets.contact[i]);
       if ((state.direction * directions_[node]).sum() < kTurned) {
-        state = {.stick = true, .direction = {1.0, 0.0}, .rigidity = 1.0};
+        state = sticking();
       } else {
         turned[node] = state.direction;
       }

@@ -17,10 +17,9 @@ namespace {
 
 using Eigen::Index;
 
-void require_yielding_at_once(const Body& body, std::string_view prefix) {
+void require_yielding_at_once(const Body& body, std::string_view prefix, const TimeRange& range) {
   for (const auto& [name, layer] : body.layers) {
-    const auto* solid = std::get_if<KelvinVoigt>(&layer.shear_modulus);
-    if (solid == nullptr || solid->viscosity == 0.0) continue;
+    if (std::isfinite(short_time_modulus(layer.shear_modulus, 1.0 / range.shortest))) continue;
     reject(std::string(prefix) + name + ".shear_modulus",
            "one that yields at once in transient rolling, where layers do not creep alike",
            "KelvinVoigt, which does not");
@@ -43,7 +42,7 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
   if (creep_alike(body.layers, range)) {
     result.spectrum = creep_spectrum(body.layers.back().layer.shear_modulus, range);
   } else {
-    require_yielding_at_once(body, prefix);
+    require_yielding_at_once(body, prefix, range);
     result = layer_spectrum(body.layered(crossing), options, range);
   }
   if (result.spectrum.error > options.spectrum_tolerance) {

@@ -9,6 +9,7 @@
 #include "transient/elastic_contact.hpp"
 #include "transient/matched_by_factors.hpp"
 #include "transient/matched_by_products.hpp"
+#include "validate.hpp"
 #include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
@@ -85,9 +86,8 @@ class OneSticks : public StickSlipSystem {
 /// two that are near each other.
 [[nodiscard]] bool descends_from(const VectorField& force, double friction, const StickSlipSystem& system,
                                  SemismoothNewton& newton) {
-  constexpr double kMost = 4.0;
   constexpr double kLess = 0.7;  // found by trial: rollers of 20 to 100 nodes in contact descend to 0.01 and less
-  double reached = std::max(kMost, friction);
+  double reached = kLargestFriction;
   bool is_found = finds_from(force, reached, system, newton);
   while (is_found && reached > friction) {
     reached = std::max(friction, kLess * reached);
