@@ -3,27 +3,35 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .extras import extra
+from .text import shown
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["save", "write_csv", "write_netcdf"]
+__all__ = ["ending_in", "save", "write_csv", "write_netcdf"]
 
 _Saved = TypeVar("_Saved")
 
 
+def ending_in(suffixes: Collection[str], path: str | Path, *, name: str = "path") -> Path:
+    """Return a path that ends in one of some suffixes, in capitals or not; refuse others."""
+    path = Path(path)
+    if path.suffix.lower() not in suffixes:
+        *others, last = suffixes
+        allowed = " or ".join(filter(None, [", ".join(others), last]))
+        raise ValueError(f"{name} must end in {allowed}, got {shown(path.name)}")
+    return path
+
+
 def save(saved: _Saved, path: str | Path, formats: Mapping[str, Callable[[_Saved, Path], object]]) -> None:
     """Write a file by that one of some functions, by suffix, which the path names; refuse other suffixes."""
-    path = Path(path)
-    if (write := formats.get(path.suffix.lower())) is None:
-        *others, last = formats
-        raise ValueError(f"path must end in {', '.join(others)} or {last}, got {path.name!r}")
-    write(saved, path)
+    path = ending_in(formats, path)
+    formats[path.suffix.lower()](saved, path)
 
 
 def write_csv(columns: Mapping[str, Sequence[Any]], path: Path) -> None:

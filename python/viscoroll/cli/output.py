@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from .._support.extras import extra
+from .._support.files import ending_in
 from .._support.progress import Report
 from .._support.text import one_line, shown
 
@@ -43,9 +44,7 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
     """Refuse a file that could not be written, before a long solve."""
     if path is None:
         return
-    if path.suffix.lower() not in suffixes:
-        allowed = " or ".join(filter(None, [", ".join(suffixes[:-1]), suffixes[-1]]))
-        raise ValueError(f"{option} must end in {allowed}, got {shown(str(path))}")
+    ending_in(suffixes, path, name=option)
     if path.is_dir() or not path.parent.is_dir():
         raise ValueError(f"{option} must be a file in a folder that exists, got {shown(str(path))}")
 

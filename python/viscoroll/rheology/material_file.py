@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from .._core import Extrapolation
+from .._support.files import ending_in
 from .._support.text import one_line, shown
 from ..materials import Draws, MasterCurve, Prony
 from .prony_fit import PronyFit, fit_prony
@@ -51,9 +52,7 @@ def save_material(
     ValueError
         For another suffix, and for draws without a fit.
     """
-    path = Path(path)
-    if path.suffix != ".toml":
-        raise ValueError(f"path must end in .toml, got {path.name!r}")
+    path = ending_in([".toml"], path)
     table = curve.curve if isinstance(curve, Superposition) else _table_of(curve)
     reference = curve.reference if isinstance(curve, Superposition) else curve.temperature
     lines = [

@@ -19,6 +19,7 @@ import numpy as np
 
 from .._core import __commit__, __version__
 from .._support.extras import extra
+from .._support.files import ending_in
 from .run import Outcome
 
 if TYPE_CHECKING:
@@ -46,10 +47,7 @@ def as_cache_path(path: str | Path) -> Path:
     ValueError
         Unless it ends in .nc.
     """
-    path = Path(path)
-    if path.suffix != ".nc":
-        raise ValueError(f"cache must end in .nc, got {path.name!r}")
-    return path
+    return ending_in([".nc"], path, name="cache")
 
 
 def point_store_path(path: Path) -> Path:

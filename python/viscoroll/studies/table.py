@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .._support.files import write_csv
+from .._support.files import ending_in, write_csv
 
 if TYPE_CHECKING:
     import xarray
@@ -28,9 +28,7 @@ def save_table(study: xarray.Dataset, path: str | Path) -> None:
     ValueError
         For another suffix.
     """
-    path = Path(path)
-    if path.suffix.lower() != ".csv":
-        raise ValueError(f"path must end in .csv, got {path.name!r}")
+    path = ending_in([".csv"], path)
     scalars = study.drop_dims([name for name in ("phi", "theta", "direction") if name in study.dims])
     varied = list(scalars.resisting_torque.dims)
     frame = scalars.to_dataframe().reset_index().dropna(axis="columns", how="all")

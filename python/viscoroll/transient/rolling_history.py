@@ -14,6 +14,7 @@ from .. import _core
 from .._core import Start
 from .._support.arguments import as_float, as_member, require_type
 from .._support.cautions import warn
+from .._support.files import ending_in
 from .._support.progress import ProgressLike, reporting
 from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints, unit_doubt
@@ -120,7 +121,7 @@ class RollingState:
         ValueError
             For another suffix.
         """
-        np.save(_npy(path), self.numbers, allow_pickle=False)
+        np.save(ending_in([".npy"], path), self.numbers, allow_pickle=False)
 
     @classmethod
     def load(cls, path: str | Path) -> RollingState:
@@ -131,14 +132,7 @@ class RollingState:
         ValueError
             For another suffix, and for files that hold something else.
         """
-        return cls(np.asarray(np.load(_npy(path), allow_pickle=False), dtype=np.float64))
-
-
-def _npy(path: str | Path) -> Path:
-    path = Path(path)
-    if path.suffix.lower() != ".npy":
-        raise ValueError(f"path must end in .npy, got {path.name!r}")
-    return path
+        return cls(np.asarray(np.load(ending_in([".npy"], path), allow_pickle=False), dtype=np.float64))
 
 
 @with_options
