@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
@@ -133,13 +133,17 @@ def heated_body(inside: Inside, given: Surroundings, conductivity: float | Seque
             f"result.on must have a depth for its temperature, got a half-space, {never}: give a thick layer"
         )
     conductivities = conductivities_of(inside, conductivity)
-    if isinstance(inside.body, CoatedSphere):
-        return _ball(inside, given, conductivities)
-    if isinstance(inside.body, CoatedPlane):
-        return _slab(inside, given, conductivities)
-    if isinstance(inside.body, CoatedWheel):
-        return _wheel(inside, given, conductivities)
-    return _roller(inside, given, conductivities)
+    match body := inside.body:
+        case CoatedSphere():
+            return _ball(inside, given, conductivities)
+        case CoatedCylinder():
+            return _roller(inside, given, conductivities)
+        case CoatedWheel():
+            return _wheel(inside, given, conductivities)
+        case CoatedPlane():
+            return _slab(inside, given, conductivities)
+        case _:
+            assert_never(body)
 
 
 def _ball(inside: Inside, given: Surroundings, conductivities: list[float]) -> HeatedBody:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import numpy as np
 
@@ -294,7 +294,7 @@ def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floa
 def _measure(inside: Inside, depth: Floats) -> Floats:
     """Return the measure of the volume integral at depths, but for dr and dθ; theory.md section 11."""
     radius = inside.radius
-    match inside.body:
+    match body := inside.body:
         case CoatedSphere():
             return (radius - depth) ** 2
         case CoatedCylinder():
@@ -303,6 +303,8 @@ def _measure(inside: Inside, depth: Floats) -> Floats:
             return (radius - depth) * radius
         case CoatedPlane():
             return np.full(len(depth), radius if inside.line_contact else radius**2)
+        case _:
+            assert_never(body)
 
 
 def _period(inside: Inside, phi: Floats) -> float:

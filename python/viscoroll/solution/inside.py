@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import TYPE_CHECKING, Literal, TypeAlias, assert_never
 
 import numpy as np
 
@@ -121,7 +121,9 @@ class Inside:
 
     def _curvatures(self) -> tuple[float, float]:
         """Return how the counterpart bends along the path and across [1/m]."""
-        match self.result.on:
+        match on := self.result.on:
+            case None | CoatedPlane():
+                return 0.0, 0.0
             case CoatedSphere(outer_radius=radius):
                 return 1.0 / radius, 1.0 / radius
             case CoatedCylinder(outer_radius=radius):
@@ -130,7 +132,8 @@ class Inside:
                 return 1.0 / radius, 1.0 / crown
             case Groove(path_radius=along, radius=across):
                 return (0.0 if along is None else -1.0 / along), (0.0 if across is None else -1.0 / across)
-        return 0.0, 0.0
+            case _:
+                assert_never(on)
 
     def places(
         self, depth: ArrayLike | None, radius: ArrayLike | None = None

@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
 
-from ..bodies import CoatedCylinder, CoatedSphere, CoatedWheel, Counterpart, Groove, HalfSpace, Layer, RollingBody
+from ..bodies import (
+    CoatedCylinder,
+    CoatedPlane,
+    CoatedSphere,
+    CoatedWheel,
+    Counterpart,
+    Groove,
+    HalfSpace,
+    Layer,
+    RollingBody,
+)
 from ..materials import SofteningModulus, StrainSweep
 from ..rolling import solve
 from .dimensions import LOAD_CASE
@@ -114,8 +124,14 @@ def _counterpart_text(on: Counterpart, surface_speed: float, highest: int) -> st
     """Text of what a body rolls on."""
     if isinstance(on, RollingBody):
         return _ball_text(on, surface_speed / on.outer_radius, highest)
+    match on:
+        case CoatedPlane():
+            kind = "plane"
+        case Groove():
+            kind = f"groove {on.radius!r} {on.path_radius!r}"
+        case _:
+            assert_never(on)
     frequencies = [0.0, *np.geomspace(1e-6, 1e9, _SAMPLES).tolist()]
-    kind = f"groove {on.radius!r} {on.path_radius!r}" if isinstance(on, Groove) else "plane"
     base = "rigid" if on.base is None else _layer_text(on.base, frequencies)
     return "; ".join([kind, base, *(_layer_text(layer, frequencies) for layer in on.layers)])
 
