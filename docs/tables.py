@@ -12,7 +12,8 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from viscoroll.solution.scalars import PER_LENGTH, SCALARS
+from viscoroll._support.units import unit_in_contact
+from viscoroll.solution.scalars import SCALARS
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
@@ -83,7 +84,7 @@ def scalar_table() -> str:
     return table(
         ("name", "unit", "of a roller", "what"),
         [
-            (f"`{name}`", shown(unit), shown(PER_LENGTH.get(unit, unit)), label)
+            (f"`{name}`", shown(unit), shown(unit_in_contact(unit, line_contact=True)), label)
             for name, (unit, label) in SCALARS.items()
         ],
     )

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-__all__ = ["PER_LENGTH", "UNITS"]
+__all__ = ["UNITS", "unit_in_contact"]
 
 #: Units in line contact of what is counted per length there.
-PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
+_PER_LENGTH = {"N m": "N", "N": "N/m", "W": "W/m", "J": "J/m", "m^2": "m"}
 
 #: Units of the parameters that this package names; drives add theirs.
 UNITS = {
@@ -49,3 +49,8 @@ UNITS = {
     "strain": "1",
     "temperature": "°C",
 }
+
+
+def unit_in_contact(unit: str, *, line_contact: bool) -> str:
+    """Return a unit as it is in a spot, or in line contact, where forces, torques, powers and areas are per length."""
+    return _PER_LENGTH.get(unit, unit) if line_contact else unit

@@ -14,6 +14,7 @@ from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from .._support.text import parsed_range
+from .._support.units import unit_in_contact
 from ..analytic import ClosedForm, applicable
 from ..bodies import CoatedSphere, Drive
 from ..bodies.orders import critical_speed
@@ -109,7 +110,7 @@ class Comparison:
         resisting = self.torques[self.torques > 0.0]  # on a mesh that is too coarse a torque may drive
         if resisting.size:
             axes.set_ylim(0.3 * resisting.min(), 5.0 * resisting.max())
-        axes.set_title(f"$P$ = {self.case.load:g} {'N/m' if self._unit() == 'N' else 'N'}")
+        axes.set_title(f"$P$ = {self.case.load:g} {unit_in_contact('N', line_contact=self.case.ball.line_contact)}")
         axes.legend(fontsize="small")
 
     def write_csv(self, path: Path) -> None:

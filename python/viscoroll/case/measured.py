@@ -14,8 +14,8 @@ from .._support.files import write_csv
 from .._support.pictures import drawn
 from .._support.progress import ProgressLike
 from .._support.text import shown
-from .._support.units import PER_LENGTH
-from ..solution.scalars import SCALARS, scalar_units
+from .._support.units import UNITS, unit_in_contact
+from ..solution.scalars import SCALARS
 from ..studies.runner import run_all
 from .tables import read_columns
 
@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Measurements", "Trial", "compare_measured", "read_measurements"]
 
-#: What may have been varied, with its unit.
-VARIED = {"angular_speed": "rad/s", "load": "N"}
+#: What may have been varied.
+VARIED = ("angular_speed", "load")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,7 +82,7 @@ def read_measurements(path: Path) -> Measurements:
     if not places.size:
         raise ValueError(f"{what} {path}: there must be a number in {header[0]}, got none")
     if not (np.isfinite(places).all() and places.min() > 0.0):
-        raise ValueError(f"{what} {path}: {header[0]} must be > 0 {VARIED[header[0]]} and finite, got {places.min():g}")
+        raise ValueError(f"{what} {path}: {header[0]} must be > 0 {UNITS[header[0]]} and finite, got {places.min():g}")
     if not np.isfinite(values).all():
         raise ValueError(f"{what} {path}: {header[1]} must be finite")
     if not (np.isfinite(errors).all() and errors.min() >= 0.0):
@@ -138,8 +138,9 @@ class Trial:
     def _units(self) -> tuple[str, str]:
         """Return the units of what was varied and of what was measured."""
         line = self.case.ball.line_contact
-        varied, units = VARIED[self.measured.varied], scalar_units(line_contact=line)
-        return PER_LENGTH.get(varied, varied) if line else varied, units[self.measured.quantity]
+        units = (UNITS[self.measured.varied], SCALARS[self.measured.quantity][0])
+        varied, quantity = (unit_in_contact(unit, line_contact=line) for unit in units)
+        return varied, quantity
 
     @overload
     def draw(self) -> Figure: ...

@@ -8,7 +8,7 @@ from dataclasses import make_dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from .. import _core
-from .._support.units import PER_LENGTH
+from .._support.units import unit_in_contact
 
 __all__ = ["SCALARS", "ScalarFields", "scalar_units", "with_scalars"]
 
@@ -17,9 +17,8 @@ SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.result_s
 
 
 def scalar_units(*, line_contact: bool) -> dict[str, str]:
-    """Return the unit of every scalar result: of rollers, forces, torques, powers and areas are per length."""
-    units = {name: unit for name, (unit, _) in SCALARS.items()}
-    return {name: PER_LENGTH.get(unit, unit) for name, unit in units.items()} if line_contact else units
+    """Return the unit of every scalar result."""
+    return {name: unit_in_contact(unit, line_contact=line_contact) for name, (unit, _) in SCALARS.items()}
 
 
 if TYPE_CHECKING:

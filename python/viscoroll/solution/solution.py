@@ -10,9 +10,9 @@ import numpy as np
 
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
-from .._support.units import PER_LENGTH
+from .._support.units import UNITS, unit_in_contact
 from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
-from .scalars import SCALARS, ScalarFields, scalar_units, with_scalars
+from .scalars import SCALARS, ScalarFields, with_scalars
 
 if TYPE_CHECKING:
     import xarray
@@ -174,8 +174,8 @@ class Solution(ScalarFields):
         >>> solve(paper.ball(), load=100.0, angular_speed=2.5, accuracy=0.05).unit("bulk_power")
         'W'
         """
-        line_contact = self.ball.line_contact
-        return (scalar_units(line_contact=line_contact) | {"load": PER_LENGTH["N"] if line_contact else "N"})[name]
+        unit = UNITS["load"] if name == "load" else SCALARS[name][0]
+        return unit_in_contact(unit, line_contact=self.ball.line_contact)
 
     def scalars(self) -> dict[str, float | int | str | None]:
         """Return all scalar results by name, in SI units, with status and warnings by their names."""

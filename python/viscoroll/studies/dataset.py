@@ -15,7 +15,7 @@ import numpy as np
 
 from .._core import __commit__, __version__
 from .._support.extras import extra
-from .._support.units import PER_LENGTH, UNITS
+from .._support.units import UNITS, unit_in_contact
 from ..bodies import CoatedSphere, RollingBody
 from ..bodies.si_hints import unit_doubt
 from ..interior.softening_result import BOUNDS
@@ -153,8 +153,8 @@ def _counted(table: list[Outcome]) -> str:
 
 
 def _unit(plan: Plan, unit: str | None) -> str | None:
-    """Return the unit of a parameter: of rollers, loads, forces and torques are per length."""
-    return PER_LENGTH.get(unit, unit) if plan.line_contact and unit is not None else unit
+    """Return the unit of a parameter, which may have none."""
+    return None if unit is None else unit_in_contact(unit, line_contact=plan.line_contact)
 
 
 def _provenance(plan: Plan) -> dict[str, str]:

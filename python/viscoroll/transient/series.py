@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .._support.units import PER_LENGTH
+from .._support.units import unit_in_contact
 
 __all__ = ["SERIES", "series_units"]
 
@@ -33,6 +33,5 @@ SERIES = {
 
 
 def series_units(*, line_contact: bool) -> dict[str, str]:
-    """Return the unit of every time series: of rollers, forces, torques, areas and energies are per length."""
-    units = {name: unit for name, (unit, _) in SERIES.items()}
-    return {name: PER_LENGTH.get(unit, unit) for name, unit in units.items()} if line_contact else units
+    """Return the unit of every time series."""
+    return {name: unit_in_contact(unit, line_contact=line_contact) for name, (unit, _) in SERIES.items()}
