@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from .._core import Compliance, Status
 from .._support.arguments import Floats
 from .._support.files import write_csv
 from .._support.pictures import drawn
+from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.text import parsed_range
 from .._support.units import unit_in_contact
@@ -76,14 +77,9 @@ class Comparison:
         """Return the unit of the torques."""
         return scalar_units(line_contact=self.case.ball.line_contact)["resisting_torque"]
 
-    @overload
-    def draw(self) -> Figure: ...
-
-    @overload
-    def draw(self, ax: Axes) -> Axes: ...
-
-    def draw(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw all torques, into `ax` or a new figure; closed forms are dashed where they do not hold."""
+    @plots("them")
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw all torques; closed forms are dashed where they do not hold."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, overload
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
 from .._core import ConvergenceError
 from .._support.cautions import kept_in_results
 from .._support.extras import extra
+from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
 from ..rolling import Result
 from .case import build_case
@@ -66,25 +67,9 @@ class Design:
         """The solved case of the best value."""
         return self.outcome.result
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the power alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the power lost over the number, and where each limit is kept (the extra `viscoroll[plot]`).
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw the power alone.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
-        """
+        """Draw the power lost over the number, and where each limit is kept."""
         from .._support.pictures import drawn
 
         return drawn(self._draw_power, ax, figsize=(7.0, 5.0), compose=self._compose)

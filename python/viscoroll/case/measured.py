@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from .._core import Status
 from .._support.arguments import Floats
 from .._support.files import write_csv
 from .._support.pictures import drawn
+from .._support.plotting import plots
 from .._support.progress import ProgressLike
 from .._support.text import shown
 from .._support.units import UNITS, unit_in_contact
@@ -142,14 +143,9 @@ class Trial:
         varied, quantity = (unit_in_contact(unit, line_contact=line) for unit in units)
         return varied, quantity
 
-    @overload
-    def draw(self) -> Figure: ...
-
-    @overload
-    def draw(self, ax: Axes) -> Axes: ...
-
-    def draw(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw both, into `ax` or a new figure."""
+    @plots("them")
+    def plot(self, ax: Axes | None = None) -> Figure | Axes:
+        """Draw what was measured and what was computed, each with its band."""
         return drawn(self._draw, ax, figsize=(8.4, 5.2))
 
     def _draw(self, axes: Axes) -> None:

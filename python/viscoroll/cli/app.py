@@ -321,7 +321,7 @@ def compare(
     with progress_bar() as report:
         wanted = None if speeds is None else parse_speeds(speeds)
         comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
-    comparison.draw().savefig(output, dpi=150)
+    comparison.plot().savefig(output, dpi=150)
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
         write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
@@ -336,7 +336,7 @@ def _compare_measured(case: Case, path: Path, output: Path) -> None:
     measurements = read_measurements(path)
     with progress_bar() as report:
         trial = compare_measured(case, measurements, progress=report)
-    trial.draw().savefig(output, dpi=150)
+    trial.plot().savefig(output, dpi=150)
     trial.write_csv(output.with_suffix(".csv"))
     for status in sorted(set(trial.statuses) - {Status.CONVERGED}, key=str):
         write_message(f"warning: {trial.statuses.count(status)} solves: {_STATUS_TEXT[status]}")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, TypeAlias, overload
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
+from .._support.plotting import plots
 from .._support.tables import html_table, number_text, unit_text
 from .._support.text import shown
 from ..solution.inside import Of, inside_of
@@ -180,31 +181,11 @@ class StrainSoftening:
         """
         save(self, path, _FORMATS)
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the network alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the network over strain with where the contact works, and the amplitude over the section.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw the network alone.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, or `ax`.
-
-        Raises
-        ------
-        ValueError
-            Where nothing softens.
-        ImportError
-            Without the extra `viscoroll[plot]`.
+        Where nothing softens, that is a ValueError.
         """
         from .softening_picture import Work, plot_softening
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from .._core import ConvergenceError
 from .._support.arguments import Floats, require_type
 from .._support.extras import extra
 from .._support.least_squares import Parameter, with_intervals
+from .._support.plotting import plots
 from .._support.text import shown
 from ..materials import KrausNetwork, MasingNetwork, StrainSweep
 
@@ -55,25 +56,9 @@ class NetworkFit:
     storage_error: Floats
     loss_error: Floats
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("them")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw data and fit (the extra `viscoroll[plot]`).
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, or `ax`.
-        """
+        """Draw data and fit."""
         from .picture import plot_strain_sweep
 
         strain = self.sweep.amplitudes

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float, as_float_array, as_int
 from .._support.intervals import as_confidence, half_width
+from .._support.plotting import plots
 from ..materials import Draws, Prony
 from .bootstrap import wild_copies
 from .measured import MeasuredModulus, measured
@@ -162,25 +163,9 @@ class PronyFit:
         fit = fit_sparse(self._fit, self.frequency, self.storage, self.loss, terms=terms, floor=self._floor)
         return _result(fit, self.frequency, self.storage, self.loss, self._floor, self._per_decade, terms)
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the moduli alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw data, fit and residual (the extra `viscoroll[plot]`).
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw the moduli alone.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, moduli above, relative error below; or `ax`.
-        """
+        """Draw data and fit above, relative errors below."""
         from .picture import plot_fit
 
         data = (self.frequency, self.storage, self.loss)

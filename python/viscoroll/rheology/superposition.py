@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._support.arguments import Floats, as_float
+from .._support.plotting import plots
 from ..materials import Draws, MasterCurve, Prony
 from .alignment import align
 from .bootstrap import wild_copies
@@ -216,14 +217,9 @@ class Superposition:
         """The modulus at the reference temperature, as a table."""
         return self.at(temperature=self.reference)
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the curve alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw the master curve and its shift factors, or the curve alone into `ax` (the extra `viscoroll[plot]`)."""
+        """Draw the master curve and its shift factors."""
         from .picture import plot_superposition
 
         laws = (getattr(self, name) for name in ("wlf", "arrhenius"))  # fitted where they are drawn

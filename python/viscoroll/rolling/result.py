@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 from .._support.files import save
+from .._support.plotting import plots
 from ..solution import Solution, interior_fields, text
 from ..solution import loss as losses
 from ..solution.files import FORMATS
@@ -50,31 +51,11 @@ class Result(Solution):  # noqa: D101  (described as the solution that it is)
         """
         save(self, path, FORMATS)
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the map of the pressure alone, of a roller its profile")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
         """Draw the pressure with the contact's outline and the resultant's offset, and the profile along the path.
 
         With friction also where the contact sticks and slips, with arrows for the traction on the coating.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw the map of the pressure alone, of a roller its profile.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
-
-        Raises
-        ------
-        ImportError
-            Without the extra `viscoroll[plot]`.
         """
         from ..solution.picture import plot_contact
 

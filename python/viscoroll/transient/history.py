@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
+from .._support.plotting import plots
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterpart, Drive, Mesh, RollingBody
 from .rolling_history import RollingState
@@ -280,30 +281,9 @@ class History:
         """
         save(self, path, FORMATS)
 
-    @overload
-    def plot(self) -> Figure: ...
-
-    @overload
-    def plot(self, ax: Axes) -> Axes: ...
-
+    @plots("the torque over time alone")
     def plot(self, ax: Axes | None = None) -> Figure | Axes:
-        """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy.
-
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw the torque over time alone.
-
-        Returns
-        -------
-        matplotlib.figure.Figure or matplotlib.axes.Axes
-            A new figure, which shows itself in a notebook and is saved by ``savefig``; or `ax`.
-
-        Raises
-        ------
-        ImportError
-            Without the extra `viscoroll[plot]`.
-        """
+        """Draw torque, penetration and energy over time, and the loop of torque over angle with its energy."""
         from .picture import plot_history
 
         return plot_history(self._series(), self.units, ax)

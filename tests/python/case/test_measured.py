@@ -88,7 +88,7 @@ def test_a_roller_has_units_per_length(case_file, measure):
     )
     case_file.write_text(text, encoding="utf-8")
     path = measure("load,driving_torque,error\n1e3,1e-2,1e-3\n")
-    axes = compare_measured(load_case(case_file), read_measurements(path)).draw().axes[0]
+    axes = compare_measured(load_case(case_file), read_measurements(path)).plot().axes[0]
     assert axes.get_xlabel() == "load [N/m]"
     assert axes.get_ylabel() == "driving torque T [N]"
 

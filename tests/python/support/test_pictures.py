@@ -65,7 +65,7 @@ def superposed():
         (lambda r, **o: plot_temperature(heated(r), **o), "along the axis [mm]"),
         (lambda r, **o: history(r).plot(**o), "time [s]"),
         (lambda r, **o: plot_study(study(r), **o), "load $P$ [N]"),
-        (lambda r, **o: comparison(r).draw(**o), "rolling speed $Ω$ [rad/s]"),
+        (lambda r, **o: comparison(r).plot(**o), "rolling speed $Ω$ [rad/s]"),
         (lambda r, **o: superposed().fit.plot(**o), "angular frequency [rad/s]"),
         (lambda r, **o: superposed().plot(**o), "angular frequency at 20 °C [rad/s]"),
     ],
