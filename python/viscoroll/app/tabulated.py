@@ -6,10 +6,9 @@ alone. What they come to is tabulated as finely as data sheets tell, and `page/t
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import Any
 
-from ..materials import LossFactor, MasterCurve, Prony, StandardLinearSolid
+from ..materials import LossFactor, MasterCurve, Prony
 from ..rheology import example_material, hardness_to_modulus, rebound_to_loss_factor
 from ..rheology.published import EXAMPLES
 
@@ -59,10 +58,12 @@ def _numbers(loss_factor: float) -> list[float]:
     return [series.instantaneous_modulus, first, second, third / second, last]
 
 
-def _table(modulus: MasterCurve | Prony | StandardLinearSolid) -> dict[str, Any]:
-    """Return the table of a case file for a modulus that was measured."""
-    if isinstance(modulus, StandardLinearSolid):
-        return {"type": "standard_linear_solid", **asdict(modulus)}
+def _table(modulus: MasterCurve | Prony | LossFactor) -> dict[str, Any]:
+    """Return the table of a case file for a modulus that was measured, of a type that C++ knows."""
+    if isinstance(modulus, LossFactor):
+        series = modulus.prony()
+        terms = {name: list(map(float, getattr(series, name))) for name in ("weights", "relaxation_times")}
+        return {"type": "prony", "instantaneous_modulus": series.instantaneous_modulus, **terms}
     assert isinstance(modulus, MasterCurve)
     columns = {name: list(map(float, getattr(modulus, name))) for name in ("frequency", "storage", "loss")}
     return {"type": "master_curve", **columns, "extrapolation": modulus.extrapolation.name.lower()}

@@ -10,14 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from .._support.arguments import Floats, as_float
+from .._support.arguments import as_float
 from .._support.text import shown
-from ..materials import MasterCurve, Prony, StandardLinearSolid
+from ..materials import LossFactor, MasterCurve, Prony
 from .material_file import load_material
+from .ramps import TemperatureRamp
 
 __all__ = ["EXAMPLES", "PublishedMaterial", "example_material"]
-
-_ZERO_CELSIUS = 273.15
 
 #: By how much sweeps miss the temperature that they were to have [K].
 _DRIFT = 0.5
@@ -58,13 +57,13 @@ class PublishedMaterial:
     _path: Path
     _document: dict[str, Any]
 
-    def at(self, *, temperature: float) -> MasterCurve | Prony | StandardLinearSolid:
+    def at(self, *, temperature: float) -> MasterCurve | Prony | LossFactor:
         """Return its shear modulus.
 
         Parameters
         ----------
         temperature : float
-            [°C], where it was measured; between two temperatures logarithms of times and moduli are interpolated.
+            [°C], where it was measured; between two temperatures logarithms of times or moduli are interpolated.
 
         Raises
         ------
@@ -77,20 +76,16 @@ class PublishedMaterial:
             raise ValueError(
                 f"temperature must be in [{low:.4g}, {high:.4g}] °C, where {self.name} was measured, got {degrees:g}"
             )
-        if "tensile_solid" in self._document:
-            return self._solid(degrees)
+        if "tensile_ramp" in self._document:
+            return self._ramp().at(temperature=min(max(degrees, low), high))
         return load_material(self._path, temperature=degrees)
 
-    def _solid(self, degrees: float) -> StandardLinearSolid:
-        table = self._document["tensile_solid"]
+    def _ramp(self) -> TemperatureRamp:
+        table = self._document["tensile_ramp"]
         assert self.poisson_ratio is not None
-        relaxed = table["relaxed"] / (2.0 * (1.0 + self.poisson_ratio))
-        ratio, time = (
-            float(np.exp(np.interp(degrees, _celsius(table), np.log(table[name]))))
-            for name in ("ratio", "relaxation_time")
-        )
-        return StandardLinearSolid(
-            instantaneous_modulus=relaxed * (1.0 + ratio), relaxed_modulus=relaxed, relaxation_time=time
+        storage, loss = (np.asarray(table[name]) / (2.0 * (1.0 + self.poisson_ratio)) for name in ("storage", "loss"))
+        return TemperatureRamp(
+            frequency=table["frequency"], temperature=np.asarray(table["temperature"]), storage=storage, loss=loss
         )
 
     def __repr__(self) -> str:
@@ -138,7 +133,7 @@ def example_material(name: str) -> PublishedMaterial:
         raise ValueError(f"name must be one of {', '.join(EXAMPLES)}, got {shown(name)}")
     path = Path(str(resources.files("viscoroll").joinpath("examples", "materials", f"{name}.toml")))
     document = tomllib.loads(path.read_text(encoding="utf-8"))
-    degrees = _celsius(document["tensile_solid"] if "tensile_solid" in document else document["shift"])
+    degrees = document["tensile_ramp" if "tensile_ramp" in document else "shift"]["temperature"]
     texts = {key: document[key] for key in ("what", "citation", "address", "license", "measured")}
     return PublishedMaterial(
         name=name,
@@ -149,9 +144,3 @@ def example_material(name: str) -> PublishedMaterial:
         _path=path,
         _document=document,
     )
-
-
-def _celsius(table: dict[str, Any]) -> Floats:
-    if "temperature_in_kelvin" in table:
-        return np.asarray(table["temperature_in_kelvin"]) - _ZERO_CELSIUS
-    return np.asarray(table["temperature"], dtype=float)

@@ -171,11 +171,11 @@ export const PRESETS = {
   foam: {
     label: "vinyl nitrile foam",
     source:
-      "VN01, as measured: A. K. Landauer et al., Materials & Design (2023) 112381; data doi:10.18434/mds2-2989. Its density was not measured.",
+      "VN01, as measured at 10 rad/s: A. K. Landauer et al., Materials & Design (2023) 112381; data doi:10.18434/mds2-2989. Its density was not measured.",
     layer: {
       kind: "published",
       name: "vinyl_nitrile_foam",
-      temperature: [30, "°C"], // below, it is a hundred times as soft at rest, or more
+      temperature: [20, "°C"],
       poisson_ratio: 0.22825,
       density: [0, "kg/m³"],
     },
