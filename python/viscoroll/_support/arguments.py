@@ -237,4 +237,6 @@ def _each(convert: Callable[[str, object], Any], name: str, array: NDArray[Any])
 def _described(value: Any) -> str:
     if isinstance(value, np.ndarray):
         return f"array of shape {value.shape}"
+    if isinstance(getattr(value, "value", None), float):  # with an interval
+        return f"{shown(value)}; give its value"
     return f"{type(value).__name__} {shown(value)}"

@@ -325,6 +325,7 @@ def _way_to_a_modulus(measured: object) -> str:
         "isotherms": "superpose(...).at(temperature=...) of it",
         "storage": "fit_prony(...).series of it",
         "middle": "its middle, or all of them to sweep",
+        "value": "its value",
     }
     return next((f"; give {way}" for name, way in ways.items() if hasattr(measured, name)), "")
 

@@ -29,10 +29,20 @@ def test_measurements_are_no_moduli_yet(data):
         one_layer(data)
     with pytest.raises(TypeError, match=r"; give fit_prony\(...\).series of it$"):
         one_layer(data.isotherms[0])
+    with pytest.raises(TypeError, match=r"; give superpose\(...\) of it, or one of its isotherms$"):
+        vr.fit_prony(data)
     fit = vr.fit_prony(data.isotherms[0])
     with pytest.raises(TypeError, match=r"; give its series$"):
         one_layer(fit)
     assert one_layer(fit.series).shear_modulus == fit.series
+
+
+def test_what_a_data_sheet_gives_has_a_value_beside_its_interval():
+    stiffness, loss = vr.hardness_to_modulus(60.0), vr.rebound_to_loss_factor(0.5)
+    with pytest.raises(TypeError, match=r"got Parameter\(value=.*; give its value$"):
+        one_layer(stiffness)
+    with pytest.raises(TypeError, match=r"loss_factor must be a real number, got Parameter\(value=.*; give its value$"):
+        one_layer(vr.LossFactor(modulus=stiffness.value, loss_factor=loss, reference_frequency=1.0))
 
 
 @pytest.mark.parametrize(
@@ -86,6 +96,7 @@ def test_misspelled_parameters_of_a_study():
             lambda: vr.CoatedPlane(thickness=6e-3, shear_modulus=1e6),
             "argument 'thickness', 'shear_modulus'; did you mean layers = [Layer(...)]?",
         ),
+        (lambda: vr.CoatedPlane(h=6e-3, E=3e6), "argument 'h', 'E'; did you mean layers = [Layer(...)]?"),
         (lambda: vr.Elastic(E=9e6), "argument 'E'; did you mean modulus = E / (2 (1 + nu))?"),
         (lambda: vr.Layer(thicknes=1e-3), "argument 'thicknes'; did you mean thickness?"),
         (lambda: vr.CoatedSphere(radius=0.02), "; did you mean core_radius = outer radius - thickness of the layers?"),
@@ -290,6 +301,9 @@ def test_files_of_another_kind(tmp_path):
     assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"  # [sweep] does not give it
     case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
     assert told("solve", case).endswith("; did you mean plane?")
+    for word, table in {"caster": "wheel", "idler": "cylinder", "sphere": "ball", "dish": "groove"}.items():
+        case.write_text(f"[{word}]\ncore_radius = 0.1\n[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
+        assert told("solve", case).partition(" (and")[0].endswith(f"; did you mean {table}?"), word
     case.write_text(example_text("motion"), encoding="utf-8")
     assert told("solve", case) == f"{case}: rolling: field required; such a file is for `viscoroll roll`"
     case.write_text((example_text() + example_text("sweep")).replace("load = 100.0", ""), encoding="utf-8")
