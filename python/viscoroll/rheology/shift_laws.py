@@ -101,6 +101,11 @@ class ShiftFactors:
         Path(path).write_text(f"T,log_aT\nC,-\n{rows}", encoding="utf-8")
 
 
+#: C₂ [K] beyond which Williams-Landel-Ferry is a straight line, to a percent over a hundred kelvin; of polymers it is
+#: some 50 K and how far above its glass transition the reference lies.
+_STRAIGHT = 1e4
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ShiftLaw:
     """A law fitted to shift factors.
@@ -139,11 +144,14 @@ class ShiftLaw:
 
     def __str__(self) -> str:
         """Return law, intervals and residual in one line."""
+        left = f"residual {self.residual:.3f} decades"
+        if (c2 := self.parameters.get("c2")) is not None and c2.value > _STRAIGHT:
+            return f"{self.name} at {self.reference:g} °C: no constants, the shifts do not bend as it does; {left}"
         terms = ", ".join(
             f"{name} = {p.value:.5g} {'' if p.unit == '1' else p.unit + ' '}in [{p.lower:.5g}, {p.upper:.5g}]"
             for name, p in self.parameters.items()
         )
-        return f"{self.name} at {self.reference:g} °C: {terms}; residual {self.residual:.3f} decades"
+        return f"{self.name} at {self.reference:g} °C: {terms}; {left}"
 
 
 def fit_wlf(factors: ShiftFactors, reference: float, **options: object) -> ShiftLaw:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import viscoroll as vr
 from viscoroll.rheology import Isotherm, RheologyData
+from viscoroll.rheology.shift_laws import fit_wlf
 
 DATA = Path(__file__).parent / "data"
 
@@ -238,3 +239,12 @@ def test_range_against_the_harmonics_of_rolling(rubber):
     assert not check.passed
     assert check.value == pytest.approx(2.0 / np.log10(400.0))
     assert "1 decades below and 1 above are extrapolated" in check.message
+
+
+def test_constants_of_shifts_that_do_not_bend_are_not_told():
+    """Colder ones are farther apart by WLF; here they are nearer, and its best is a straight line."""
+    temperature = np.arange(-40.0, 61.0, 10.0)
+    above = temperature - REFERENCE
+    law = fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=-0.1 * above - 5e-4 * above**2), REFERENCE)
+    assert str(law).startswith(f"WLF at {REFERENCE:g} °C: no constants, the shifts do not bend as it does; residual 0.")
+    assert "c1 = " in str(fit_wlf(vr.ShiftFactors(temperature=temperature, log10_factor=wlf(temperature)), REFERENCE))
