@@ -95,9 +95,10 @@ def shown(unit: str) -> str:
     return "-" if unit == "1" else unit.replace("^2", "²")
 
 
-def signs(readme: Path) -> str:
-    """Return what the README says of frame and signs."""
-    return readme.read_text(encoding="utf-8").split("<!-- signs -->\n")[1].split("<!-- end of signs -->")[0]
+def of_the_readme(name: str) -> str:
+    """Return what stands in the README between comments with a name."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    return text.split(f"<!-- {name} -->\n")[1].split(f"<!-- end of {name} -->")[0]
 
 
 def parts() -> dict[str, str]:
@@ -106,7 +107,8 @@ def parts() -> dict[str, str]:
         "validation": validation_table(DOCS / "validation.toml"),
         "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
         "scalars": scalar_table(),
-        "signs": signs(ROOT / "README.md"),
+        "covered": of_the_readme("covered"),
+        "signs": of_the_readme("signs"),
         "verdicts": (DOCS / "recorded" / "verdicts.md").read_text(encoding="utf-8"),
         **{f"outside_{name}": text for name, text in outside_tables(DOCS / "judged-from-outside.toml").items()},
     }
