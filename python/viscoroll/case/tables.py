@@ -213,6 +213,12 @@ def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[st
         raise ValueError(f"{what} {path}: needs numbers in columns {wanted} ({error})") from None
 
 
+#: What Python makes by a call, as a file has it.
+_IN_FILES = {
+    "hardness_to_modulus(...).value": '{ type = "hardness", hardness = ... }',
+    "rebound_to_loss_factor(...).value": '..., or a rebound beside a hardness: type = "hardness"',
+}
+
 #: Errors beside the first that are told one by one.
 _MOST_TOLD = 3
 
@@ -230,7 +236,8 @@ def _first_line(error: ValidationError, others: Mapping[str, str], tables: Itera
         *above, name = errors[number]["loc"]
         # A key that is misspelled, or another word for it, is missing as well; tables need not be there.
         if match := meant_by(str(name), missing if above else list(tables)):
-            meant[number] = match
+            parameter, equals, formula = match.partition(" = ")
+            meant[number] = parameter + equals + _IN_FILES.get(formula, formula)
     incomplete = [one["loc"][:-1] for one in errors if one["type"] == "missing" and len(one["loc"]) > 1]
     instead = [number for number in unknown if errors[number]["loc"][:-1] in incomplete]
     chosen = next(iter([*meant, *instead]), 0)

@@ -301,6 +301,15 @@ def test_files_of_another_kind(tmp_path):
     assert told("solve", case) == f"{case}: rolling.speed: {extra}; {meant}"  # [sweep] does not give it
     case.write_text(example_text() + "[belt]\nlayers = []\n", encoding="utf-8")
     assert told("solve", case).endswith("; did you mean plane?")
+    layer = "thickness = 5e-3\npoisson_ratio = 0.5\nshear_modulus = 1e6\n"
+    for wrong, meant in {
+        layer.replace("shear_modulus = 1e6", "hardness = 60"): 'shear_modulus = { type = "hardness", hardness = ... }',
+        layer.replace("= 1e6", '= { type = "loss_factor", modulus = 1e6, rebound = 0.5, reference_frequency = 1.0 }'): (
+            'loss_factor = ..., or a rebound beside a hardness: type = "hardness"'
+        ),
+    }.items():
+        case.write_text(f"[ball]\ncore_radius = 0.1\n[[ball.layers]]\n{wrong}", encoding="utf-8")
+        assert f"; did you mean {meant}?" in told("solve", case)
     for word, table in {"caster": "wheel", "idler": "cylinder", "sphere": "ball", "dish": "groove"}.items():
         case.write_text(f"[{word}]\ncore_radius = 0.1\n[rolling]\nload = 1.0\nangular_speed = 1.0\n", encoding="utf-8")
         assert told("solve", case).partition(" (and")[0].endswith(f"; did you mean {table}?"), word

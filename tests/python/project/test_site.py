@@ -63,7 +63,9 @@ def tables() -> ModuleType:
 def test_tables_of_pages_are_as_they_would_be_made():
     """`make tables` writes them; a host of repositories shows them as they stand in the sources."""
     written = tables().pages()
-    assert {"validation.md", "performance.md", "signs.md", "bodies.md", "judged-from-outside.md"} <= {page.name for page in written}
+    assert {"validation.md", "performance.md", "signs.md", "bodies.md", "judged-from-outside.md"} <= {
+        page.name for page in written
+    }
     stale = [page.name for page, text in written.items() if page.read_text(encoding="utf-8") != text]
     assert stale == []
 
