@@ -130,7 +130,7 @@ class Conduction:
 
     def approach(
         self, steady: NDArray[np.float64], start: NDArray[np.float64], times: NDArray[np.float64], capacity: float
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    ) -> NDArray[np.float64]:
         """Return how the steady state is come to, ρc A T' = what the steady equations leave, by its own modes in time.
 
         Parameters
@@ -144,33 +144,45 @@ class Conduction:
 
         Returns
         -------
-        rises : ndarray, shape (times, modes, points)
+        ndarray, shape (times, modes, points)
             T_j [K].
-        slowest : ndarray
-            Times in which what is left falls to 1/e [s], the longest first.
 
         Raises
         ------
         ValueError
             Where the film varies along the surface, which joins the modes.
         """
-        if not self.has_even_film:
-            raise ValueError("convection must be a number for temperatures over time, got a function of theta")
-        matrices, _ = self._assemble(np.zeros_like(steady))
-        matrices[:, -1, -1] += float(self.modes.measure(np.array(self._outermost))) * np.diag(self._film)
-        mass = np.zeros(matrices.shape[1])
-        scatter = self._scatter()
-        np.add.at(mass, scatter, capacity * self.volume_weights())
-        keep = np.unique(scatter, return_index=True)[1]
+        matrices, root = self._in_time(capacity, self.modes.count)
         free = slice(1 if self._inner is None else 0, None)
-        root = np.sqrt(mass[free])
-        rates, vectors = np.linalg.eigh(matrices[:, free, free] / (root[:, None] * root))
+        keep = np.unique(self._scatter(), return_index=True)[1]
+        rates, vectors = np.linalg.eigh(matrices)
         left = (start - steady)[:, keep][:, free] * root
         amplitudes = np.einsum("jpa,jp->ja", vectors, left)
         faded = np.exp(-rates[None] * times[:, None, None]) * amplitudes
-        rises = np.zeros((times.size, *matrices.shape[:2]))
+        rises = np.zeros((times.size, self.modes.count, keep.size))
         rises[:, :, free] = np.einsum("jpa,tja->tjp", vectors, faded) / root
-        return steady + rises[:, :, scatter], np.sort(1.0 / rates.ravel())[::-1]
+        return np.asarray(steady + rises[:, :, self._scatter()])
+
+    def slowest(self, capacity: float, count: int) -> NDArray[np.float64]:
+        """Return the slowest times in which what is left of the way falls to 1/e [s], the longest first.
+
+        None of a mode's rates is below the same one of the mode before, to which λ_j and the inner coefficient add
+        less: so many times are among those of as many modes. Arguments and errors as of `approach`.
+        """
+        matrices, _ = self._in_time(capacity, min(count, self.modes.count))
+        return np.sort(1.0 / np.linalg.eigvalsh(matrices).ravel())[::-1][:count]
+
+    def _in_time(self, capacity: float, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return the matrix of the rates of each of the first modes, symmetric, and what the unknowns are scaled by."""
+        if not self.has_even_film:
+            raise ValueError("convection must be a number for temperatures over time, got a function of theta")
+        matrices = self._assemble(np.zeros((self.modes.count, self.place.size)))[0][:count]
+        matrices[:, -1, -1] += float(self.modes.measure(np.array(self._outermost))) * self._film[0, 0]
+        mass = np.zeros(matrices.shape[1])
+        np.add.at(mass, self._scatter(), capacity * self.volume_weights())
+        free = slice(1 if self._inner is None else 0, None)
+        root = np.sqrt(mass[free])
+        return matrices[:, free, free] / (root[:, None] * root), root
 
     def finely(self, values: NDArray[np.float64], parts: int = 128) -> NDArray[np.float64]:
         """Return what is given at all points, along the first axis, at many more: each element's own polynomial."""

@@ -242,7 +242,7 @@ def temperature(
         heat_to_surroundings=body.conduction.heat_outwards(rises) + body.conduction.heat_sideways(rises),
         ripple=ripple,
         heat_unit=body.unit,
-        times=_slowest(body, rises, capacity),
+        times=tuple(body.conduction.slowest(capacity, 3).tolist()) if body.conduction.has_even_film else (),
         history=None if time is None else _history(body, places, source, rises, start, time, capacity),
     )
     if ripple > _RIPPLE * abs(found.maximum):
@@ -253,12 +253,6 @@ def temperature(
             ]
         )
     return found
-
-
-def _slowest(body: HeatedBody, rises: NDArray[np.float64], capacity: float) -> tuple[float, ...]:
-    if not body.conduction.has_even_film:
-        return ()
-    return tuple(body.conduction.approach(rises, rises, np.zeros(1), capacity)[1][:3].tolist())
 
 
 def _history(
@@ -282,7 +276,7 @@ def _history(
         if field.shape != expected:
             raise ValueError(f"start must be of the same layers and mesh, of shape {expected}, got {field.shape}")
         before = np.linalg.lstsq(body.values(places).T, field.to_numpy().T, rcond=None)[0]
-    rises = body.conduction.approach(steady, before, times, capacity)[0]
+    rises = body.conduction.approach(steady, before, times, capacity)
     rise = np.einsum("tjp,jz->tpz", rises, body.values(places))
     kelvin = {"units": "K"}
     frame = _field(body, places, rise[0], xarray.DataArray)

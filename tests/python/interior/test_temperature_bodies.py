@@ -10,7 +10,7 @@ import viscoroll as vr
 from scipy import optimize, special
 from specimens import RUBBER
 from viscoroll.interior.conduction import Conduction
-from viscoroll.interior.heat_modes import modes_of_roller, modes_of_slab
+from viscoroll.interior.heat_modes import modes_of_ball, modes_of_roller, modes_of_slab
 from viscoroll.interior.picture import plot_temperature
 
 INNER, OUTER, K, H, Q = 50e-3, 60e-3, 0.25, 15.0, 2e3
@@ -99,9 +99,31 @@ def test_one_mode_in_time():
     rate = K * (x / h) ** 2 / capacity
     start = np.sin(x * (layers.place + h) / h)[None]
     times = np.array([0.0, 0.3, 1.0, 2.0]) / rate
-    rises, slowest = layers.approach(np.zeros_like(start), start, times, capacity)
+    rises = layers.approach(np.zeros_like(start), start, times, capacity)
     np.testing.assert_allclose(rises[:, 0], np.exp(-rate * times)[:, None] * start, atol=1e-9)
-    assert slowest[0] == pytest.approx(1.0 / rate, rel=1e-9)
+    assert layers.slowest(capacity, 1)[0] == pytest.approx(1.0 / rate, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("modes", "inner"),
+    [
+        (modes_of_ball(30), 0.2 * np.arange(30.0) / 20e-3),  # a core that conducts
+        (modes_of_ball(30), None),
+        (modes_of_roller(50e-3, 15.0 / K, 30), np.full(30, 40.0)),
+    ],
+    ids=["on a core", "on an isothermal one", "between faces"],
+)
+def test_the_slowest_times_are_those_of_all_modes(modes, inner):
+    """Beside what is left after long of each mode alone."""
+    capacity = 2e6
+    layers = Conduction((20e-3, 22e-3, 25e-3), (K, 2.0 * K), modes, film=12.0, inner=inner)
+    found = layers.slowest(capacity, 3)
+    np.testing.assert_allclose(found, layers.slowest(capacity, 30)[:3], rtol=1e-12)
+    start = np.where(layers.place > layers.place[0], 1.0, 0.0) * np.ones((30, 1))
+    late = np.array([6.0, 6.5]) * found[0]
+    left = layers.approach(np.zeros_like(start), start, late, capacity)[:, :3, -1]
+    each = (late[1] - late[0]) / np.log(left[0] / left[1])
+    np.testing.assert_allclose(found, each, rtol=1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -209,11 +231,11 @@ def test_a_block_warms_for_weeks_and_a_half_space_for_ever():
     source = np.where(layers.layer == 9, Q, 0.0)[None]
     times = np.array([86400.0, 30 * 86400.0])
     steady = layers.solve(source)
-    rises, slowest = layers.approach(steady, np.zeros_like(steady), times, capacity)
+    rises = layers.approach(steady, np.zeros_like(steady), times, capacity)
     lacking = 1.0 - rises[:, 0, -1] / steady[0, -1]
     np.testing.assert_allclose(lacking, special.erfcx(h * np.sqrt(times / (K * capacity))), rtol=2e-3)
     np.testing.assert_allclose(lacking, [0.132, 0.0248], rtol=5e-3)
-    assert slowest[0] > 2 * 365 * 86400.0
+    assert layers.slowest(capacity, 1)[0] > 2 * 365 * 86400.0
     block = vr.CoatedPlane(layers=[], base=vr.HalfSpace(shear_modulus=RUBBER, poisson_ratio=0.5))
     r = vr.solve(vr.CoatedCylinder(core_radius=20e-3), on=block, load=500.0, angular_speed=10.0)
     with pytest.raises(ValueError, match="got a half-space, whose heat goes on spreading into the depth"):
