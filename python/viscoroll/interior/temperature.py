@@ -101,8 +101,9 @@ class Temperature:
         times = f"; come to in {', '.join(f'{time:.3g}' for time in self.times)} s" if self.times else ""
         return (
             f"Temperature(at most {self.ambient + self.maximum:.2f} K: rise {self.maximum:.3g} K, on the surface "
-            f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K; {self.heat:.3g} {self.heat_unit}, of which "
-            f"to the core {self.heat_to_core:.3g} {self.heat_unit}; ripple {self.ripple:.2g} K{times})"
+            f"{self.surface_maximum:.3g} K, mean by loss {self.mean:.3g} K;\n"
+            f"  {self.heat:.3g} {self.heat_unit}, of which to the core {self.heat_to_core:.3g} {self.heat_unit}; "
+            f"ripple {self.ripple:.2g} K{times})"
         )
 
 

@@ -6,6 +6,7 @@ import tomllib
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,9 @@ __all__ = ["EXAMPLES", "PublishedMaterial", "example_material"]
 
 #: By how much sweeps miss the temperature that they were to have [K].
 _DRIFT = 0.5
+
+#: Of a line in which one is told of.
+_WIDTH = 100
 
 #: Their names.
 EXAMPLES = ("pressure_sensitive_adhesive", "vinyl_nitrile_foam")
@@ -92,16 +96,19 @@ class PublishedMaterial:
         """Return what it is, whose, and what is not known of it."""
         low, high = self.temperature
         known = "not measured" if self.poisson_ratio is None else f"{self.poisson_ratio:.4g}"
-        return "\n".join(
-            [
-                f"{self.name}: {self.what}, {low:.4g} to {high:.4g} °C, Poisson's ratio {known}",
-                f"  citation      {self.citation}",
-                f"  read at       {self.address}",
-                f"  license       {self.license}",
-                f"  measured      {self.measured}",
-                *(f"  not measured  {text}" for text in self.not_measured),
-            ]
-        )
+        told = [
+            ("citation", self.citation),
+            ("read at", self.address),
+            ("license", self.license),
+            ("measured", self.measured),
+            *(("not measured", text) for text in self.not_measured),
+        ]
+        head = f"{self.name}: {self.what},\n  {low:.4g} to {high:.4g} °C, Poisson's ratio {known}"
+        return "\n".join([head, *(_wrapped(f"  {name:14}", text) for name, text in told)])
+
+
+def _wrapped(name: str, text: str) -> str:
+    return fill(text, _WIDTH, initial_indent=name, subsequent_indent=" " * len(name), break_on_hyphens=False)
 
 
 def example_material(name: str) -> PublishedMaterial:
