@@ -86,7 +86,11 @@ double granted_cores(const fs::path& root) {
 int core_count() {
   static const int count = [] {
     const int usable = detail::usable_cores();
+#ifdef __linux__
     return static_cast<int>(std::ceil(std::min<double>(usable, detail::granted_cores("/"))));
+#else
+    return usable;
+#endif
   }();
   return count;
 }

@@ -1,5 +1,6 @@
 #include "validate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -10,8 +11,7 @@
 
 namespace viscoroll::detail {
 
-// The library of Clang does not say so until it can read such numbers, too; Emscripten's writes them.
-#if defined(__cpp_lib_to_chars) || defined(__EMSCRIPTEN__)
+#if defined(__cpp_lib_to_chars)
 
 std::string text(double value) {
   std::array<char, 32> buffer{};
@@ -26,28 +26,36 @@ std::string rounded(double value) {
   return {buffer.data(), end};
 }
 
-#else  // macOS before 13.3 cannot do this to floating-point numbers, and its library does not know the systems
+#else
+
+// The library of Clang: that of macOS before 13.3 cannot do this, that of WebAssembly has 100 kB of tables for it.
 
 namespace {
 
-std::string digits(double value, int count) {
-  std::array<char, 32> buffer{};
-  const int length = std::snprintf(buffer.data(), buffer.size(), "%.*g", count, value);
+std::string printed(const char* format, int precision, double value) {
+  std::array<char, 400> buffer{};  // the largest number has 309 digits
+  const int length = std::snprintf(buffer.data(), buffer.size(), format, precision, value);
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
 }  // namespace
 
-/// The fewest digits that are this number.
+/// The fewest digits that are this number, written with an exponent only where that is shorter.
 std::string text(double value) {
-  for (int count = 1; count < std::numeric_limits<double>::max_digits10; ++count) {
-    std::string shorter = digits(value, count);
-    if (std::strtod(shorter.c_str(), nullptr) == value) return shorter;
+  int after_point = 0;
+  std::string scientific = printed("%.*e", after_point, value);
+  while (after_point < std::numeric_limits<double>::max_digits10 - 1 &&
+         std::strtod(scientific.c_str(), nullptr) != value) {
+    scientific = printed("%.*e", ++after_point, value);
   }
-  return digits(value, std::numeric_limits<double>::max_digits10);
+  const std::size_t exponent = scientific.find('e');
+  if (exponent == std::string::npos) return scientific;  // inf or nan
+  const int decimals = after_point - std::stoi(scientific.substr(exponent + 1));
+  std::string fixed = printed("%.*f", std::max(decimals, 0), value);
+  return fixed.size() <= scientific.size() ? fixed : scientific;
 }
 
-std::string rounded(double value) { return digits(value, 3); }
+std::string rounded(double value) { return printed("%.*g", 3, value); }
 
 #endif
 

@@ -131,6 +131,7 @@ CASES = {
 BAD = {
     "a load that is none": case(ball=BALL, load=-100.0),
     "a load too large": case(ball=BALL, load=1e5),
+    **{f"a load of {load}": case(ball=BALL, load=load) for load in (-1.2e6, -1e-4, -0.1 - 0.2, -1 / 3, -(2.0**70))},
     "a speed too high": case(ball={"core_radius": 20e-3, "layers": [layer(2e3, density=1e3)]}, angular_speed=90.0),
     "a layer without thickness": case(ball=BALL | {"layers": [layer(thickness=0.0)]}),
     "a modulus that rises at rest": case(
