@@ -11,7 +11,6 @@ APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohman
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev
 APT_DOCS := doxygen
-APT_PAGE := chromium nodejs npm
 DEPS ?= deps
 
 LIBRARY_SOURCES := $(shell git ls-files CMakeLists.txt CMakePresets.json cpp)
@@ -69,7 +68,7 @@ test-python: $(VENV)/test.stamp
 test-page: $(VENV)/test.stamp | deps-page
 	mkdir -p build/page && cp tests/page/package.json build/page
 	npm install --prefix build/page --silent --no-package-lock
-	$(BIN)/python -m pytest tests/python/app/test_page.py
+	$(BIN)/python -m pytest -rP tests/python/app/test_page.py
 
 # A program outside the project: against the installed library, again with other compiler flags, and against the sources,
 # which it would compile as they are compiled already: the objects need not be made again. The library configured as the
@@ -227,9 +226,11 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
+# What there is of another origin, which may conflict with Debian's, stays.
 deps-page: $(DEPS)
-	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_PAGE) >/dev/null 2>&1; then \
-	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_PAGE); fi
+	@missing="$$(command -v chromium >/dev/null || echo chromium; command -v npm >/dev/null || echo nodejs npm)"; \
+	  if command -v apt-get >/dev/null && [ -n "$$missing" ]; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; fi
 
 # Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
 # of a plain `pip install .` remembers nothing of it. The pip of Debian 12 knows no shorter name of the option.

@@ -48,6 +48,8 @@ const seen = {};
 // The case of the README, from opening the page to its numbers.
 const begun = performance.now();
 const page = await open(address);
+await page.waitForSelector("#numbers .card", { timeout: 60_000 });
+seen.first = (performance.now() - begun) / 1e3;
 seen.readme = await refined(page);
 seen.start = (performance.now() - begun) / 1e3;
 await page.waitForSelector('#curve[data-filling="done"]', { timeout: 60_000 });
