@@ -108,6 +108,8 @@ test("a link restores every example", () => {
 test("fragments of others are no states", () => {
   for (const fragment of ["", "#", "#answer", "#%%%", "#bnVsbA", "#eyJ4IjoxfQ"])
     assert.equal(stateOfFragment(fragment), null);
+  for (const part of [{ layers: 5 }, { layers: [{ kind: "wood" }] }, { load: "heavy" }, { load: [1, "furlong"] }])
+    assert.equal(stateOfFragment(`#${btoa(JSON.stringify(part))}`), null);
 });
 
 test("a curve goes through the case in its middle, ends first", () => {

@@ -8,11 +8,11 @@ import { exampleState } from "../../python/viscoroll/app/page/examples.js";
 import { withMaterials } from "../../python/viscoroll/app/page/tabulated.js";
 
 const series = [1.5, 0.1, 0.2, 0.5, 0.3];
+const times = { relaxation_times: [1, 2, 4, 8] };
 const tables = {
-  relaxation_times: [1, 2, 4, 8],
   hardness: { A: { 82: 4e6 }, D: { 40: 3e7 } },
-  rebound: { 70: series },
-  loss_factor: { 7: series },
+  rebound: { decades: 4.5, ...times, series: { 70: series } },
+  loss_factor: { decades: 3, ...times, series: { 7: series } },
   published: { foam: { 20: { type: "elastic", modulus: 1e4 } } },
 };
 const known = (table) =>
@@ -26,7 +26,8 @@ test("a series of 1 Pa at 1 rad/s is scaled", () => {
     weights: [0.1, 0.2, 0.1, 0.3],
     relaxation_times: [0.01, 0.02, 0.04, 0.08],
   };
-  assert.deepEqual(modulus({ type: "hardness", hardness: 82, rebound: 0.7, reference_frequency: 100 }), scaled);
+  const sheet = { type: "hardness", hardness: 82, rebound: 0.7, reference_frequency: 100, decades: 4.5 };
+  assert.deepEqual(modulus(sheet), scaled);
   assert.deepEqual(modulus({ type: "loss_factor", modulus: 4e6, loss_factor: 0.07, reference_frequency: 100 }), scaled);
 });
 
@@ -49,6 +50,13 @@ test("what lies between the tables is told at its parameter", () => {
   const { error } = known({ type: "hardness", hardness: 82.5 });
   assert.equal(error.parameter, "ball.layers[0].shear_modulus.hardness");
   assert.match(error.message, /hardness must be a whole number in \[82, 82\] Shore A on this page, got 82\.5/);
-  const rebound = known({ type: "hardness", hardness: 82, rebound: 0.705, reference_frequency: 1 });
+  const rebound = known({ type: "hardness", hardness: 82, rebound: 0.705, reference_frequency: 1, decades: 4.5 });
   assert.match(rebound.error.message, /got 70\.5 %/);
+  const others = known({ type: "loss_factor", modulus: 4e6, loss_factor: 0.07, reference_frequency: 1, decades: 5 });
+  assert.match(others.error.message, /decades must be 3 on this page, got 5/);
+});
+
+test("what is too hard for one scale is given in the other", () => {
+  assert.match(known({ type: "hardness", hardness: 95 }).error.message, /got 95; in Shore D it is about 45/);
+  assert.doesNotMatch(known({ type: "hardness", hardness: 10 }).error.message, /Shore D/);
 });

@@ -50,7 +50,7 @@ test("results read in the units of engineers", () => {
 });
 
 test("in line contact units are per length", () => {
-  assert.equal(resultUnit("N m", true), "N");
+  assert.equal(resultUnit("N m", true), "N m/m");
   assert.equal(resultUnit("Pa", true), "Pa");
   assert.equal(resultUnit("N m", false), "N m");
 });

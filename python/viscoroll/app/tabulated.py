@@ -20,6 +20,11 @@ _REBOUNDS = range(2, 100)
 _LOSS_FACTORS = range(1, 101)
 _TEMPERATURES = range(-10, 60, 10)
 
+#: How far loss factors hold above and below their frequency, which of a hardness is far below that of a contact: as
+#: `page/materials.js` asks for.
+_DECADES = 3.0
+_DECADES_OF_HARDNESS = 4.5
+
 
 def tabulated_materials() -> dict[str, Any]:
     """Return the tables as JSON has them.
@@ -27,19 +32,20 @@ def tabulated_materials() -> dict[str, Any]:
     Returns
     -------
     dict
-        ``hardness``: by scale and hardness, shear modulus [Pa]; ``rebound`` and ``loss_factor``: by percent of either,
-        the Prony series of a modulus of 1 Pa that holds at 1 rad/s, with `relaxation_times` [s] and weights between the
-        first and the last that are geometric: instantaneous modulus, first weight, second, ratio, and last;
-        ``published``: by name and temperature [°C], the table of a case file.
+        ``hardness``: by scale and hardness, shear modulus [Pa]; ``rebound`` and ``loss_factor``: for so many `decades`,
+        with `relaxation_times` [s], by percent of either the Prony `series` of a modulus of 1 Pa that holds at 1 rad/s,
+        whose weights between the first and the last are geometric: instantaneous modulus, first weight, second, ratio,
+        and last; ``published``: by name and temperature [°C], the table of a case file.
     """
     return {
         "hardness": {
             scale: {str(shore): hardness_to_modulus(float(shore), scale=scale).value for shore in values}
             for scale, values in _HARDNESS.items()
         },
-        "relaxation_times": list(_series(0.1).relaxation_times),  # of all of them
-        "rebound": {str(percent): _numbers(rebound_to_loss_factor(percent / 100).value) for percent in _REBOUNDS},
-        "loss_factor": {str(percent): _numbers(percent / 100) for percent in _LOSS_FACTORS},
+        "rebound": _all_series(
+            {percent: rebound_to_loss_factor(percent / 100).value for percent in _REBOUNDS}, _DECADES_OF_HARDNESS
+        ),
+        "loss_factor": _all_series({percent: percent / 100 for percent in _LOSS_FACTORS}, _DECADES),
         "published": {
             name: {str(degrees): _table(example_material(name).at(temperature=degrees)) for degrees in _TEMPERATURES}
             for name in EXAMPLES
@@ -47,13 +53,18 @@ def tabulated_materials() -> dict[str, Any]:
     }
 
 
-def _series(loss_factor: float) -> Prony:
-    return LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0).prony()
+def _all_series(loss_factors: dict[int, float], decades: float) -> dict[str, Any]:
+    unit = {
+        percent: LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0, decades=decades).prony()
+        for percent, loss_factor in loss_factors.items()
+    }
+    times = next(iter(unit.values())).relaxation_times  # of all of them
+    series = {str(percent): _numbers(one) for percent, one in unit.items()}
+    return {"decades": decades, "relaxation_times": list(times), "series": series}
 
 
-def _numbers(loss_factor: float) -> list[float]:
+def _numbers(series: Prony) -> list[float]:
     """Return what a series is made of; all its weights would be as much to download as the rest of the page."""
-    series = _series(loss_factor)
     first, second, third, *_, last = series.weights
     return [series.instantaneous_modulus, first, second, third / second, last]
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+from importlib import resources
 
 import numpy as np
 import pytest
@@ -42,12 +44,20 @@ def test_hardness(tables, scale, shore):
 def test_series_are_those_of_a_constant_loss_factor(tables, name, percent):
     share = percent / 100
     loss_factor = vr.rebound_to_loss_factor(share).value if name == "rebound" else share
-    expected = vr.LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0)
-    instantaneous, first, second, ratio, last = tables[name][str(percent)]
-    times = tables["relaxation_times"]
+    decades = tables[name]["decades"]
+    expected = vr.LossFactor(modulus=1.0, loss_factor=loss_factor, reference_frequency=1.0, decades=decades)
+    instantaneous, first, second, ratio, last = tables[name]["series"][str(percent)]
+    times = tables[name]["relaxation_times"]
     weights = [first, *(second * ratio**k for k in range(len(times) - 2)), last]
     found = vr.Prony(instantaneous_modulus=instantaneous, weights=weights, relaxation_times=times)
     assert found.complex_modulus(OMEGA) == pytest.approx(expected.complex_modulus(OMEGA), rel=DIGITS)
+
+
+def test_tables_hold_for_the_decades_that_the_page_asks_for(tables):
+    text = (resources.files("viscoroll") / "app" / "page" / "materials.js").read_text(encoding="utf-8")
+    kinds = {name: text.split(f"  {kind}: {{")[1] for name, kind in (("rebound", "hardness"), ("loss_factor",) * 2)}
+    for name, kind in kinds.items():
+        assert float(re.search(r"decades: ([\d.]+) }", kind)[1]) == tables[name]["decades"]
 
 
 @pytest.mark.parametrize("name", ["pressure_sensitive_adhesive", "vinyl_nitrile_foam"])

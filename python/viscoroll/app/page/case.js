@@ -104,7 +104,7 @@ export function withBody(state, body) {
   const on = state.on in groundsOf(body) ? state.on : "rigid";
   const next = { ...sizedBy({ ...state, body }, body === "ball" ? state.given : "outer_diameter"), on };
   if (isLine(next) === isLine(state)) return next;
-  const [load, force, torque] = isLine(next) ? ["N/mm", "N/mm", "N"] : ["N", "N", "N m"];
+  const [load, force, torque] = isLine(next) ? ["N/mm", "N/mm", "N m/m"] : ["N", "N", "N m"];
   return { ...next, load: [isLine(next) ? 2 : 100, load], force: [0, force], torque: [0, torque] };
 }
 
@@ -210,7 +210,7 @@ export function stateOf(tables) {
   state.load = fromSI(rolling.load ?? 100, line ? "N/mm" : "N", quantity("load", state));
   state.speed = [rolling.angular_speed ?? 2.5, "rad/s"];
   state.friction = rolling.friction ?? 0;
-  Object.assign(state, { force: [0, line ? "N/mm" : "N"], torque: [0, line ? "N" : "N m"] });
+  Object.assign(state, { force: [0, line ? "N/mm" : "N"], torque: [0, line ? "N m/m" : "N m"] });
   if (state.friction > 0) readDrive(state, rolling.drive, left);
   else if (Object.values(rolling.drive ?? {}).some((value) => value !== 0)) left.push("rolling.drive");
   readNumerics(state, tables.numerics ?? {}, left);

@@ -39,9 +39,9 @@ export function drawContact(root, { fields, scalars }) {
 }
 
 function caption(what, scalars) {
-  if (what === "stick") return [key("stick"), " and ", key("slip"), " in the contact"];
+  if (what === "stick") return ["Where it ", key("sticks"), " and ", key("slips")];
   const ramp = el("span", { class: "ramp", style: `background: ${PRESSURE_GRADIENT}` });
-  return ["Contact pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];
+  return ["Pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];
 }
 
 const key = (name) => el("span", { class: `key ${name}` }, name);

@@ -3,19 +3,20 @@
 import { chart } from "./chart.js";
 import { ALONG, pointsOf, typedAlong } from "./curve.js";
 import { el } from "./dom.js";
-import { handyUnit } from "./units.js";
 
-/** Results that can be drawn. */
+/** Results that can be drawn, and those of them that friction alone determines. */
 const DRAWN = [
   "resisting_torque",
   "rolling_resistance_coefficient",
   "dissipated_power",
   "penetration",
+  "strain",
   "max_pressure",
   "driving_torque",
   "driving_force",
   "creepage",
 ];
+const OF_FRICTION = ["driving_force", "creepage"];
 
 export class CurvePicture {
   #root;
@@ -63,6 +64,9 @@ export class CurvePicture {
     this.#found = [];
     this.#marked = null;
     this.#root.dataset.filling = "begun";
+    for (const option of this.#root.querySelectorAll("option")) {
+      option.disabled = OF_FRICTION.includes(option.value) && state.friction === 0;
+    }
     return this.#points;
   }
 
@@ -92,9 +96,8 @@ export class CurvePicture {
     const solved = this.#found
       .filter(({ scalars }) => Number.isFinite(scalars?.[this.#name]))
       .sort((a, b) => a.at - b.at);
-    const unit = this.#results.unit(this.#name);
     const sizes = solved.map(({ scalars }) => Math.abs(scalars[this.#name]));
-    const [handy, one] = handyUnit(Math.max(0, ...sizes) || this.#marked?.[this.#name], unit);
+    const [unit, one] = this.#results.unit(this.#name, Math.max(0, ...sizes) || this.#marked?.[this.#name]);
     const ends = this.#points.map(({ at }) => at);
     const mark =
       this.#marked && Number.isFinite(this.#marked[this.#name])
@@ -113,7 +116,7 @@ export class CurvePicture {
           },
         ],
         xLabel: `${ALONG[this.#along].label} [${typed[1]}]`,
-        yLabel: `${this.#results.label(this.#name)}${handy ? ` [${handy}]` : ""}`,
+        yLabel: `${this.#results.label(this.#name)}${unit ? ` [${unit}]` : ""}`,
         logX: true,
         xRange: [Math.min(...ends), Math.max(...ends)],
         mark,
@@ -125,7 +128,8 @@ export class CurvePicture {
       open > 0
         ? `${open} of ${this.#points.length} points to come, on a coarse mesh.`
         : "On a coarse mesh; the ring is the case above.",
-      failed ? `${failed} have no answer: too large a load, or too fast.` : "",
+      OF_FRICTION.includes(this.#name) && this.#state.friction === 0 ? "Without friction there is none." : "",
+      failed ? `${failed} of the points have no answer: too large a load, or too fast.` : "",
     ].join(" ");
   }
 }

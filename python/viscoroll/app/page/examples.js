@@ -45,7 +45,7 @@ const CHANGES = {
       layers: [layer("soft_rubber", 10)],
       load: [5, "N/mm"],
       force: [0, "N/mm"],
-      torque: [0, "N"],
+      torque: [0, "N m/m"],
       speed: [1, "m/s"],
     },
   },

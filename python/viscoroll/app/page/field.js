@@ -5,6 +5,9 @@ import { SI, UNITS, fromSI, shown, tidy, toSI, unitNamed } from "./units.js";
 
 const STEPS = 300; // of a slider: some half a percent of a decade's value each, over three decades
 
+/** How long nothing more is typed before a number is read [ms]: 7 on the way to 78 is none to be solved. */
+const PAUSE = 300;
+
 /** 1,000 is one to some, and a thousand to others: it is asked for. */
 const THOUSANDS = /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/;
 
@@ -45,6 +48,7 @@ export function numberField({
   const back = (number, unit) => (quantity ? fromSI(number, unit, quantity, radius())[0] : tidy(number));
   const units = quantity ? Object.keys(UNITS[quantity]) : [];
   let misread = false;
+  let pause = null; // before what was typed is read
   let [number, unit] = value === null ? [null, units[0] ?? ""] : pair(value);
 
   const input = el("input", {
@@ -54,6 +58,7 @@ export function numberField({
     autocomplete: "off",
     placeholder: empty,
     oninput: typed,
+    onchange: left, // or Enter is pressed
   });
   const select =
     units.length > 1
@@ -83,6 +88,14 @@ export function numberField({
     return Math.round(STEPS * Math.min(Math.max(share, 0), 1));
   }
   function typed() {
+    clearTimeout(pause);
+    say("", "");
+    pause = setTimeout(read, PAUSE);
+  }
+  function read() {
+    if (pause === null) return;
+    clearTimeout(pause);
+    pause = null;
     const text = input.value.trim().replace("−", "-").replace(THOUSANDS, "$&?").replace(",", ".");
     const found = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(text);
     const named = found && quantity && unitNamed(found[2], quantity);
@@ -97,9 +110,12 @@ export function numberField({
       return;
     }
     misread = false;
-    say("", "");
     show({ text: false });
     change(number === null ? null : whole(number, unit));
+  }
+  function left() {
+    read();
+    if (!misread) show(); // with what was typed as a unit at its place
   }
   function converted() {
     const kept = number === null ? null : si([number, unit]);

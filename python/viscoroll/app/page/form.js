@@ -45,12 +45,14 @@ export class Form {
     if (place >= 0) this.#controls()[place]?.focus();
   }
 
-  /** Say what is wrong at the field that caused it; return whether there is one. */
+  /** Say what is wrong at the field that caused it, where there is one; return what is left to be said. */
   sayError({ message, parameter }) {
     const field = parameter && this.#field(parameter);
-    field?.say(message, "error");
-    field?.root.closest("details")?.setAttribute("open", "");
-    return Boolean(field);
+    if (!field) return message;
+    const text = message.replace(/^[\w.[\]]+: /, ""); // its place in the case is that of the field
+    field.say(text, "error");
+    field.root.closest("details")?.setAttribute("open", "");
+    return `No answer: ${text}`;
   }
 
   /** Say warnings at their fields; return those that have none. */

@@ -2,7 +2,7 @@
 
 import { el } from "./dom.js";
 import { choiceField, numberField } from "./field.js";
-import { KINDS, PRESETS, newLayer } from "./materials.js";
+import { KINDS, PRESETS, SHORE_D, newLayer } from "./materials.js";
 
 /**
  * All layers of a list, with a button for one more.
@@ -45,14 +45,14 @@ export function layerRow({ layers, prefix, add, change, index, endless = false }
   const choice = (of) =>
     added(choiceField, {
       value: () => layer()[of.name],
-      change: (value) => update({ [of.name]: value, preset: "" }, true),
+      change: (value) => update({ ...(of.chosen?.(layer(), value) ?? { [of.name]: value }), preset: "" }, true),
       ...of,
     });
 
   const { kind } = layer();
   const material = KINDS[kind].fields.map((one) => {
     if (one.options) return choice(one);
-    return number(one.name === "hardness" && layer().scale === "D" ? { ...one, range: [30, 85] } : one);
+    return number(one.name === "hardness" && layer().scale === "D" ? { ...one, range: SHORE_D } : one);
   });
   const head = el(
     "div",

@@ -1,6 +1,6 @@
 /** The state in the fragment of an address, by which a link restores it. */
 
-import { initialState } from "./case.js";
+import { caseOf, initialState } from "./case.js";
 
 /** The fragment of a state: what of it is not as at the beginning, as base64 of its JSON. */
 export function fragmentOf(state) {
@@ -23,8 +23,13 @@ export function stateOfFragment(fragment) {
     const initial = initialState();
     const known =
       changed !== null && typeof changed === "object" && Object.keys(changed).every((name) => name in initial);
-    return fragment.length > 1 && known ? { ...initial, ...changed } : null;
+    return fragment.length > 1 && known && hasCase({ ...initial, ...changed }) ? { ...initial, ...changed } : null;
   } catch {
-    return null; // no base64, or no JSON
+    return null; // no base64, no JSON, or no state
   }
+}
+
+/** Whether a state describes a case: what has no number, or a unit that is none, is null in its JSON. */
+function hasCase(state) {
+  return !JSON.stringify(caseOf(state)).includes(":null");
 }

@@ -71,6 +71,7 @@ class Page {
   }
 
   #ask() {
+    if (this.#newest && document.body.dataset.wrong === "true") this.#takeBack();
     this.#newest?.ask(caseOf(this.#state), outerRadius(this.#state), this.#curve.begin(this.#state));
   }
 
@@ -99,8 +100,7 @@ class Page {
   }
 
   #tellError(error) {
-    const where = this.#form.sayError(error) ? "No answer: " : "";
-    at("error").textContent = `${where}${error.message}`;
+    at("error").textContent = this.#form.sayError(error);
     at("brief").textContent = "No answer ↓";
     say("");
   }
@@ -112,6 +112,13 @@ class Page {
     this.#curve.mark(result);
     at("brief").textContent = `${this.#results.brief(result)} ↓`;
     say(stage === "coarse" ? `A coarse answer (${meshText(result, seconds)}).` : refinedText(result, seconds));
+  }
+
+  /** What was wrong may be right by now: it is being asked for. */
+  #takeBack() {
+    this.#form.sayNothing();
+    at("error").textContent = "";
+    say("Solving …");
   }
 
   /** What is no answer of a solver: it could not be asked. */

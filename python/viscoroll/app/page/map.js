@@ -1,5 +1,6 @@
 /** The contact from above, on a canvas: its pressure, and with friction where it sticks and slips. */
 
+import { ABOVE, BESIDE, roundTicks } from "./ticks.js";
 import { shown } from "./units.js";
 
 /** Colors of pressure from 0 to the largest: a few of "magma" of matplotlib, reversed, linear in between. */
@@ -112,26 +113,16 @@ function drawAxes(context, frame, window, style) {
   context.strokeRect(left, top, width, height);
   const across = (mm) => left + ((mm * 1e-3 - window.x[0]) / (window.x[1] - window.x[0])) * width;
   const down = (mm) => top + ((window.z[1] - mm * 1e-3) / (window.z[1] - window.z[0])) * height;
+  const ticks = ([low, high], most) => roundTicks(1e3 * low, 1e3 * high, most);
   context.textAlign = "center";
-  for (const tick of ticks(window.x)) context.fillText(shown(tick), across(tick), top + height + 16);
+  for (const tick of ticks(window.x, width / BESIDE)) context.fillText(shown(tick), across(tick), top + height + 16);
   context.fillText(width > 180 ? "x [mm], rolling to the right →" : "x [mm] →", left + width / 2, top + height + 34);
   context.textAlign = "right";
-  for (const tick of ticks(window.z)) context.fillText(shown(tick), left - 6, down(tick) + 4);
+  for (const tick of ticks(window.z, height / ABOVE)) context.fillText(shown(tick), left - 6, down(tick) + 4);
   context.save();
   context.translate(left - MARGIN.left + 13, top + height / 2);
   context.rotate(-Math.PI / 2);
   context.textAlign = "center";
   context.fillText("z [mm]", 0, 0);
   context.restore();
-}
-
-/** Round millimeters within a range of meters. */
-function ticks([low, high]) {
-  const rough = ((high - low) * 1e3) / 4;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((one) => one >= rough);
-  const found = [];
-  for (let i = Math.ceil((low * 1e3) / step); i * step <= high * 1e3; i += 1)
-    found.push(Number((i * step).toPrecision(12)));
-  return found;
 }

@@ -2,13 +2,17 @@
 
 import { fromSI, tidy, toSI } from "./units.js";
 
+/** Where hardness has a modulus, by scale. */
+const SHORE_A = [20, 90];
+export const SHORE_D = [30, 85];
+
 /**
  * Kinds by the `type` of a case file. `fields`: what is typed, as the form shows it; `table`: the table of a case file;
  * `typed`: the way back. Names of fields are those of case files where these have them.
  */
 export const KINDS = {
   standard_linear_solid: {
-    label: "modulus and one relaxation",
+    label: "one relaxation time",
     fields: [
       { name: "instantaneous_modulus", label: "shear modulus, instantaneous", quantity: "modulus", range: [1e4, 1e9] },
       { name: "share", label: "relaxed share", range: [0.02, 1], linear: true, parameter: "relaxed_modulus" },
@@ -33,8 +37,8 @@ export const KINDS = {
   hardness: {
     label: "hardness and rebound",
     fields: [
-      { name: "hardness", label: "hardness", range: [20, 90], linear: true, step: 1 },
-      { name: "scale", label: "scale", options: { A: "Shore A", D: "Shore D" } },
+      { name: "hardness", label: "hardness", range: SHORE_A, linear: true, step: 1 },
+      { name: "scale", label: "scale", options: { A: "Shore A", D: "Shore D" }, chosen: onScale },
       {
         name: "rebound",
         label: "rebound",
@@ -44,9 +48,10 @@ export const KINDS = {
         step: 1,
         empty: "no loss",
       },
-      { name: "reference_frequency", label: "which holds at", quantity: "frequency", range: [1, 1e5] },
+      { name: "reference_frequency", label: "hardness holds at", quantity: "frequency", range: [0.1, 1e4] },
     ],
-    initial: { hardness: 85, scale: "A", rebound: [55, "%"], reference_frequency: [300, "rad/s"] },
+    // A durometer is read after a second; from there the loss factor holds up to the frequencies of contacts.
+    initial: { hardness: 85, scale: "A", rebound: [55, "%"], reference_frequency: [1, "rad/s"], decades: 4.5 },
     table: (layer) => ({
       type: "hardness",
       hardness: layer.hardness,
@@ -56,13 +61,15 @@ export const KINDS = {
         : {
             rebound: toSI(layer.rebound, "percent"),
             reference_frequency: toSI(layer.reference_frequency, "frequency"),
+            decades: layer.decades,
           }),
     }),
     typed: (table) => ({
       hardness: table.hardness,
       scale: table.scale ?? "A",
       rebound: table.rebound === undefined ? null : fromSI(table.rebound, "%", "percent"),
-      reference_frequency: [table.reference_frequency ?? 300, "rad/s"],
+      reference_frequency: [table.reference_frequency ?? 1, "rad/s"],
+      decades: table.rebound === undefined ? 4.5 : (table.decades ?? 3),
     }),
   },
   loss_factor: {
@@ -72,17 +79,19 @@ export const KINDS = {
       { name: "loss_factor", label: "loss factor tan δ", range: [0.01, 1], linear: true, step: 0.01 },
       { name: "reference_frequency", label: "which hold at", quantity: "frequency", range: [1, 1e5] },
     ],
-    initial: { modulus: [3, "MPa"], loss_factor: 0.2, reference_frequency: [300, "rad/s"] },
+    initial: { modulus: [3, "MPa"], loss_factor: 0.2, reference_frequency: [300, "rad/s"], decades: 3 },
     table: (layer) => ({
       type: "loss_factor",
       modulus: toSI(layer.modulus, "modulus"),
       loss_factor: layer.loss_factor,
       reference_frequency: toSI(layer.reference_frequency, "frequency"),
+      decades: layer.decades,
     }),
     typed: (table) => ({
       modulus: fromSI(table.modulus, "MPa", "modulus"),
       loss_factor: table.loss_factor,
       reference_frequency: [table.reference_frequency, "rad/s"],
+      decades: table.decades ?? 3,
     }),
   },
   elastic: {
@@ -118,10 +127,16 @@ export const KINDS = {
   },
 };
 
+/** Both scales have the same modulus at a difference of 50, as far as they reach. */
+function onScale({ hardness }, scale) {
+  const [low, high] = scale === "D" ? SHORE_D : SHORE_A;
+  return { scale, hardness: Math.min(Math.max(hardness + (scale === "D" ? -50 : 50), low), high) };
+}
+
 /** The kind that a table of a case file is typed as. */
 export function kindOf(table) {
   const kind = KINDS[table.type];
-  const optional = ["type", "scale", "rebound", "reference_frequency"];
+  const optional = ["type", "scale", "rebound", "reference_frequency", "decades"];
   const needed = Object.keys(kind?.initial ?? {}).map((name) => (name === "share" ? "relaxed_modulus" : name));
   const known = kind && Object.keys(table).every((name) => optional.includes(name) || needed.includes(name));
   return known ? table.type : "kept";
@@ -131,14 +146,13 @@ const rubber = { poisson_ratio: 0.5, density: [1000, "kg/m³"] };
 const urethane = { poisson_ratio: 0.495, density: [1100, "kg/m³"] };
 const hard = (hardness, rebound) => ({
   kind: "hardness",
+  ...KINDS.hardness.initial,
   hardness,
-  scale: "A",
   rebound: [rebound, "%"],
-  reference_frequency: [300, "rad/s"],
 });
 
 const BLOW =
-  "A hardness gives a modulus at rest, to a factor of 1.4 or so; a rebound the loss under a blow of milliseconds.";
+  "A hardness gives a modulus after a second, to a factor of 1.4 or so; a rebound the loss under a blow of milliseconds.";
 
 /** Materials to begin with, by name: what of a layer they set, and where it comes from. */
 export const PRESETS = {

@@ -2,7 +2,7 @@
 
 import { drawContact } from "./contact_picture.js";
 import { el } from "./dom.js";
-import { handy, resultUnit, shown } from "./units.js";
+import { handy, handyUnit, resultUnit, shown } from "./units.js";
 
 /** Numbers that are shown large, those of friction where there is some; all others are in the table. */
 const FIRST = [
@@ -63,25 +63,26 @@ export class Results {
 
   /** The main numbers on one line. */
   brief({ scalars }) {
-    return FIRST.slice(0, 3)
-      .map((name) => this.text(name, scalars[name]))
-      .join("  ·  ");
+    const [torque, coefficient] = FIRST.map((name) => this.text(name, scalars[name]));
+    return `torque ${torque}  ·  coefficient ${coefficient}`;
   }
 
   /** The value of a scalar result as people read it. */
   text(name, value) {
-    if (value !== null && PERCENTS.includes(name)) return `${shown(100 * value, 4)} %`;
-    return handy(value, this.unit(name), 5);
+    if (value === null || value === undefined) return shown(value);
+    const [unit, one] = this.unit(name, value);
+    return `${shown(value / one, PERCENTS.includes(name) ? 4 : 5)} ${unit}`.trim();
   }
 
-  /** Its unit [SI]. */
-  unit(name) {
-    return resultUnit(this.#scalar(name).unit, this.#last?.line);
+  /** The unit in which one of its values reads best, and the SI value of that. */
+  unit(name, value) {
+    if (PERCENTS.includes(name)) return ["%", 1e-2];
+    return handyUnit(value, resultUnit(this.#scalar(name).unit, this.#last?.line));
   }
 
-  /** What it is, in a few words. */
+  /** Its name as attributes and files have it, in words. */
   label(name) {
-    return this.#scalar(name).description.split(",")[0];
+    return name.replaceAll("_", " ");
   }
 
   #scalar(name) {
@@ -93,7 +94,7 @@ export class Results {
     return el(
       "div",
       { class: "card" },
-      el("dt", { title: this.#scalar(name).description }, this.label(name)),
+      el("dt", { title: sentence(this.#scalar(name).description) }, this.label(name)),
       el("dd", { "data-scalar": name, "data-value": scalars[name] }, this.text(name, scalars[name])),
       note ? el("dd", { class: "note" }, note) : null,
     );
@@ -102,9 +103,10 @@ export class Results {
   /** What else a number says: engineers ask for the force that keeps a wheel rolling. */
   #note(name, scalars, { rolling }) {
     if (name === "rolling_resistance_coefficient" && scalars[name] !== null) {
-      return `times the load: ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")} of resistance`;
+      return `a resistance of ${handy(scalars[name] * rolling.load, this.#last.line ? "N/m" : "N")}`;
     }
-    if (name === "model_error") return "that much linear theory does not know";
+    if (name === "strain") return "penetration by thickness";
+    if (name === "model_error") return "what linear theory leaves open";
     return null;
   }
 

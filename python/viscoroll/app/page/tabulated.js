@@ -32,22 +32,28 @@ function replaced(value, tables, place) {
   return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, replaced(one, tables, inside(name))]));
 }
 
-function ofDataSheet({ hardness, scale = "A", rebound, reference_frequency: frequency }, tables, place) {
+function ofDataSheet({ hardness, scale = "A", rebound, ...table }, tables, place) {
   const modulus = tables.hardness[scale][hardness];
   if (modulus === undefined) {
     const all = Object.keys(tables.hardness[scale]);
-    throw new NotTabulated(place, "hardness", `a whole number in [${all[0]}, ${all.at(-1)}] Shore ${scale}`, hardness);
+    const rule = `a whole number in [${all[0]}, ${all.at(-1)}] Shore ${scale}`;
+    throw new NotTabulated(place, "hardness", rule, `${hardness}${inShoreD(hardness, scale)}`);
   }
   if (rebound === undefined) return { type: "elastic", modulus };
-  const series = tables.rebound[percent(rebound)];
-  if (!series) throw new NotTabulated(place, "rebound", "a whole percent in [2, 99]", `${percent(rebound)} %`);
-  return scaled(series, tables.relaxation_times, modulus, frequency);
+  const found = tables.rebound.series[percent(rebound)];
+  if (!found) throw new NotTabulated(place, "rebound", "a whole percent in [2, 99]", `${percent(rebound)} %`);
+  return scaled(found, tables.rebound, { modulus, ...table }, place);
 }
 
-function ofLossFactor({ modulus, loss_factor: lossFactor, reference_frequency: frequency }, tables, place) {
-  const series = tables.loss_factor[percent(lossFactor)];
-  if (!series) throw new NotTabulated(place, "loss_factor", "a multiple of 0.01 in [0.01, 1]", lossFactor);
-  return scaled(series, tables.relaxation_times, modulus, frequency);
+/** Scales meet at a difference of 50: what is harder than 90 Shore A is given in Shore D. */
+function inShoreD(hardness, scale) {
+  return scale === "A" && hardness > 90 && hardness <= 100 ? `; in Shore D it is about ${hardness - 50}` : "";
+}
+
+function ofLossFactor({ loss_factor: lossFactor, ...table }, tables, place) {
+  const found = tables.loss_factor.series[percent(lossFactor)];
+  if (!found) throw new NotTabulated(place, "loss_factor", "a multiple of 0.01 in [0.01, 1]", lossFactor);
+  return scaled(found, tables.loss_factor, table, place);
 }
 
 function ofLaboratory({ name, temperature }, tables, place) {
@@ -59,7 +65,9 @@ function ofLaboratory({ name, temperature }, tables, place) {
 const percent = (share) => Number((100 * share).toPrecision(12));
 
 /** A series of 1 Pa and 1 rad/s, whose weights are geometric between their ends, of a modulus that holds at a frequency. */
-function scaled([instantaneous, first, second, ratio, last], times, modulus, frequency) {
+function scaled([instantaneous, first, second, ratio, last], { decades, relaxation_times: times }, table, place) {
+  const { modulus, reference_frequency: frequency, decades: wanted = 3 } = table;
+  if (wanted !== decades) throw new NotTabulated(place, "decades", String(decades), wanted);
   const between = Array.from({ length: times.length - 2 }, (_, k) => second * ratio ** k);
   return {
     type: "prony",

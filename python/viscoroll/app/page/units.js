@@ -9,7 +9,7 @@ export const UNITS = {
   force: { N: 1, kN: 1e3, kgf: 9.80665, lbf: 4.4482216152605 },
   line_force: { "N/mm": 1e3, "N/m": 1, "kN/m": 1e3, "lbf/in": 175.12683524647636 },
   torque: { "N m": 1, "mN m": 1e-3, "lbf in": 0.1129848290276167 },
-  line_torque: { N: 1, "N mm/mm": 1 },
+  line_torque: { "N m/m": 1, "N mm/mm": 1 },
   speed: { "km/h": null, "m/s": null, mph: null, rpm: TURN / 60, "rad/s": 1 },
   time: { s: 1, ms: 1e-3, µs: 1e-6 },
   frequency: { "rad/s": 1, Hz: TURN },
@@ -25,7 +25,7 @@ export const SI = {
   force: "N",
   line_force: "N/m",
   torque: "N m",
-  line_torque: "N",
+  line_torque: "N m/m",
   speed: "rad/s",
   time: "s",
   frequency: "rad/s",
@@ -109,7 +109,7 @@ const PREFIXES = [
 ];
 
 /** Units with prefixes that engineers read them with; a meter has no larger ones. */
-const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
+const PREFIXED = { m: "mµn", N: "kmµ", "N m": "kmµ", "N m/m": "kmµ", W: "kmµ", Pa: "GMk", "N/m": "kM", "W/m": "kmµ", "m/s": "mµ" };
 
 /**
  * The unit in which a result reads best, and its SI value.
@@ -136,7 +136,7 @@ export function handy(value, unit, digits = 4) {
 }
 
 /** In line contact what has these units is per length. */
-const PER_LENGTH = { "N m": "N", N: "N/m", W: "W/m", "m^2": "m" };
+const PER_LENGTH = { "N m": "N m/m", N: "N/m", W: "W/m", "m^2": "m" };
 
 /** The unit of a scalar result; `unit` is that of its table. */
 export function resultUnit(unit, lineContact) {
