@@ -83,11 +83,11 @@ html_css_files = ["site.css"]
 html_extra_path = [str(ROOT / "build" / "site")]  # files as they are: the page of `try.md`
 html_copy_source = False
 html_show_sourcelink = False
-html_sidebars = {"try": [], "jobs/*": []}  # whose pages want the room
+html_sidebars = {"index": [], "try": [], "jobs/*": []}  # whose pages want the room
 html_theme_options = {
     "show_prev_next": True,
     "navigation_with_keys": False,
-    "secondary_sidebar_items": {"**": ["page-toc"], "try": []},
+    "secondary_sidebar_items": {"**": ["page-toc"], "index": [], "try": []},
     "footer_start": ["copyright"],
     "footer_end": [],
 }
