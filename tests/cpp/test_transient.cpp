@@ -180,6 +180,36 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   EXPECT_LT(largest_error(), 1e-11);
 }
 
+/// Products that take long are cut by offsets along the path, for somebody to be able to stop them.
+TEST(MirroredTables, LongProductsListenAndAreThoseOfTheCompliance) {
+  const Observer silent;
+  Watch watch(silent);
+  const Mesh mesh{.nodes_per_revolution = 1000};
+  const CoatingSum sum(layered_body(std::get<CoatedSphere>(at_rest(RollingBody(cases::paper_sphere())))), 1.0, mesh, 1,
+                       watch);
+  constexpr Eigen::Index kAside = 150;
+  constexpr Eigen::Index kRows = 45;
+  const MirroredTables tables(sum, {.components = 3, .half_nodes = kAside, .ring = 1000, .most = 40}, 1, watch);
+  const std::vector<Eigen::Index> loaded{3 * kAside, 20 * kAside + 77, 40 * kAside + 149};
+  const std::vector<Eigen::Index> displaced{5, 3 * kAside, 12 * kAside + 60, 44 * kAside + 149};
+  HalfField loads = HalfField::Zero(3 * kAside, kRows);
+  Eigen::VectorXd forces(9);
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    forces[i] = 1.0 + static_cast<double>(i);
+    const Eigen::Index node = loaded[static_cast<std::size_t>(i / 3)];
+    loads(i % 3 * kAside + node % kAside, node / kAside) = forces[i];
+  }
+  int polled = 0;
+  const HalfField found = tables.displacement(loads, 3, 40, [&polled] { ++polled; });
+  EXPECT_GE(polled, 6);  // twice 32 rows at most, each in three pieces
+  const Eigen::VectorXd expected = tables.compliance(displaced, loaded) * forces;
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    const Eigen::Index node = displaced[static_cast<std::size_t>(i / 3)];
+    EXPECT_NEAR(found(i % 3 * kAside + node % kAside, node / kAside), expected[i],
+                1e-13 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST(RollingHistory, ResultsDoNotDependOnThreads) {
   const Mesh mesh{.nodes_per_revolution = 120};
   std::vector<double> torques;

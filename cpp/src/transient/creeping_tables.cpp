@@ -8,12 +8,12 @@ double CreepingTables::own_compliance() const {
   return sum;
 }
 
-YieldingTables CreepingTables::yielding(std::vector<double> parts) const {
+YieldingTables CreepingTables::yielding(std::vector<double> parts, const std::function<void()>& checkpoint) const {
   if (count() == 1) {
     const double share = parts.front();
     return {.parts = std::move(parts), .share = share, .tables = {tables_, &tables_->front()}};
   }
-  auto tables = std::make_shared<const MirroredTables>(MirroredTables::sum_of(*tables_, parts));
+  auto tables = std::make_shared<const MirroredTables>(MirroredTables::sum_of(*tables_, parts, checkpoint));
   return {.parts = std::move(parts), .share = 1.0, .tables = std::move(tables)};
 }
 

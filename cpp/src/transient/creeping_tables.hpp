@@ -2,6 +2,7 @@
 /// @brief The elastic surfaces whose displacements, by forces that lag, add up to those of a body that creeps.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -40,7 +41,8 @@ class CreepingTables {
   [[nodiscard]] double own_compliance() const;
 
   /// @param[in] parts of the forces that have yielded, one for each of the tables
-  [[nodiscard]] YieldingTables yielding(std::vector<double> parts) const;
+  /// @param[in] checkpoint called every few milliseconds
+  [[nodiscard]] YieldingTables yielding(std::vector<double> parts, const std::function<void()>& checkpoint) const;
 
  private:
   std::shared_ptr<const std::vector<MirroredTables>> tables_;

@@ -32,14 +32,14 @@ Lattice::Lattice(std::shared_ptr<const CreepingPair> pair, double shift, Index h
 
 /// Tables that are sums serve on while steps take as long.
 template <class Parts>
-Yielding Lattice::yielding(const Parts& parts_in) {
+Yielding Lattice::yielding(const Parts& parts_in, const Checkpoint& checkpoint) {
   last_.resize(pair_->bodies.size());
   Yielding yielding{.of_bodies = {}, .sum = 0.0};
   for (std::size_t b = 0; b < last_.size(); ++b) {
     const CreepingTables& tables = pair_->bodies[b].tables;
     std::vector<double> parts = parts_in(b);
     if (tables.count() == 1 || !are_same(parts, last_[b].parts)) {
-      last_[b] = tables.yielding(std::move(parts));
+      last_[b] = tables.yielding(std::move(parts), checkpoint);
       if (tables.count() > 1) stiffness_ = {};
     }
     yielding.sum += last_[b].share;
@@ -181,10 +181,11 @@ double Lattice::slip_work(const Touch& touch) const {
 
 void Lattice::start(Start start, const StepEnd& at, double center_speed, const Checkpoint& checkpoint) {
   const bool relaxed = start == Start::relaxed;
-  const Yielding yielding = this->yielding([&](std::size_t b) {
+  const auto parts_in = [&](std::size_t b) {
     const CreepingBody& body = pair_->bodies[b];
     return relaxed ? body.parts_at_rest() : body.parts_at_once();
-  });
+  };
+  const Yielding yielding = this->yielding(parts_in, checkpoint);
   now_.angle = at.angle;
   // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
   const int count = pair_->has_friction() ? kPressingSteps : 1;
@@ -210,7 +211,8 @@ void Lattice::advance(const PairStep& step, const StepEnd& end, const Checkpoint
   const RollingInstant before = now_;
   const CenterPower power = power_;
   const double duration = step.duration;
-  const Yielding yielding = this->yielding([&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); });
+  const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); };
+  const Yielding yielding = this->yielding(parts_in, checkpoint);
   const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end), checkpoint);
   take(contact, end);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
@@ -247,10 +249,12 @@ void Lattice::take_stored_energy() {
   }
 }
 
-void Lattice::widen(std::shared_ptr<const CreepingPair> pair) {
+void Lattice::widen(std::shared_ptr<const CreepingPair> pair, const Checkpoint& checkpoint) {
   const Index before = pair_->half_nodes();
   pair_ = std::move(pair);
-  for (std::size_t b = 0; b < memories_.size(); ++b) memories_[b] = memories_[b].widened(pair_->bodies[b].tables);
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    memories_[b] = memories_[b].widened(pair_->bodies[b].tables, checkpoint);
+  }
   last_.clear();
   forget_contact();
   const Index half_nodes = pair_->half_nodes();

@@ -73,11 +73,11 @@ class Lattice {
   void advance(const PairStep& step, const StepEnd& end, const Checkpoint& checkpoint);
 
   /// @brief The same history on wider tables.
-  void widen(std::shared_ptr<const CreepingPair> pair);
+  void widen(std::shared_ptr<const CreepingPair> pair, const Checkpoint& checkpoint);
 
   void write(NumberWriter& numbers) const;
   /// @brief Take over what a lattice of the same bodies has written.
-  void read(NumberReader& numbers);
+  void read(NumberReader& numbers, const Checkpoint& checkpoint);
 
   [[nodiscard]] const RollingInstant& now() const { return now_; }
   [[nodiscard]] ContactField field() const;
@@ -85,7 +85,7 @@ class Lattice {
  private:
   /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
   template <class Parts>
-  [[nodiscard]] Yielding yielding(const Parts& parts_in);
+  [[nodiscard]] Yielding yielding(const Parts& parts_in, const Checkpoint& checkpoint);
   /// @param[in] step none for a first contact, on bodies that bear nothing else
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                             const CenterCondition& center, const Checkpoint& checkpoint);

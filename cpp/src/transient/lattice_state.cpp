@@ -34,7 +34,7 @@ void Lattice::write(NumberWriter& numbers) const {
   stiffness_.write(numbers);
 }
 
-void Lattice::read(NumberReader& numbers) {
+void Lattice::read(NumberReader& numbers, const Checkpoint& checkpoint) {
   for (const auto member : kLatticeScalars) now_.*member = numbers.get();
   center_acceleration_ = numbers.get();
   power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
@@ -57,7 +57,7 @@ void Lattice::read(NumberReader& numbers) {
     std::vector<double> parts = numbers.values();
     if (parts.empty()) continue;
     NumberReader::require(parts.size() == body.tables.count());
-    last_.push_back(body.tables.yielding(std::move(parts)));
+    last_.push_back(body.tables.yielding(std::move(parts), checkpoint));
   }
   const Index last = pair_->half_nodes() * (2 * half_rows_ + 1) - 1;
   inverse_.read(numbers, last);

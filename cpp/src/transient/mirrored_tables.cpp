@@ -15,6 +15,9 @@ using Eigen::Index;
 
 constexpr Index kPhi = 1;  // the component that changes its sign with the sense of phi
 
+/// Multiplications from checkpoint to checkpoint: some tens of milliseconds.
+constexpr Index kAtOnce = 100'000'000;
+
 constexpr std::array kEntriesInUse{Entry::rr,     Entry::rphi,     Entry::rtheta,
                                    Entry::phiphi, Entry::phitheta, Entry::thetatheta};
 
@@ -75,10 +78,14 @@ std::vector<MirroredTables> MirroredTables::of_all(const std::vector<std::unique
   return mirrored;
 }
 
-MirroredTables MirroredTables::sum_of(std::span<const MirroredTables> tables, std::span<const double> factors) {
+MirroredTables MirroredTables::sum_of(std::span<const MirroredTables> tables, std::span<const double> factors,
+                                      const std::function<void()>& checkpoint) {
   MirroredTables sum = tables.front();
-  sum.ahead_ *= factors.front();
-  for (std::size_t i = 1; i < tables.size(); ++i) sum.ahead_ += factors[i] * tables[i].ahead_;
+  for (Index column = 0; column < sum.ahead_.cols(); ++column) {
+    checkpoint();
+    sum.ahead_.col(column) *= factors.front();
+    for (std::size_t i = 1; i < tables.size(); ++i) sum.ahead_.col(column) += factors[i] * tables[i].ahead_.col(column);
+  }
   return sum;
 }
 
@@ -180,7 +187,8 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
   return matrix;
 }
 
-void MirroredTables::add(const HalfField& loads, Index first, Index last, const Frame& frame, HalfField& result) const {
+void MirroredTables::add(const HalfField& loads, Index first, Index last, const Frame& frame, const Offsets& offsets,
+                         HalfField& result) const {
   const auto [shift, reach] = frame;
   const Index count = last - first + 1;
   // The nodes beside the loaded ones are left out of the product.
@@ -195,9 +203,10 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
   while (width > 1 && !is_loaded(width - 1)) --width;
   const auto add_influence = [&](Index component, HalfField& displaced) {
     const Index start = component * half_nodes();
-    add_product(ahead_.block(0, start, (reach + 1) * height(), width), sources.middleRows(start, width), displaced);
+    add_product(ahead_.block(offsets.first * height(), start, displaced.rows(), width),
+                sources.middleRows(start, width), displaced);
   };
-  HalfField forward = HalfField::Zero((reach + 1) * height(), count);
+  HalfField forward = HalfField::Zero(offsets.count * height(), count);
   for (Index q = 0; q < components(); ++q) {
     if (q != kPhi) add_influence(q, forward);
   }
@@ -206,20 +215,20 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
     HalfField along = HalfField::Zero(forward.rows(), count);
     add_influence(kPhi, along);
     backward = forward - along;
-    for (Index j = 0; j <= reach; ++j) backward.middleRows(j * height() + half_nodes(), half_nodes()) *= -1.0;
+    for (Index j = 0; j < offsets.count; ++j) backward.middleRows(j * height() + half_nodes(), half_nodes()) *= -1.0;
     forward += along;
   }
   const HalfField& other = components() == 1 ? forward : backward;
   for (Index source = 0; source < count; ++source) {
     const Index place = first + source + shift;
     const Index up = std::min(reach, result.cols() - 1 - place);
-    for (Index j = 0; j <= up; ++j) {
-      result.col(place + j) += forward.block(j * height(), source, height(), 1);
+    for (Index j = offsets.first; j <= std::min(up, offsets.first + offsets.count - 1); ++j) {
+      result.col(place + j) += forward.block((j - offsets.first) * height(), source, height(), 1);
     }
     // Half way around the ring both offsets are the same one.
     const Index down = std::min({reach, place, shape_.ring && *shape_.ring % 2 == 0 ? *shape_.ring / 2 - 1 : reach});
-    for (Index j = 1; j <= down; ++j) {
-      result.col(place - j) += other.block(j * height(), source, height(), 1);
+    for (Index j = std::max<Index>(1, offsets.first); j <= std::min(down, offsets.first + offsets.count - 1); ++j) {
+      result.col(place - j) += other.block((j - offsets.first) * height(), source, height(), 1);
     }
   }
 }
@@ -227,10 +236,14 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
 HalfField MirroredTables::displaced(const HalfField& loads, Index first, Index last, const Frame& frame,
                                     const std::function<void()>& checkpoint) const {
   constexpr Index kTogether = 32;  // rows, for products to be quick and the fields between them not too large
+  const Index offsets = std::max<Index>(1, kAtOnce / (kTogether * height() * height()));
   HalfField result = HalfField::Zero(height(), loads.cols() + 2 * frame.shift);
   for (Index row = first; row <= last; row += kTogether) {
-    checkpoint();
-    add(loads, row, std::min(row + kTogether - 1, last), frame, result);
+    for (Index offset = 0; offset <= frame.reach; offset += offsets) {
+      checkpoint();
+      add(loads, row, std::min(row + kTogether - 1, last), frame,
+          {.first = offset, .count = std::min(offsets, frame.reach + 1 - offset)}, result);
+    }
   }
   return result;
 }

@@ -50,7 +50,8 @@ class MirroredTables {
   /// @brief The sum of tables of one shape and reach, each times a factor.
   /// @param[in] tables at least one
   /// @param[in] factors one for each
-  [[nodiscard]] static MirroredTables sum_of(std::span<const MirroredTables> tables, std::span<const double> factors);
+  [[nodiscard]] static MirroredTables sum_of(std::span<const MirroredTables> tables, std::span<const double> factors,
+                                             const std::function<void()>& checkpoint);
 
   /// @brief Add what else a row displaces.
   /// @param[in] influence on the rows 0, 1, ... reach() ahead, one below the other [m/N]
@@ -112,7 +113,13 @@ class MirroredTables {
   };
   [[nodiscard]] HalfField displaced(const HalfField& loads, Eigen::Index first, Eigen::Index last, const Frame& frame,
                                     const std::function<void()>& checkpoint) const;
-  void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, const Frame& frame, HalfField& result) const;
+  /// Some of the offsets along phi within reach.
+  struct Offsets {
+    Eigen::Index first;
+    Eigen::Index count;
+  };
+  void add(const HalfField& loads, Eigen::Index first, Eigen::Index last, const Frame& frame, const Offsets& offsets,
+           HalfField& result) const;
 
   RowShape shape_;
   Extent extent_;

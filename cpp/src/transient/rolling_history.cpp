@@ -88,7 +88,7 @@ struct RollingHistory::Impl {
     const auto larger = with(size, watch);
     std::vector<Lattice> next = lattices;
     detail::parallel_for(next.size(), options.threads, watch, "rolling",
-                         [&](std::size_t l, const detail::Worker&) { next[l].widen(larger); });
+                         [&](std::size_t l, const detail::Worker& worker) { next[l].widen(larger, worker.checkpoint); });
     pair = larger;
     std::swap(lattices, next);
   }
@@ -342,7 +342,7 @@ void RollingHistory::Impl::restore(const RollingState& state) {
   std::vector<RollingInstant> instants;
   for (std::size_t l = 0; l < lattices.size(); ++l) {
     next.lattices[l] = Lattice(next.pair, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
-    next.lattices[l].read(numbers);
+    next.lattices[l].read(numbers, [] {});
     instants.push_back(next.lattices[l].now());
   }
   numbers.finish();

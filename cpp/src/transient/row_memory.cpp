@@ -241,14 +241,17 @@ HalfField RowMemory::displacement(Index first, Index count) const {
   return field;
 }
 
-HalfField RowMemory::displaced(const HalfField& force, const MirroredTables& tables) const {
-  return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1, [] {}));
+HalfField RowMemory::displaced(const HalfField& force, const MirroredTables& tables,
+                               const std::function<void()>& checkpoint) const {
+  return spread(first_ - tables.reach(), tables.displacement_in_reach(force, 0, rows() - 1, checkpoint));
 }
 
-void RowMemory::displace(const CreepingTables& tables) {
-  for (std::size_t t = 0; t < tables.count(); ++t) now_.displacements[t] = displaced(now_.force, tables.all()[t]);
+void RowMemory::displace(const CreepingTables& tables, const std::function<void()>& checkpoint) {
+  for (std::size_t t = 0; t < tables.count(); ++t) {
+    now_.displacements[t] = displaced(now_.force, tables.all()[t], checkpoint);
+  }
   for (std::size_t j = 0; j < retarded_.size(); ++j) {
-    retarded_[j].displacement = displaced(retarded_[j].force, tables.all()[tables.of_term(j)]);
+    retarded_[j].displacement = displaced(retarded_[j].force, tables.all()[tables.of_term(j)], checkpoint);
   }
   find_stored_energy();
 }
@@ -285,7 +288,7 @@ void RowMemory::read(NumberReader& numbers, const CreepingTables& tables) {
   stored_ = numbers.get();
 }
 
-RowMemory RowMemory::widened(const CreepingTables& tables) const {
+RowMemory RowMemory::widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const {
   RowMemory wide(*this);
   wide.reach_ = tables.reach();
   // What is displaced from farther away, now that tables tell, was not kept yet.
@@ -303,7 +306,7 @@ RowMemory RowMemory::widened(const CreepingTables& tables) const {
   };
   widen(wide.now_.force);
   for (Retarded& retarded : wide.retarded_) widen(retarded.force);
-  wide.displace(tables);
+  wide.displace(tables, checkpoint);
   return wide;
 }
 

@@ -65,8 +65,10 @@ class RowMemory {
   /// @brief Take over what another memory of the same shape has written.
   void read(NumberReader& numbers, const CreepingTables& tables);
 
-  /// @return the same memory on tables with more nodes aside
-  [[nodiscard]] RowMemory widened(const CreepingTables& tables) const;
+  /// @param[in] tables with more nodes aside
+  /// @param[in] checkpoint called every few milliseconds
+  /// @return the same memory on these
+  [[nodiscard]] RowMemory widened(const CreepingTables& tables, const std::function<void()>& checkpoint) const;
 
  private:
   struct Borne {
@@ -97,9 +99,10 @@ class RowMemory {
   [[nodiscard]] HalfField spread(Eigen::Index first, const HalfField& field) const;
   [[nodiscard]] Borne spread(const Load& load) const;
   /// @return displacement of all rows by forces on all rows
-  [[nodiscard]] HalfField displaced(const HalfField& force, const MirroredTables& tables) const;
+  [[nodiscard]] HalfField displaced(const HalfField& force, const MirroredTables& tables,
+                                    const std::function<void()>& checkpoint) const;
   /// Find all displacements from the forces.
-  void displace(const CreepingTables& tables);
+  void displace(const CreepingTables& tables, const std::function<void()>& checkpoint);
   void find_stored_energy();
 
   std::optional<Eigen::Index> ring_;

@@ -95,7 +95,7 @@ def roll(
     ConvergenceError
         Where no contact was found.
     KeyboardInterrupt
-        On Ctrl-C, within 0.3 s; with thousands of nodes in contact, some seconds.
+        On Ctrl-C, within 0.3 s.
 
     Examples
     --------
