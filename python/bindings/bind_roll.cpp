@@ -65,6 +65,16 @@ RollingHistory make_history(const RollingBody& body, const Counterpart& on, doub
   return {body, on, load, start, options, time, angle, observer};
 }
 
+RollingHistory restored_history(const RollingBody& body, const Counterpart& on, double load,
+                                const InputArray<double>& state, const HistoryOptions& options,
+                                const py::object& progress) {
+  const auto values = view(state);
+  const RollingState numbers{.numbers = {values.begin(), values.end()}};
+  const Observer observer = python_observer(progress);
+  const py::gil_scoped_release release;
+  return {body, on, load, numbers, options, observer};
+}
+
 py::array_t<double> roll_array(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
                                std::vector<double> load, std::vector<double> center_way, const py::object& progress) {
   std::vector<RollingInstant> instants;
@@ -129,6 +139,8 @@ void bind_roll(py::module_& m) {
   py::classh<RollingHistory>(m, "RollingHistory")
       .def(py::init(&make_history), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"), py::arg("start"),
            py::arg("options"), py::arg("time"), py::arg("angle"), py::arg("progress").none(true))
+      .def(py::init(&restored_history), py::arg("body"), py::arg("on"), py::kw_only(), py::arg("load"),
+           py::arg("state").noconvert(), py::arg("options"), py::arg("progress").none(true))
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
            py::arg("center_way").none(true))
@@ -139,13 +151,6 @@ void bind_roll(py::module_& m) {
              const RollingState state = self.state();
              return py::array_t<double>(static_cast<py::ssize_t>(state.numbers.size()), state.numbers.data());
            })
-      .def(
-          "restore",
-          [](RollingHistory& self, const InputArray<double>& numbers) {
-            const auto values = view(numbers);
-            self.restore({.numbers = {values.begin(), values.end()}});
-          },
-          py::arg("numbers").noconvert())
       .def("now", [](const RollingHistory& self) { return as_array({self.now()}); })
       .def("contact", &RollingHistory::contact)
       .def_property_readonly("steps", &RollingHistory::steps)

@@ -578,6 +578,7 @@ class ContactField:
     def z(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
 class RollingHistory:
+    @typing.overload
     def __init__(
         self,
         body: CoatedSphere | CoatedCylinder | CoatedWheel,
@@ -588,6 +589,17 @@ class RollingHistory:
         options: HistoryOptions,
         time: typing.SupportsFloat | typing.SupportsIndex,
         angle: typing.SupportsFloat | typing.SupportsIndex,
+        progress: typing.Any,
+    ) -> None: ...
+    @typing.overload
+    def __init__(
+        self,
+        body: CoatedSphere | CoatedCylinder | CoatedWheel,
+        on: CoatedPlane | CoatedCylinder | Groove | CoatedSphere | CoatedWheel,
+        *,
+        load: typing.SupportsFloat | typing.SupportsIndex,
+        state: numpy.typing.NDArray[numpy.float64],
+        options: HistoryOptions,
         progress: typing.Any,
     ) -> None: ...
     def advance(
@@ -601,7 +613,6 @@ class RollingHistory:
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
     def now(self) -> numpy.typing.NDArray[numpy.float64]: ...
-    def restore(self, numbers: numpy.typing.NDArray[numpy.float64]) -> None: ...
     def roll(
         self,
         *,

@@ -124,6 +124,11 @@ class RollingHistory {
   RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start = Start::relaxed,
                  const HistoryOptions& options = {}, double time = 0.0, double angle = 0.0,
                  const Observer& observer = {});
+  /// @brief Go on from a state.
+  /// @param[in] load the first one of its motion, by which a mesh is chosen where none is given [N] or [N/m], > 0
+  /// @param[in] state of a history of the same bodies and options
+  RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
+                 const HistoryOptions& options = {}, const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
   RollingHistory(RollingHistory&& other) noexcept;
   RollingHistory& operator=(const RollingHistory& other);
@@ -158,7 +163,7 @@ class RollingHistory {
   [[nodiscard]] RollingState state() const;
   /// @brief Go on from a state.
   /// @throws std::invalid_argument where it is of other bodies or of other options
-  void restore(const RollingState& state);
+  void restore(const RollingState& state, const Observer& observer = {});
 
  private:
   friend std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion, const Observer& observer);

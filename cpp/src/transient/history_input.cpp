@@ -1,6 +1,8 @@
 #include "transient/history_input.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "influence/coating_sum.hpp"
@@ -14,6 +16,16 @@ namespace {
 constexpr int kMostStepsPerSpacing = 64;
 
 }  // namespace
+
+/// 16 nodes across the contact at rest; of a line three times as many, for no others beside them smooth their
+/// staircase.
+Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
+  const double across = is_line ? 48.0 : 16.0;
+  constexpr double kFewest = 64.0;
+  constexpr double kMost = 4000.0;
+  const double nodes = std::numbers::pi * outer_radius / contact_radius * across;
+  return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMost)))};
+}
 
 void validate(const HistoryOptions& options) {
   if (options.mesh) viscoroll::validate(*options.mesh);

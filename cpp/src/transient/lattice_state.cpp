@@ -1,5 +1,6 @@
 // What a lattice hands out: its state as numbers, and its contact.
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -35,22 +36,31 @@ void Lattice::write(NumberWriter& numbers) const {
 }
 
 void Lattice::read(NumberReader& numbers, const Checkpoint& checkpoint) {
-  for (const auto member : kLatticeScalars) now_.*member = numbers.get();
+  for (const auto member : kLatticeScalars) {
+    // A line has no width.
+    now_.*member = member == &RollingInstant::semi_axis_z ? numbers.get_if_any() : numbers.get();
+  }
+  const double spacing = pair_->nodes.grid.phi_spacing;
+  NumberReader::require(std::abs(now_.angle) <= kMostRows * spacing && now_.load >= 0.0);
   center_acceleration_ = numbers.get();
   power_ = {.along_track = numbers.get(), .creeping = numbers.get()};
   half_rows_ = numbers.count(static_cast<double>(pair_->nodes.widest.phi.last));
   lowest_ = numbers.get();
   first_ = numbers.row();
   count_ = numbers.count();
+  const ContactPlace place = place_at(*pair_, shift_, half_rows_, now_.angle);
+  NumberReader::require(first_ == place.first && count_ == place.count);
   force_ = VectorField::Zero(pair_->half_nodes() * count_, 3);
   for (const auto& [axis, sign] : kSaved) {
     const HalfField field = numbers.matrix();
-    if (field.size() == force_.rows()) force_.col(axis) = sign * field.reshaped();
+    NumberReader::require(field.size() == force_.rows());
+    force_.col(axis) = sign * field.reshaped();
   }
   memories_.clear();
   for (const CreepingBody& body : pair_->bodies) {
     memories_.emplace_back(body);
     memories_.back().read(numbers, body.tables);
+    NumberReader::require(memories_.back().keeps(first_) && memories_.back().keeps(first_ + count_ - 1));
   }
   last_.clear();
   for (const CreepingBody& body : pair_->bodies) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -42,14 +43,23 @@ class NumberReader {
  public:
   explicit NumberReader(std::span<const double> numbers) : rest_(numbers) {}
 
-  [[nodiscard]] double get() { return take(1).front(); }
+  /// @return a finite number
+  [[nodiscard]] double get() {
+    const double number = get_if_any();
+    require(std::isfinite(number));
+    return number;
+  }
+
+  /// @return a number, or NaN for none
+  [[nodiscard]] double get_if_any() {
+    require(!rest_.empty());
+    const double number = rest_.front();
+    rest_ = rest_.subspan(1);
+    return number;
+  }
 
   /// @return a number of things, at most `most`
-  [[nodiscard]] Eigen::Index count(double most = 1e9) {
-    const double number = get();
-    if (!(number >= 0.0 && number <= most && number == std::floor(number))) refuse();
-    return static_cast<Eigen::Index>(number);
-  }
+  [[nodiscard]] Eigen::Index count(double most = 1e9) { return whole(get(), most); }
 
   /// @return the number of a row, of either sign
   [[nodiscard]] Eigen::Index row() {
@@ -67,13 +77,17 @@ class NumberReader {
 
   [[nodiscard]] std::vector<double> values() {
     const auto taken = take(static_cast<std::size_t>(count()));
-    return {taken.begin(), taken.end()};
+    std::vector<double> values(taken.size());
+    std::ranges::copy(taken, values.begin());
+    return values;
   }
 
   /// @return numbers of things, each at most `most`
   [[nodiscard]] std::vector<Eigen::Index> indices(Eigen::Index most) {
-    std::vector<Eigen::Index> indices(static_cast<std::size_t>(count()));
-    for (Eigen::Index& index : indices) index = count(static_cast<double>(most));
+    const auto taken = take(static_cast<std::size_t>(count()));
+    std::vector<Eigen::Index> indices(taken.size());
+    std::ranges::transform(taken, indices.begin(),
+                           [&](double value) { return whole(value, static_cast<double>(most)); });
     return indices;
   }
 
@@ -89,12 +103,15 @@ class NumberReader {
  private:
   [[noreturn]] static void refuse() { reject("start", "a state of a rolling history", "other numbers"); }
 
+  [[nodiscard]] static Eigen::Index whole(double number, double most) {
+    require(number >= 0.0 && number <= most && number == std::floor(number));
+    return static_cast<Eigen::Index>(number);
+  }
+
   [[nodiscard]] std::span<const double> take(std::size_t count) {
-    if (count > rest_.size()) refuse();
+    require(count <= rest_.size());
     const auto taken = rest_.first(count);
-    for (const double number : taken) {
-      if (std::isinf(number)) refuse();
-    }
+    require(std::ranges::all_of(taken, [](double number) { return std::isfinite(number); }));
     rest_ = rest_.subspan(count);
     return taken;
   }

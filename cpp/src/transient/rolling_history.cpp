@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -30,22 +29,6 @@ using detail::reject;
 using detail::StepEnd;
 using detail::text;
 using Eigen::Index;
-
-/// 16 nodes across the contact at rest; of a line three times as many, for no others beside them smooth their
-/// staircase.
-Mesh chosen_mesh(double outer_radius, double contact_radius, bool is_line) {
-  const double across = is_line ? 48.0 : 16.0;
-  constexpr double kFewest = 64.0;
-  constexpr double kMost = 4000.0;
-  const double nodes = std::numbers::pi * outer_radius / contact_radius * across;
-  return {.nodes_per_revolution = 2 * static_cast<int>(std::lround(0.5 * std::clamp(nodes, kFewest, kMost)))};
-}
-
-/// Change per the larger value.
-double relative_change(double before, double after) {
-  const double larger = std::max(before, after);
-  return larger > 0.0 ? (after - before) / larger : 0.0;
-}
 
 /// Which part of a motion is followed.
 struct Share {
@@ -87,8 +70,9 @@ struct RollingHistory::Impl {
   void enlarge(const detail::TableSize& size, detail::Watch& watch) {
     const auto larger = with(size, watch);
     std::vector<Lattice> next = lattices;
-    detail::parallel_for(next.size(), options.threads, watch, "rolling",
-                         [&](std::size_t l, const detail::Worker& worker) { next[l].widen(larger, worker.checkpoint); });
+    detail::parallel_for(
+        next.size(), options.threads, watch, "rolling",
+        [&](std::size_t l, const detail::Worker& worker) { next[l].widen(larger, worker.checkpoint); });
     pair = larger;
     std::swap(lattices, next);
   }
@@ -139,11 +123,42 @@ struct RollingHistory::Impl {
   [[nodiscard]] std::vector<RollingInstant> follow(std::span<const StepEnd> path, detail::Watch& watch,
                                                    const Share& of_motion = {});
   [[nodiscard]] RollingState state() const;
-  void restore(const RollingState& state);
+  detail::ContactReach know(const RollingBody& body, const Counterpart& on, double load, detail::Watch& watch);
+  void lay(const detail::ContactReach& contact, detail::Watch& watch);
+  void restore(const RollingState& state, detail::Watch& watch);
   void require_step(const StepEnd& to) const;
   void require_forces(const StepEnd& to) const;
+  [[nodiscard]] double most_turn() const {
+    return detail::most_turn(pair->nodes.grid.phi_spacing, options.steps_per_spacing);
+  }
   [[nodiscard]] std::vector<StepEnd> path_to(const StepEnd& end);
 };
+
+/// Of both bodies how they creep, and the mesh. @return about where they touch at rest
+detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const Counterpart& on, double load,
+                                                detail::Watch& watch) {
+  const detail::RollingPair given = detail::rolling_pair(body, on);
+  detail::validate(options);
+  detail::require_followed(given, options);
+  detail::require_positive("load", load, given.body.form.load_unit);
+  at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
+  const detail::ContactReach contact = detail::estimate_contact(at_rest, 1.0, load);
+  if (!options.mesh) options.mesh = detail::chosen_mesh(given.body.radius, contact.along, given.body.form.is_line());
+  spectra = detail::creep_spectra(given, options, watch);
+  inertia = detail::inertia_of(given, spectra);
+  return contact;
+}
+
+/// Tables and lattices, which bear nothing yet.
+void RollingHistory::Impl::lay(const detail::ContactReach& contact, detail::Watch& watch) {
+  const detail::Nodes nodes = detail::nodes_of(at_rest, *options.mesh);
+  pair = with(detail::first_size(at_rest, *options.mesh, contact), watch);
+  const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;
+  const Index half_rows = std::min(static_cast<Index>(rows), static_cast<Index>(nodes.widest.phi.last));
+  for (int l = 0; l < options.lattices; ++l) {
+    lattices.emplace_back(pair, static_cast<double>(l) / options.lattices, half_rows);
+  }
+}
 
 RollingInstant RollingHistory::Impl::mean(std::span<const RollingInstant> of_lattices, double time) const {
   RollingInstant mean;
@@ -199,6 +214,9 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   }
   detail::require_nonnegative("load", to.load, pair->pair.body.form.load_unit);
   require_forces(to);
+  if (std::abs(to.angle - now.angle) > most_turn()) {
+    reject("angle", "within " + detail::rounded(most_turn()) + " rad of the one before, ten million steps", to.angle);
+  }
   const double duration = to.time - now.time;
   if (duration == 0.0) {
     const bool moves =
@@ -237,9 +255,10 @@ std::vector<StepEnd> RollingHistory::Impl::path_to(const StepEnd& end) {
   }
   const detail::StepChoice choice(pair->nodes.grid.phi_spacing, options.steps_per_spacing, shortest);
   const double duration = end.time - begin.time;
-  const auto shares = choice.shares(
-      {.duration = duration, .turn = end.angle - begin.angle, .relative_load = relative_change(begin.load, end.load)},
-      stretch->last_step);
+  const auto shares = choice.shares({.duration = duration,
+                                     .turn = end.angle - begin.angle,
+                                     .relative_load = detail::relative_change(begin.load, end.load)},
+                                    stretch->last_step);
   std::vector<StepEnd> path;
   path.reserve(shares.size());
   for (const double share : shares) {
@@ -312,7 +331,7 @@ RollingState RollingHistory::Impl::state() const {
   return state;
 }
 
-void RollingHistory::Impl::restore(const RollingState& state) {
+void RollingHistory::Impl::restore(const RollingState& state, detail::Watch& watch) {
   constexpr double kSame = 1e-9;
   detail::NumberReader numbers(state.numbers);
   const Index half_nodes = numbers.count(options.mesh->nodes_per_revolution);
@@ -327,22 +346,25 @@ void RollingHistory::Impl::restore(const RollingState& state) {
       reject("start", "a state of the same ball and mesh", "one of another compliance");
     }
     next.spectra[b].spectrum = detail::read_spectrum(numbers);
-    if (detail::difference(next.spectra[b].spectrum, spectra[b].spectrum) >
-        std::max(kSame, 2.0 * options.spectrum_tolerance)) {
+    if (!(detail::difference(next.spectra[b].spectrum, spectra[b].spectrum) <=
+          std::max(kSame, 2.0 * options.spectrum_tolerance))) {
       reject("start", "a state of the same material", "one that creeps differently");
     }
   }
-  const Observer silent;
-  detail::Watch watch(silent);
   next.pair = next.with({.half_nodes = half_nodes, .track_reach = track_reach}, watch);
   next.now.time = numbers.get();
   next.last_step = numbers.get();
   next.steps = numbers.count(1e15);
   next.stretch = detail::read_stretch(numbers);
+  if (next.stretch) {
+    const auto& [begin, end, last_step_before, taken] = *next.stretch;
+    detail::NumberReader::require(begin.time <= next.now.time && next.now.time <= end.time &&
+                                  std::abs(end.angle - begin.angle) <= most_turn());
+  }
   std::vector<RollingInstant> instants;
   for (std::size_t l = 0; l < lattices.size(); ++l) {
     next.lattices[l] = Lattice(next.pair, static_cast<double>(l) / static_cast<double>(lattices.size()), 1);
-    next.lattices[l].read(numbers, [] {});
+    next.lattices[l].read(numbers, [&watch] { watch.poll("restoring", 0.0); });
     instants.push_back(next.lattices[l].now());
   }
   numbers.finish();
@@ -357,30 +379,16 @@ RollingHistory::RollingHistory(const RollingBody& body, double load, Start start
 RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, double load, Start start,
                                const HistoryOptions& options, double time, double angle, const Observer& observer)
     : impl_(std::make_unique<Impl>()) {
-  const detail::RollingPair given = detail::rolling_pair(body, on);
-  detail::validate(options);
-  detail::require_followed(given, options);
-  detail::require_positive("load", load, given.body.form.load_unit);
   detail::require_finite("time", time);
   detail::require_finite("angle", angle);
   detail::Watch watch(observer);
   Impl& impl = *impl_;
   impl.options = options;
-  impl.at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
-  const detail::ContactReach contact = detail::estimate_contact(impl.at_rest, 1.0, load);
-  if (!impl.options.mesh) impl.options.mesh = chosen_mesh(given.body.radius, contact.along, given.body.form.is_line());
-  impl.spectra = detail::creep_spectra(given, impl.options, watch);
-  impl.inertia = detail::inertia_of(given, impl.spectra);
+  const detail::ContactReach contact = impl.know(body, on, load, watch);
   if (start == Start::fresh && impl.instantaneous() == 0.0) {
     reject("start", "RELAXED for a coating that does not yield at once (KelvinVoigt)", "FRESH");
   }
-  const detail::Nodes nodes = detail::nodes_of(impl.at_rest, *impl.options.mesh);
-  impl.pair = impl.with(detail::first_size(impl.at_rest, *impl.options.mesh, contact), watch);
-  const double rows = std::ceil(1.1 * contact.along / (nodes.grid.radius * nodes.grid.phi_spacing)) + 2.0;
-  const Index half_rows = std::min(static_cast<Index>(rows), static_cast<Index>(nodes.widest.phi.last));
-  for (int l = 0; l < options.lattices; ++l) {
-    impl.lattices.emplace_back(impl.pair, static_cast<double>(l) / options.lattices, half_rows);
-  }
+  impl.lay(contact, watch);
   const StepEnd first{.time = time, .angle = angle, .load = load, .center_way = {}};
   impl.on_lattices(watch, [&](std::size_t, Lattice& lattice, const detail::Worker& worker) {
     lattice.start(start, first, options.center_speed, worker.checkpoint);
@@ -389,6 +397,15 @@ RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, d
   instants.reserve(impl.lattices.size());
   for (const Lattice& lattice : impl.lattices) instants.push_back(lattice.now());
   impl.now = impl.mean(instants, time);
+}
+
+RollingHistory::RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
+                               const HistoryOptions& options, const Observer& observer)
+    : impl_(std::make_unique<Impl>()) {
+  detail::Watch watch(observer);
+  impl_->options = options;
+  impl_->lay(impl_->know(body, on, load, watch), watch);
+  impl_->restore(state, watch);
 }
 
 RollingHistory::RollingHistory(const RollingHistory& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
@@ -423,7 +440,10 @@ double RollingHistory::spectrum_error() const {
 }
 
 RollingState RollingHistory::state() const { return impl_->state(); }
-void RollingHistory::restore(const RollingState& state) { impl_->restore(state); }
+void RollingHistory::restore(const RollingState& state, const Observer& observer) {
+  detail::Watch watch(observer);
+  impl_->restore(state, watch);
+}
 
 namespace {
 

@@ -61,6 +61,9 @@ class RowMemory {
   /// @return those of a track that live; none around a ring, and where no row does
   [[nodiscard]] std::optional<Span> living() const;
 
+  /// @return whether anything is kept of a row
+  [[nodiscard]] bool keeps(Eigen::Index row) const { return column(row).has_value(); }
+
   void write(NumberWriter& numbers) const;
   /// @brief Take over what another memory of the same shape has written.
   void read(NumberReader& numbers, const CreepingTables& tables);

@@ -43,9 +43,8 @@ CreepSpectrum read_spectrum(NumberReader& numbers) {
   spectrum.weights = vector();
   spectrum.retardation_times = vector();
   spectrum.error = numbers.get();
-  if (spectrum.weights.size() != spectrum.retardation_times.size()) {
-    reject("start", "a state of a rolling history", "other numbers");
-  }
+  NumberReader::require(spectrum.weights.size() == spectrum.retardation_times.size());
+  NumberReader::require(std::ranges::all_of(spectrum.retardation_times, [](double time) { return time > 0.0; }));
   return spectrum;
 }
 

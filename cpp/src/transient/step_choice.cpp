@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace viscoroll::detail {
 namespace {
@@ -12,6 +13,16 @@ constexpr double kFirstShare = 1e-3;  // of a leg, where the material has times 
 constexpr double kFirstTime = 0.05;   // of the shortest retardation time
 
 }  // namespace
+
+double most_turn(double spacing, std::optional<int> steps_per_spacing) {
+  constexpr double kMostSteps = 1e7;  // whose instants are some two gigabytes
+  return steps_per_spacing ? kMostSteps * spacing / *steps_per_spacing : std::numeric_limits<double>::infinity();
+}
+
+double relative_change(double before, double after) {
+  const double larger = std::max(before, after);
+  return larger > 0.0 ? (after - before) / larger : 0.0;
+}
 
 std::vector<double> StepChoice::shares(const Leg& leg, double last) const {
   if (!steps_per_spacing_ || leg.duration == 0.0) return {1.0};

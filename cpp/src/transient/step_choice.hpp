@@ -14,6 +14,13 @@ struct Leg {
   double relative_load;  ///< change of load per the larger load [-]
 };
 
+/// @param[in] spacing,steps_per_spacing as of `StepChoice`
+/// @return how far a leg may turn for its steps to fit into memory [rad]
+[[nodiscard]] double most_turn(double spacing, std::optional<int> steps_per_spacing);
+
+/// @return change per the larger of two values, neither below 0 [-]
+[[nodiscard]] double relative_change(double before, double after);
+
 /// @brief By spacing while it rolls; after an event, and at standstill, from short steps to longer ones.
 class StepChoice {
  public:

@@ -9,6 +9,7 @@ import numpy as np
 from .. import _core
 from .._core import Start
 from .._support.arguments import as_float_array, as_member, require_type
+from .._support.files import ending_in
 from .._support.progress import ProgressLike, Report, reporting
 from ..bodies import Counterpart, RollingBody
 from ..bodies.si_hints import si_hints
@@ -115,6 +116,10 @@ def roll(
     require_type("ball", ball, RollingBody)
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
+    if checkpoint is not None:
+        checkpoint = ending_in([".npy"], checkpoint, name="checkpoint")
+        if not checkpoint.parent.is_dir():
+            raise ValueError(f"checkpoint must be in a folder that exists, got {str(checkpoint)!r}")
     _require_length("way", way, time)
     motion = _motion(time=time, angle=as_angles(ball, angle, way), load=load, center_way=center_way)
     knots, angles = motion["time"], motion["angle"]

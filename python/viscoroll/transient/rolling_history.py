@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import _core
 from .._core import Start
-from .._support.arguments import as_float, as_member, require_type
+from .._support.arguments import as_float, as_float_array, as_member, require_type
 from .._support.cautions import warn
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, reporting
@@ -113,6 +113,13 @@ class RollingState:
 
     numbers: NDArray[np.float64]
 
+    def __post_init__(self) -> None:
+        """Settle shape and type; a history that starts from them checks the numbers."""
+        numbers = as_float_array("numbers", self.numbers)
+        if numbers.ndim != 1:
+            raise ValueError(f"numbers must be one-dimensional, got shape {numbers.shape}")
+        object.__setattr__(self, "numbers", numbers)
+
     def save(self, path: str | Path) -> None:
         """Write the state to a file of NumPy's own format (``.npy``).
 
@@ -201,8 +208,11 @@ class RollingHistory:
         require_type("ball", ball, RollingBody)
         first = 0.0 if angle is None and way is None else as_angle(ball, angle, way)
         chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
-        state = start if isinstance(start, RollingState) else None
-        before = Start.RELAXED if isinstance(start, RollingState) else as_member("start", start, Start)
+        before: dict[str, Any] = (
+            {"state": start.numbers}
+            if isinstance(start, RollingState)
+            else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
+        )
         self.ball = ball
         self.on = on
         times = {
@@ -216,16 +226,12 @@ class RollingHistory:
                 ball._to_core(),
                 core_counterpart(on),
                 load=self._given["load"],
-                start=before,
                 options=chosen._to_core(**times),
-                time=as_float("time", time),
-                angle=first,
                 progress=report,
+                **before,
             )
         warn(filter(None, [unit_doubt(ball, on)]))
         self._lock = threading.Lock()
-        if state is not None:
-            self._history.restore(state.numbers)
 
     def advance(
         self,

@@ -414,6 +414,55 @@ def test_a_state_of_another_ball_is_refused():
         vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=1, start=vr.RollingState(state.numbers[:100]))
 
 
+def test_a_state_goes_on_though_the_load_is_not_borne_for_ever():
+    """Pressed on in no time and for a moment, on what all but flows in the end: nothing is pressed where it goes on."""
+    putty = vr.FractionalZener(instantaneous_modulus=1e7, relaxed_modulus=5e3, relaxation_time=100.0, order=0.5)
+    ball = vr.CoatedSphere(core_radius=2e-3, layers=[vr.Layer(thickness=1e-3, shear_modulus=putty, poisson_ratio=0.3)])
+    given = {"load": 0.3, "mesh": vr.Mesh(nodes_per_revolution=100), "lattices": 1, "longest_time": 1e3}
+    with pytest.raises(ValueError, match="load must be small enough for the coating"):
+        vr.RollingHistory(ball, **given)
+    fresh = vr.RollingHistory(ball, **given, start="fresh")
+    fresh.advance(time=1e-3, angle=0.05, load=0.3)
+    others = [vr.RollingHistory(ball, **given, start=fresh.state), pickle.loads(pickle.dumps(fresh))]
+    expected = astuple(fresh.advance(time=2e-3, angle=0.1, load=0.25))
+    for other in others:
+        np.testing.assert_array_equal(astuple(other.advance(time=2e-3, angle=0.1, load=0.25)), expected)
+
+
+@pytest.mark.parametrize("on", [None, vr.CoatedPlane(layers=BALL.layers)], ids=["ball", "mat"])
+@pytest.mark.parametrize("wrong", [np.nan, np.inf, -1.5, 1e9, 1e300])
+def test_a_spoiled_state_is_refused_or_goes_on(wrong, on):
+    """Whichever of its numbers is another one, nobody is told of nonsense by a crash; none is not a number."""
+    body = BALL if on is None else vr.CoatedSphere(core_radius=21e-3)
+    given = {"on": on, "load": 100.0, "mesh": vr.Mesh(nodes_per_revolution=60), "lattices": 1}
+    stepper = vr.RollingHistory(body, **given)
+    stepper.advance(time=0.01, angle=0.02, load=100.0)
+    numbers = stepper.state.numbers
+    whole = np.flatnonzero(numbers == np.floor(numbers))  # counts and places, among zeros
+    refused = 0
+    for place in [*range(60), *whole[-40:]]:
+        spoiled = numbers.copy()
+        spoiled[place] = wrong
+        try:
+            other = vr.RollingHistory(body, **given, start=vr.RollingState(spoiled))
+            other.advance(time=other.now.time + 0.01, angle=other.now.angle + 0.02, load=100.0)
+        except (ValueError, vr.ConvergenceError):
+            refused += 1
+    assert refused >= (99 if not np.isfinite(wrong) else 10)  # of a hundred; a width may be none
+
+
+@pytest.mark.parametrize(
+    ("numbers", "error", "message"),
+    [
+        ("none", TypeError, "numbers must hold real numbers"),
+        ([[1.0, 2.0]], ValueError, "numbers must be one-dimensional"),
+    ],
+)
+def test_a_state_is_numbers_in_a_row(numbers, error, message):
+    with pytest.raises(error, match=message):
+        vr.RollingState(numbers)
+
+
 def test_a_rising_load_widens_the_tables():
     h = vr.roll(BALL, time=[0, 1.0], angle=[0, 0.5], load=[5.0, 400.0], mesh=vr.Mesh(nodes_per_revolution=200))
     alone = vr.RollingHistory(BALL, load=400.0, mesh=vr.Mesh(nodes_per_revolution=200))
