@@ -186,7 +186,7 @@ def _friction(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     if "center_way" in given:
         ways = np.interp(given["time"], history.time, history.center_way) - np.array(given["center_way"])
         is_jump = np.isin(given["time"], history.time[:-1][np.diff(history.time) == 0.0])
-        yield "center led", float(np.abs(ways[~is_jump]).max()) / (TOLERANCE * scales(history)["center_way"])
+        yield "center led", float(np.abs(ways[~is_jump]).max(initial=0.0)) / (TOLERANCE * scales(history)["center_way"])
     elif history.mass == 0.0 and drive.force is not None:
         off = (history.driving_force - drive.force)[1:][pressed[1:]]  # it is not pushed yet as it is pressed on
         yield "force balance", float(np.abs(off).max(initial=0.0)) / (TOLERANCE * bound)
