@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import viscoroll as vr
+from reference import roller_start as reference
 from specimens import RUBBER, one_layer
 
 MILLI = 1e3
@@ -53,11 +54,13 @@ def test_steady(omega, torque, bar):
 
 
 def test_on_a_soft_plane():
+    """With the gap of its circle at its own nodes; that of a parabola has 10.442 and 9.051 N, terms of (a/R)² apart."""
+    angle, moment = reference.start(1000, "circle")
     plane = vr.CoatedPlane(layers=[one_layer(SOFTER, thickness=10e-3)])
     h = turned(1.0, 1.5, on=plane, lattices=2)
-    assert h.resisting_torque.max() == pytest.approx(10.442, rel=2e-3)
+    assert h.resisting_torque.max() == pytest.approx(moment.max(), rel=5e-4)
     last = h.angle > 1.0
-    assert h.resisting_torque[last].mean() == pytest.approx(9.051, rel=2e-3)
+    assert h.resisting_torque[last].mean() == pytest.approx(moment[angle > 1.0].mean(), rel=5e-4)
     assert h.driving_force[last].mean() == pytest.approx(130.47, rel=2e-3)
     gained = h.dissipated_energy + h.stored_energy
     plane_gained = h.counterpart_dissipated_energy + h.counterpart_stored_energy
