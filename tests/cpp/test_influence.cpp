@@ -8,6 +8,7 @@
 
 #include "cases.hpp"
 #include "influence/coating_sum.hpp"
+#include "influence/interpolated_orders.hpp"
 #include "influence/patch.hpp"
 #include "surface/table_operator.hpp"
 #include "viscoroll/influence.hpp"
@@ -268,6 +269,34 @@ TEST(MeshOnBody, NodesAtTheArcsOfAnotherBodyAreThoseOfAMeshOfItsOwn) {
       for (int l = 0; l <= 8; ++l) {
         EXPECT_NEAR(tables[k](j, l), per_radian * expected[k](j, l), 1e-12 * std::abs(expected[k](0, 1)));
       }
+    }
+  }
+}
+
+/// What falls like a half-space's compliance, whose cuts begin at n = +-im, by the sampled orders as by all of them.
+TEST(InterpolatedOrders, SumSmoothFunctionsAsAllOrdersDo) {
+  for (const auto& bands : {whole_orders(500, 500), whole_orders(1500, 800), octaves(500), octaves(20000)}) {
+    const InterpolatedOrders interpolated(bands);
+    const Eigen::ArrayXd& sampled = interpolated.sampled();
+    EXPECT_LT(static_cast<double>(sampled.size()), 0.4 * static_cast<double>(all_orders(bands).size()));
+    for (const double m : {0.5, 30.0, 400.0}) {
+      const auto compliance = [m](const Eigen::ArrayXd& n) -> Eigen::RowVectorXd {
+        return (m * m + n.square()).sqrt().inverse().matrix().transpose();
+      };
+      Eigen::RowVectorXd direct = Eigen::RowVectorXd::Zero(3);
+      RowMajorMatrix sums = RowMajorMatrix::Zero(sampled.size(), 3);
+      double size = 0.0;
+      for (std::size_t b = 0; b < bands.size(); ++b) {
+        RowMajorMatrix terms(bands[b].orders.size(), 3);
+        for (int offset = 0; offset < 3; ++offset) {
+          terms.col(offset) = (bands[b].weights * (0.4 * offset * bands[b].orders).cos()).matrix();
+        }
+        direct += compliance(bands[b].orders) * terms;
+        size += (compliance(bands[b].orders) * bands[b].weights.abs().matrix()).value();
+        interpolated.add_sums(b, terms, sums);
+      }
+      const Eigen::RowVectorXd by_few = compliance(sampled) * sums;
+      EXPECT_LT((by_few - direct).cwiseAbs().maxCoeff(), 1e-14 * size) << m;  // round-off of some thousand summands
     }
   }
 }

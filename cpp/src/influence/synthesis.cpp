@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "dense_products.hpp"
+#include "influence/interpolated_orders.hpp"
 #include "influence/patch.hpp"
 #include "influence/sampled_angles.hpp"
 #include "influence/waves.hpp"
@@ -116,6 +117,45 @@ class BandWaves {
   std::vector<Waves> waves_;  // [band]
 };
 
+/// The entries that some kernels ask for, at a list of orders n.
+class EntryValues {
+ public:
+  EntryValues(double m, const Eigen::ArrayXd& n, const OrderSeries& series, const std::vector<Kernel>& kernels) {
+    const OrderValues order(m, n, series);
+    for (const Kernel& kernel : kernels) {
+      const auto entry = static_cast<std::size_t>(kernel.request.entry);
+      if (values_[entry].size() == 0) order.evaluate(kernel.request.entry, values_[entry]);
+    }
+  }
+
+  [[nodiscard]] bool has(Entry entry) const { return (*this)[entry].size() > 0; }
+  [[nodiscard]] const Eigen::ArrayXcd& operator[](Entry entry) const {
+    return values_[static_cast<std::size_t>(entry)];
+  }
+
+ private:
+  std::array<Eigen::ArrayXcd, kEntries> values_;
+};
+
+/// Real and imaginary parts, as the rows of an order.
+template <class Values>
+void put(const Values& values, Index order, RowMajor& rows) {
+  const Eigen::ArrayXcd evaluated = values;
+  rows.row(2 * order) = evaluated.real().matrix().transpose();
+  rows.row(2 * order + 1) = evaluated.imag().matrix().transpose();
+}
+
+/// Of the last terms of a polynomial in the orders, per the entry's size: ten times the noise of the compliance.
+constexpr double kUnresolved = 10.0 * kSeriesTolerance;
+
+/// What a kernel's sums along theta are multiplied from, at few offsets or at all, by its values at sampled orders.
+struct SampledSums {
+  TableRequest weighed_as;  // of those that have the same weights and parity
+  bool odd;
+  RowMajor at_few;  // [sampled order, offset]
+  RowMajor at_all;
+};
+
 class Synthesis {
  public:
   Synthesis(const std::vector<TableRequest>& requests, const std::vector<OrderBand>& phi_bands,
@@ -144,6 +184,10 @@ class Synthesis {
       }
       sums_.emplace_back(2 * count, theta_reach + 1);
     }
+    // How the step to the degrees of a sphere varies with n is known of no polynomial.
+    if (metric.exact_degree > 0.0) return;
+    sampled_.emplace(theta_bands);
+    for (std::size_t k = 0; k < kernels_.size(); ++k) find_sampled_sums(k);
   }
 
   /// Orders m that are summed along theta together.
@@ -160,18 +204,7 @@ class Synthesis {
     }
     for (RowMajor& sums : sums_) sums.middleRows(2 * first, 2 * count).setZero();
     std::vector<RowMajor> at_few(kernels_.size(), RowMajor::Zero(2 * count, theta_waves_.few()));
-    for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
-      const std::vector<RowMajor> summands = evaluate(first, series, band, worker);
-      for (std::size_t k = 0; k < kernels_.size(); ++k) {
-        const RowMajor& wave = theta_waves_(band, kernels_[k].odd);
-        if (band < theta_waves_.long_bands()) {
-          add_product(summands[k], wave, at_few[k]);
-        } else {
-          add_product(summands[k], wave, sums_[k].block(2 * first, 0, 2 * count, wave.cols()));
-        }
-        worker.checkpoint();
-      }
-    }
+    if (!sampled_ || !sum_sampled(first, series, at_few, worker)) sum_one_by_one(first, series, at_few, worker);
     if (theta_waves_.long_bands() == 0) return;
     for (std::size_t k = 0; k < kernels_.size(); ++k) {
       add_product(at_few[k], theta_waves_.polynomials(kernels_[k].odd).transpose(),
@@ -199,6 +232,104 @@ class Synthesis {
   [[nodiscard]] bool is_odd_in_theta(std::size_t k) const { return kernels_[k].odd; }
 
  private:
+  /// What a kernel's values at sampled orders are multiplied by, which kernels of the same weights share.
+  void find_sampled_sums(std::size_t k) {
+    const Kernel& kernel = kernels_[k];
+    TableRequest weighed_as = kernel.request;
+    weighed_as.entry = Entry::rr;
+    weighed_as.phi_shift = 0.0;
+    const auto found = std::ranges::find_if(sampled_sums_, [&](const SampledSums& sums) {
+      return sums.weighed_as == weighed_as && sums.odd == kernel.odd;
+    });
+    sums_of_.push_back(static_cast<std::size_t>(found - sampled_sums_.begin()));
+    if (found != sampled_sums_.end()) return;
+    const Index count = sampled_->sampled().size();
+    SampledSums sums{.weighed_as = weighed_as,
+                     .odd = kernel.odd,
+                     .at_few = RowMajor::Zero(count, theta_waves_.few()),
+                     .at_all = RowMajor::Zero(count, theta_reach_ + 1)};
+    for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
+      const RowMajor terms = theta_weights_[k][band].matrix().asDiagonal() * theta_waves_(band, kernel.odd);
+      sampled_->add_sums(band, terms, band < theta_waves_.long_bands() ? sums.at_few : sums.at_all);
+    }
+    sampled_sums_.push_back(std::move(sums));
+  }
+
+  /// Sums over n of a block of orders m by few of the orders n. @return whether these tell all of them
+  bool sum_sampled(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
+                   const Worker& worker) {
+    const auto count = static_cast<Index>(series.size());
+    std::vector<RowMajor> values(kernels_.size(), RowMajor(2 * count, sampled_->sampled().size()));
+    for (Index i = 0; i < count; ++i) {
+      const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
+      const EntryValues of_entries(m, sampled_->sampled(), series[static_cast<std::size_t>(i)], kernels_);
+      if (!is_resolved(of_entries)) return false;
+      for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        put(phi_weights_[k][first + i] * of_entries[kernels_[k].request.entry], i, values[k]);
+      }
+      worker.checkpoint();
+    }
+    for (std::size_t k = 0; k < kernels_.size(); ++k) {
+      const SampledSums& by = sampled_sums_[sums_of_[k]];
+      add_product(values[k], by.at_few, at_few[k]);
+      for (std::size_t r = 0; r < sampled_->ranges().size(); ++r) {
+        const InterpolatedOrders::Range& range = sampled_->ranges()[r];
+        const Index width = width_of(r);
+        if (range.count == 0 || width == 0) continue;
+        add_product(values[k].middleCols(range.first, range.count), by.at_all.block(range.first, 0, range.count, width),
+                    sums_[k].block(2 * first, 0, 2 * count, width));
+      }
+      worker.checkpoint();
+    }
+    return true;
+  }
+
+  /// Offsets that the bands of a range reach which are not summed at few.
+  [[nodiscard]] Index width_of(std::size_t range) const {
+    Index width = 0;
+    for (std::size_t band = theta_waves_.long_bands(); band < theta_bands_.size(); ++band) {
+      if (sampled_->has_orders(band, range)) width = std::max(width, theta_waves_(band, false).cols());
+    }
+    return width;
+  }
+
+  /// Whether the last terms of the polynomials are negligible in the entries that they make up.
+  [[nodiscard]] bool is_resolved(const EntryValues& values) const {
+    for (const InterpolatedOrders::Range& range : sampled_->ranges()) {
+      if (!range.is_interpolated) continue;
+      const auto largest = [&](Entry entry) {
+        return values.has(entry) ? values[entry].segment(range.first, range.count).abs().maxCoeff() : 0.0;
+      };
+      const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, 1.0);
+      for (int e = 0; e < kEntries; ++e) {
+        const auto entry = static_cast<Entry>(e);
+        if (!values.has(entry)) continue;
+        const Eigen::Vector2cd last = range.last_terms * values[entry].segment(range.first, range.count).matrix();
+        const double size = std::max(sizes[static_cast<std::size_t>(e)], largest(entry));
+        if (last.cwiseAbs().maxCoeff() > kUnresolved * size) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The same by all orders n.
+  void sum_one_by_one(Index first, const std::vector<OrderSeries>& series, std::vector<RowMajor>& at_few,
+                      const Worker& worker) {
+    const auto count = static_cast<Index>(series.size());
+    for (std::size_t band = 0; band < theta_bands_.size(); ++band) {
+      const std::vector<RowMajor> summands = evaluate(first, series, band, worker);
+      for (std::size_t k = 0; k < kernels_.size(); ++k) {
+        const RowMajor& wave = theta_waves_(band, kernels_[k].odd);
+        if (band < theta_waves_.long_bands()) {
+          add_product(summands[k], wave, at_few[k]);
+        } else {
+          add_product(summands[k], wave, sums_[k].block(2 * first, 0, 2 * count, wave.cols()));
+        }
+        worker.checkpoint();
+      }
+    }
+  }
+
   /// Sums over m, at all offsets in phi and some in theta: of cosines and real parts, or of sines and imaginary ones.
   [[nodiscard]] RowMajor sum_of_bands(std::size_t k, Index start, Index width, bool odd, int phi_reach,
                                       const Worker& worker) const {
@@ -228,19 +359,13 @@ class Synthesis {
     const Eigen::ArrayXd& n = theta_bands_[band].orders;
     const auto count = static_cast<Index>(series.size());
     std::vector<RowMajor> summands(kernels_.size(), RowMajor(2 * count, n.size()));
-    std::array<Eigen::ArrayXcd, kEntries> values;
     for (Index i = 0; i < count; ++i) {
       const double m = orders_[static_cast<std::size_t>(first + i)] / metric_.sine;
-      const OrderValues order(m, n, series[static_cast<std::size_t>(i)]);
+      const EntryValues values(m, n, series[static_cast<std::size_t>(i)], kernels_);
       const Eigen::ArrayXd share = local_share(m, n, metric_);
-      std::array<bool, kEntries> evaluated{};
       for (std::size_t k = 0; k < kernels_.size(); ++k) {
-        const auto entry = static_cast<std::size_t>(kernels_[k].request.entry);
-        if (!evaluated[entry]) order.evaluate(kernels_[k].request.entry, values[entry]);
-        evaluated[entry] = true;
-        const Eigen::ArrayXcd weighted = phi_weights_[k][first + i] * values[entry] * theta_weights_[k][band] * share;
-        summands[k].row(2 * i) = weighted.real().matrix().transpose();
-        summands[k].row(2 * i + 1) = weighted.imag().matrix().transpose();
+        put(phi_weights_[k][first + i] * values[kernels_[k].request.entry] * theta_weights_[k][band] * share, i,
+            summands[k]);
       }
       worker.checkpoint();
     }
@@ -257,6 +382,9 @@ class Synthesis {
   std::vector<Kernel> kernels_;
   std::vector<Eigen::ArrayXcd> phi_weights_;                // [kernel]
   std::vector<std::vector<Eigen::ArrayXd>> theta_weights_;  // [kernel][band]
+  std::optional<InterpolatedOrders> sampled_;
+  std::vector<SampledSums> sampled_sums_;
+  std::vector<std::size_t> sums_of_;  // [kernel], among them
   std::vector<RowMajor> sums_;  // [kernel], over n: two rows for each m, real and imaginary, and the offsets in theta
 };
 

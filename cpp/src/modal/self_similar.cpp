@@ -270,17 +270,24 @@ void SelfSimilarSpectrum::series(std::size_t i, OrderSeries& series) const {
     auto& target = series[used++];
     target.low = panel.low;
     target.high = panel.high;
-    target.series.setZero(kEntries, kPanelNodes);
+    target.series.resize(kEntries, kPanelNodes);
+    using Terms = Eigen::Array<double, 1, kPanelNodes>;  // numbers are real but for the powers of eta
     for (Eigen::Index e = 0; e < kEntries; ++e) {
       const bool has_factor_m = e == static_cast<int>(Entry::rphi) || e == static_cast<int>(Entry::phitheta);
       cplx eta_power = unit * (has_factor_m ? m : 1.0);
+      Terms real = Terms::Zero();
+      Terms imaginary = Terms::Zero();
       for (int j = 0; j <= inertia_order_; ++j, eta_power *= inertia_[i]) {
+        Terms of_power = Terms::Zero();
         double m_power = 1.0;
         for (int power = 0; power <= highest_power(e, j); ++power, m_power *= m2) {
-          target.series.row(e) +=
-              eta_power * m_power * panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).cast<cplx>();
+          of_power += m_power * panel.series.row(InertiaSeries::row_of(e, j, power, inertia_order_)).array();
         }
+        real += eta_power.real() * of_power;
+        imaginary += eta_power.imag() * of_power;
       }
+      target.series.row(e).real() = real;
+      target.series.row(e).imag() = imaginary;
     }
   }
   series.resize(used);
