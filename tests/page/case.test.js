@@ -60,6 +60,13 @@ test("materials of all kinds survive the way back", () => {
   }
 });
 
+test("a hardness is that of the same modulus on the other scale, as far as it reaches", () => {
+  const { chosen } = KINDS.hardness.fields.find(({ name }) => name === "scale");
+  assert.deepEqual(chosen({ hardness: 95 }, "D"), { scale: "D", hardness: 45 });
+  assert.deepEqual(chosen({ hardness: 35 }, "A"), { scale: "A", hardness: 85 });
+  assert.deepEqual(chosen({ hardness: 60 }, "D"), { scale: "D", hardness: 30 });
+});
+
 test("a material that the form has no fields for is kept as it is", () => {
   const prony = { type: "prony", instantaneous_modulus: 1e6, weights: [0.5], relaxation_times: [1] };
   const tables = structuredClone(README);

@@ -99,8 +99,10 @@ await typed.type("0");
 await page.waitForSelector('body[data-wrong="true"]');
 seen.problem = await field.$eval(".problem", (problem) => problem.textContent);
 await typed.click({ clickCount: 3 });
-await typed.type("1");
+await typed.type("0.1 cm");
 await page.waitForSelector('body[data-wrong="false"]');
+await page.keyboard.press("Tab");
+seen.typed = await field.$eval(".typed", (part) => [...part.children].map(({ value }) => value));
 
 // All examples have answers, and none is wider than a telephone.
 seen.examples = {};

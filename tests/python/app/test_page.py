@@ -40,7 +40,7 @@ needs_node = pytest.mark.skipif(NODE is None, reason="no node")
 @needs_node
 def test_modules():
     files = sorted(TESTS.glob("*.test.js"))
-    assert len(files) == 5
+    assert len(files) == 6
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 
@@ -186,6 +186,11 @@ def test_a_link_restores_the_case(seen):
 @pytest.mark.slow
 def test_what_is_wrong_is_told_at_its_field(seen):
     assert "thickness must be > 0 m" in seen["problem"]
+
+
+@pytest.mark.slow
+def test_a_unit_that_is_typed_goes_to_its_place(seen):
+    assert seen["typed"] == ["0.1", "cm"]
 
 
 @pytest.mark.slow
