@@ -41,6 +41,10 @@ class _Draws(StrictTable):
     confidence: float = 0.95
 
 
+class _DrawsFile(StrictTable):
+    draws: _Draws
+
+
 class _Range(StrictTable):
     """Numbers from one to another, both included."""
 
@@ -92,7 +96,7 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
     table = document.pop("sweep", None)
     if not isinstance(table, dict) or not table:
         raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
-    draws = checked(_Draws, document.pop("draws")) if "draws" in document else None
+    draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     places = [place_of(key) for key in table]
     values = [_values(key, entry) for key, entry in table.items()]
     dimensions = [

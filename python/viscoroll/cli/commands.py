@@ -67,6 +67,10 @@ def material(
 
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, (".toml",))
+    if draws == 1:
+        raise ValueError("--draws must be 0, or at least 2, which tell a scatter, got 1")
+    if draws and save is None:
+        raise ValueError("--draws are kept with a material: --save must be given, too")
     measured = read_rheology(
         data, columns=_columns(columns), tensile=tensile, poisson_ratio=poisson_ratio, frequency=frequency
     )

@@ -100,11 +100,25 @@ def test_the_shell_saves_draws_of_one_curve(folder):
 
 
 @pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--draws", 1, "--save", "one.toml"], "--draws must be 0, or at least 2, which tell a scatter, got 1"),
+        (["--draws", 5], "--draws are kept with a material: --save must be given, too"),
+    ],
+)
+def test_draws_that_nobody_keeps_are_told_of_before_the_work(folder, options, message):
+    ended = command("material", "data.csv", "--shear", *options, cwd=folder[0])
+    assert ended.returncode == 2
+    assert message in ended.stderr
+    assert not ended.stdout
+
+
+@pytest.mark.parametrize(
     ("changed", "message"),
     [
         ('of = ["cylinder.layers[0].thickness"]', 'keep draws, got "cylinder.layers[0].thickness"'),
         ("of = []", "draws.of must be materials with as many draws each, got no place"),
-        ('of = ["cylinder.layers[0].shear_modulus"]\nby = "luck"', "by"),
+        ('of = ["cylinder.layers[0].shear_modulus"]\nby = "luck"', "draws.by: input should be 'linear' or 'solve'"),
     ],
 )
 def test_bad_tables(folder, changed, message):
