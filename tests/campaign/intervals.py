@@ -37,9 +37,9 @@ LAW = vr.WilliamsLandelFerry(c1=10.0, c2=110.0, reference_temperature=REFERENCE 
 #: What is measured of each sweep [rad/s].
 LOWEST, HIGHEST = 0.1, 100.0
 
-#: With 500 nodes a revolution the contact at the lowest temperature has 55, which take 1.8 % less torque of what ends as
-#: a series does than of the rubber itself: each is collocated by its phase at the mesh's own frequency. With 1000 it is
-#: 0.2 %.
+#: With 500 nodes a revolution the contact at the lowest temperature has 55, which take 1.8 % less torque of what ends
+#: as a series does than of the rubber itself: each is collocated by its phase at the mesh's own frequency. With 1000 it
+#: is 0.2 %.
 CASE = {"load": 30.0, "angular_speed": 3.0, "mesh": vr.Mesh(nodes_per_revolution=1000), "progress": False}
 
 

@@ -153,6 +153,16 @@ def test_draws_that_fail_leave_no_interval(material):
     assert "draws must differ in shear moduli alone where they are linear" in found.error.item()
 
 
+def test_draws_far_from_the_middle_are_no_first_order():
+    """Ten times as soft and as stiff ones would have a torque below 0 in their interval."""
+    found_one = vr.StandardLinearSolid(instantaneous_modulus=6e6, relaxed_modulus=3e6, relaxation_time=0.1)
+    far = vr.Draws(found_one, [vr.Elastic(modulus=3e5), vr.Elastic(modulus=3e7)])
+    with pytest.warns(vr.ResultWarning, match="1 NO_INTERVAL"):
+        found = vr.sweep(roller, modulus=far, **CASE)
+    assert "draws must change the penetration by at most 25% where they are linear" in found.error.item()
+    assert "resisting_torque_lower" not in found
+
+
 def test_a_largest_pressure_at_the_edge_has_no_linear_interval():
     """Where what enters the contact is stiff, its first nodes bear most: here at 50 °C, and not at 70."""
     draws = vr.superpose(measured(3, Noise()), reference=REFERENCE).draws(3)
