@@ -127,6 +127,8 @@ class RollingHistory {
   /// @brief Go on from a state.
   /// @param[in] load the first one of its motion, by which a mesh is chosen where none is given [N] or [N/m], > 0
   /// @param[in] state of a history of the same bodies and options
+  /// @param[in] body,on,options,observer as above
+  /// @throws std::invalid_argument for bad input, and where the state is of other bodies or of other options
   RollingHistory(const RollingBody& body, const Counterpart& on, double load, const RollingState& state,
                  const HistoryOptions& options = {}, const Observer& observer = {});
   RollingHistory(const RollingHistory& other);
@@ -162,6 +164,8 @@ class RollingHistory {
   /// @return what is needed to go on from here, in a history of the same bodies and options
   [[nodiscard]] RollingState state() const;
   /// @brief Go on from a state.
+  /// @param[in] state of a history of the same bodies and options
+  /// @param[in] observer progress and cancellation
   /// @throws std::invalid_argument where it is of other bodies or of other options
   void restore(const RollingState& state, const Observer& observer = {});
 
