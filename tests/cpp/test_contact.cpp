@@ -32,7 +32,8 @@ struct Model {
     };
     const WindowShape shape = window.shape();
     surface = std::make_shared<TableOperator>(
-        formulation, nodes, tables(displacement_tables(formulation), shape.phi_nodes - 1, shape.theta_nodes - 1),
+        formulation, nodes.grid(), nodes.window(),
+        tables(displacement_tables(formulation), shape.phi_nodes - 1, shape.theta_nodes - 1),
         [tables, formulation](int phi_reach, int theta_reach) {
           return tables(dissipation_tables(formulation), phi_reach, theta_reach);
         },

@@ -58,17 +58,17 @@ class CoatingTest : public testing::TestWithParam<std::tuple<Compliance, PatchLo
     };
     tables_ = tables(displacement_tables(formulation_));
     surface_ = std::make_unique<TableOperator>(
-        formulation_, nodes_, tables_,
+        formulation_, nodes_.grid(), nodes_.window(), tables_,
         [dissipation = tables(dissipation_tables(formulation_))](int, int) { return dissipation; }, execution_);
   }
 
   /// Directions r, phi and theta in x, y and z, where they count as components of loads.
   [[nodiscard]] Eigen::Matrix3d directions(Eigen::Index node) const {
     Eigen::Matrix3d directions;
-    const auto axes = nodes_.axes();
+    const auto axes = nodes_.points().axes();
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       for (Eigen::Index p = 0; p < 3; ++p) {
-        directions(p, axis) = axes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(p)][node];
+        directions(p, axis) = axes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(p)].values()[node];
       }
     }
     if (formulation_.compliance == Compliance::radial) {
@@ -143,6 +143,41 @@ TEST_P(CoatingTest, FftProductEqualsTheDirectSum) {
   pressing.col(kDown) = force.col(kDown);
   const Eigen::ArrayXd rise = surface_->normal_displacement(Eigen::ArrayXd(-pressing.col(kDown)));
   EXPECT_LT((rise + direct_sum(pressing).col(kDown)).abs().maxCoeff(), 1e-13 * rise.abs().maxCoeff());
+}
+
+TEST_P(CoatingTest, ProductOfMirrorImagesEqualsTheDirectSum) {
+  // They are told by half of the nodes, sideways forces with the opposite sign.
+  VectorField force = forces(1.0);
+  const Eigen::Index columns = nodes_.shape().theta_nodes;
+  for (Eigen::Index node = 0; node < force.rows(); ++node) {
+    const Eigen::Index image = node + columns - 1 - 2 * (node % columns);
+    if (image > node) force.row(node) = force.row(image) * Eigen::Array3d(1.0, 1.0, -1.0).transpose();
+    if (image == node) force(node, kSideways) = 0.0;
+  }
+  const VectorField expected = direct_sum(force);
+  EXPECT_LT((surface_->displacement(force) - expected).abs().maxCoeff(), 1e-13 * expected.abs().maxCoeff());
+  const double lost = surface_->dissipation(force).rolling;
+  force(0, kDown) = std::nextafter(force(0, kDown), 2.0);  // no longer mirrored
+  EXPECT_NEAR(surface_->dissipation(force).rolling, lost, 1e-12 * lost);
+
+  if (!surface_->takes_mirrored()) return;
+  VectorField pressing = VectorField::Zero(force.rows(), 3);
+  pressing.col(kDown) = force.col(kDown);
+  const Eigen::ArrayXd rise = surface_->normal_displacement(Eigen::ArrayXd(-pressing.col(kDown)), true);
+  EXPECT_LT((rise + direct_sum(pressing).col(kDown)).abs().maxCoeff(), 1e-13 * rise.abs().maxCoeff());
+}
+
+TEST_P(CoatingTest, ProductOfForcesOnAPartEqualsTheDirectSum) {
+  // The fewer nodes are loaded, the shorter the period; beside the middle, too.
+  VectorField force = forces(1.0);
+  const Eigen::Index columns = nodes_.shape().theta_nodes;
+  for (Eigen::Index node = 0; node < force.rows(); ++node) {
+    const Eigen::Index row = node / columns;
+    const Eigen::Index column = node % columns;
+    if (row < 5 || row > 7 || column < 4 || column > 5) force.row(node) = 0.0;
+  }
+  const VectorField expected = direct_sum(force);
+  EXPECT_LT((surface_->displacement(force) - expected).abs().maxCoeff(), 1e-13 * expected.abs().maxCoeff());
 }
 
 TEST_P(CoatingTest, ForcesLoseNoEnergyToThePlane) {

@@ -373,7 +373,7 @@ class PlaneContact : public testing::Test {
           orders.tables(requests, shape.phi_nodes, shape.theta_nodes, 1, watch_));
     };
     return std::make_shared<TableOperator>(
-        formulation, nodes_, tables(displacement_tables(formulation)),
+        formulation, nodes_.grid(), nodes_.window(), tables(displacement_tables(formulation)),
         [dissipation = tables(dissipation_tables(formulation))](int, int) { return dissipation; },
         Execution{1, watch_});
   }

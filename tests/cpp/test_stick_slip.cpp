@@ -20,7 +20,7 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
   StickSlipTest() {
     const CoatingSum orders(layered_body(cases::paper_sphere()), 2.5, mesh_, 2, watch_);
     surface_ = std::make_shared<TableOperator>(
-        formulation_, nodes_,
+        formulation_, nodes_.grid(), nodes_.window(),
         std::make_shared<const std::vector<Table>>(orders.tables(displacement_tables(formulation_), 16, 16, 2, watch_)),
         nullptr, execution_);
     const WindowShape shape = nodes_.shape();

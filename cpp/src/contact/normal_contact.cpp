@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "contact/active_set.hpp"
@@ -23,31 +25,33 @@ constexpr double kTightening = 0.03;      // of the tolerance as the set comes c
 constexpr double kFailure = 1e-8;         // relative residual that no answer can be built on
 constexpr Index kSmallContact = 1300;     // nodes: those of the rough mesh on which windows are tried
 
-/// Nodes pressed flat against the plane: C p = penetration - drop and sum p = load.
-struct FlatPressing {
-  VectorXd forces;
-  double penetration;
-};
-
 /// The equations of flat pressing without their matrix. Forces come first, then the penetration times a stiffness.
+///
+/// Where mirror images bear the same, one node stands for both, and its unknown is the force times the root of two:
+/// sums of squares are those of all nodes, and so is every step of a Krylov method.
 ///
 /// The preconditioner leaves no sum of forces, so that from a guess that bears the load all steps do: what a Krylov
 /// method sees is the compliance on forces without a sum, symmetric where the coating is lossless.
 class FlatEquations {
  public:
-  FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse, const std::vector<Index>& contact)
+  FlatEquations(const ContactProblem& problem, const InverseConvolution& inverse, const std::vector<Index>& contact,
+                bool mirrored)
       : problem_(problem),
         inverse_(inverse),
-        contact_(contact),
-        rows_(problem.surface->shape(), contact),
-        count_(static_cast<Index>(contact.size())),
+        rows_(problem.surface->shape(), contact, mirrored),
+        count_(rows_.count()),
+        roots_(VectorXd::Ones(count_)),
         stiffness_(problem.surface->normal_stiffness()),
-        balance_(1.0 / std::sqrt(static_cast<double>(count_))),
-        uniform_(precondition_forces(VectorXd::Ones(count_))) {}
+        balance_(1.0 / std::sqrt(static_cast<double>(contact.size()))) {
+    if (mirrored) {
+      for_nodes([&](Index i, Index k) { roots_[i] = k > 0 ? std::numbers::sqrt2 : 1.0; });
+    }
+    uniform_ = precondition_forces(roots_);
+  }
 
   [[nodiscard]] VectorXd right_side() const {
     VectorXd right(count_ + 1);
-    right.head(count_) = -stiffness_ * problem_.initial_gap(contact_).matrix();
+    for (Index i = 0; i < count_; ++i) right[i] = -stiffness_ * roots_[i] * problem_.initial_gap[rows_.node(i)];
     right[count_] = balance_ * problem_.normal_force;
     return right;
   }
@@ -55,25 +59,32 @@ class FlatEquations {
   /// A guess whose forces bear the load.
   [[nodiscard]] VectorXd unknowns(const PressedNodes& contact) const {
     VectorXd unknowns(count_ + 1);
-    unknowns.head(count_) = contact.pressing(contact_).matrix();
+    for (Index i = 0; i < count_; ++i) unknowns[i] = roots_[i] * contact.pressing[rows_.node(i)];
     unknowns[count_] = stiffness_ * *contact.penetration;
-    VectorXd missing = VectorXd::Zero(count_ + 1);
-    missing[count_] = balance_ * (problem_.normal_force - unknowns.head(count_).sum());
-    return unknowns + precondition(missing);
+    const double lowering = (problem_.normal_force - sum(unknowns)) / sum(uniform_);
+    unknowns.head(count_) += lowering * uniform_;
+    unknowns[count_] += lowering;
+    return unknowns;
   }
 
-  /// What unknowns mean, with forces that bear the load to the last digit.
-  [[nodiscard]] FlatPressing pressing(const VectorXd& unknowns) const {
-    const double missing = problem_.normal_force - unknowns.head(count_).sum();
-    return {.forces = unknowns.head(count_) + missing / uniform_.sum() * uniform_,
-            .penetration = unknowns[count_] / stiffness_};
+  /// Note what unknowns mean, with forces that bear the load to the last digit.
+  void press(const VectorXd& unknowns, PressedNodes& contact) const {
+    const double missing = problem_.normal_force - sum(unknowns);
+    const VectorXd forces = (unknowns.head(count_) + missing / sum(uniform_) * uniform_).cwiseQuotient(roots_);
+    contact.penetration = unknowns[count_] / stiffness_;
+    contact.pressing.setZero();
+    for_nodes([&](Index i, Index k) {
+      contact.pressing[rows_.node(i)] = forces[i];
+      if (rows_.mirrored()) contact.pressing[rows_.node(i) - 2 * k] = forces[i];
+    });
   }
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
     VectorXd result(count_ + 1);
-    result.head(count_) = stiffness_ * problem_.surface->normal_displacement(rows_, unknowns.head(count_));
-    result.head(count_).array() -= unknowns[count_];
-    result[count_] = balance_ * unknowns.head(count_).sum();
+    result.head(count_) = roots_.cwiseProduct(
+        stiffness_ * problem_.surface->normal_displacement(rows_, unknowns.head(count_).cwiseQuotient(roots_)));
+    result.head(count_) -= unknowns[count_] * roots_;
+    result[count_] = balance_ * sum(unknowns);
     return result;
   }
 
@@ -81,22 +92,31 @@ class FlatEquations {
   [[nodiscard]] VectorXd precondition(const VectorXd& right) const {
     VectorXd result(count_ + 1);
     result.head(count_) = precondition_forces(right.head(count_));
-    result[count_] = (right[count_] / balance_ - result.head(count_).sum()) / uniform_.sum();
+    result[count_] = (right[count_] / balance_ - sum(result)) / sum(uniform_);
     result.head(count_) += result[count_] * uniform_;
     return result;
   }
 
  private:
+  template <class Function>
+  void for_nodes(const Function& function) const {
+    for (int row = 0; row < rows_.rows(); ++row) rows_.for_row(row, function);
+  }
+
+  /// Of the forces of all nodes.
+  [[nodiscard]] double sum(const VectorXd& unknowns) const { return roots_.dot(unknowns.head(count_)); }
+
   [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
     const Execution& execution = problem_.surface->execution();
-    return inverse_.apply(rows_, right / stiffness_, execution.threads, execution.watch);
+    return roots_.cwiseProduct(
+        inverse_.apply(rows_, right.cwiseQuotient(stiffness_ * roots_), execution.threads, execution.watch));
   }
 
   const ContactProblem& problem_;
   const InverseConvolution& inverse_;
-  const std::vector<Index>& contact_;
   NodeRows rows_;
   Index count_;
+  VectorXd roots_;  // of how many nodes one stands for
   double stiffness_;
   double balance_;
   VectorXd uniform_;  // forces that lower all nodes alike
@@ -105,12 +125,13 @@ class FlatEquations {
 /// A surface whose compliance is known by its products: a Krylov method solves the systems.
 class SurfaceOfProducts : public PressedSurface {
  public:
-  explicit SurfaceOfProducts(const ContactProblem& problem)
-      : problem_(problem), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
+  /// @param[in] mirrored whether mirror images bear the same
+  SurfaceOfProducts(const ContactProblem& problem, bool mirrored)
+      : problem_(problem), mirrored_(mirrored), weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
 
   void press(PressedNodes& contact, double tolerance) override {
     if (!inverse_) inverse_ = std::make_unique<InverseConvolution>(make_inverse());
-    const FlatEquations equations(problem_, *inverse_, contact.nodes);
+    const FlatEquations equations(problem_, *inverse_, contact.nodes, mirrored_);
     const VectorXd right_side = equations.right_side();
     const KrylovSolution solution = solve_krylov(
         [&](const VectorXd& vector) { return equations.times(vector); },
@@ -121,15 +142,12 @@ class SurfaceOfProducts : public PressedSurface {
     if (!(error < std::max(kFailure, 2.0 * tolerance))) {
       throw ConvergenceError("the contact equations were not solved", contact.passes, error);
     }
-    const FlatPressing pressing = equations.pressing(solution.unknowns);
-    contact.penetration = pressing.penetration;
-    contact.pressing.setZero();
-    contact.pressing(contact.nodes) = pressing.forces.array();
+    equations.press(solution.unknowns, contact);
   }
 
   [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
     ++products_;
-    return problem_.initial_gap + problem_.surface->normal_displacement(contact.pressing);
+    return problem_.initial_gap + problem_.surface->normal_displacement(contact.pressing, mirrored_);
   }
 
   [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
@@ -139,7 +157,7 @@ class SurfaceOfProducts : public PressedSurface {
  private:
   [[nodiscard]] InverseConvolution make_inverse() const {
     const WindowShape shape = problem_.surface->shape();
-    const WindowShape period{ComplexFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
+    const WindowShape period{RealFft::fast_length(shape.phi_nodes), RealFft::fast_length(shape.theta_nodes)};
     const Execution& execution = problem_.surface->execution();
     return {shape,
             period,
@@ -150,10 +168,28 @@ class SurfaceOfProducts : public PressedSurface {
   }
 
   const ContactProblem& problem_;
+  bool mirrored_;
   ArrayXd weights_;
   int products_ = 0;
   std::unique_ptr<InverseConvolution> inverse_;
 };
+
+/// The guess of a contact that is its own mirror image; nothing where it need not be. Forces are those of one side.
+std::optional<PressedNodes> mirrored(const ContactProblem& problem, const PressedNodes& guess) {
+  if (!problem.surface->takes_mirrored() || !is_mirror_symmetric(problem)) return std::nullopt;
+  const Index columns = problem.surface->shape().theta_nodes;
+  std::vector<char> touches(static_cast<std::size_t>(guess.pressing.size()), 0);
+  for (const Index node : guess.nodes) touches[static_cast<std::size_t>(node)] = 1;
+  PressedNodes same = guess;
+  for (Index start = 0; start < guess.pressing.size(); start += columns) {
+    for (Index k = 0; k < columns / 2; ++k) {
+      const Index node = start + columns - 1 - k;
+      if (touches[static_cast<std::size_t>(node)] != touches[static_cast<std::size_t>(start + k)]) return std::nullopt;
+      same.pressing[start + k] = same.pressing[node];
+    }
+  }
+  return same;
+}
 
 double largest_violation(const PressedNodes& contact) {
   const double overclosure = -contact.gap.minCoeff();
@@ -175,18 +211,23 @@ ContactSolution solution_of(PressedNodes contact, int products) {
   return solution;
 }
 
+PressedNodes start_of(const NormalContactGuess& guess) {
+  return {.pressing = guess.pressing, .nodes = guess.contact, .penetration = guess.penetration};
+}
+
 }  // namespace
 
 ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
                                      const ContactOptions& options) {
-  SurfaceOfProducts surface(problem);
-  PressedNodes contact =
-      find_contact(surface, {.pressing = guess.pressing, .nodes = guess.contact, .penetration = guess.penetration},
-                   {.most_passes = options.max_iterations,
-                    .first_tolerance = kFirstTolerance,
-                    .tightening = kTightening,
-                    .tolerance = options.tolerance,
-                    .unsettled = options.unsettled});
+  PressedNodes start = start_of(guess);
+  const std::optional<PressedNodes> same = mirrored(problem, start);
+  SurfaceOfProducts surface(problem, same.has_value());
+  PressedNodes contact = find_contact(surface, same ? *same : std::move(start),
+                                      {.most_passes = options.max_iterations,
+                                       .first_tolerance = kFirstTolerance,
+                                       .tightening = kTightening,
+                                       .tolerance = options.tolerance,
+                                       .unsettled = options.unsettled});
   if (!contact.converged) {
     contact.pressing = contact.pressing.max(0.0);
     contact.gap = surface.height(contact) - *contact.penetration;
@@ -196,12 +237,12 @@ ContactSolution solve_normal_contact(const ContactProblem& problem, const Normal
 
 ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,
                                  const ContactOptions& options) {
-  SurfaceOfProducts surface(problem);
-  PressedNodes contact{.pressing = guess.pressing,
-                       .nodes = guess.contact,
-                       .penetration = guess.penetration,
-                       .passes = 1,
-                       .converged = true};
+  const PressedNodes start = start_of(guess);
+  const std::optional<PressedNodes> same = mirrored(problem, start);
+  SurfaceOfProducts surface(problem, same.has_value());
+  PressedNodes contact = same.value_or(start);
+  contact.passes = 1;
+  contact.converged = true;
   surface.press(contact, options.tolerance);
   contact.gap = surface.height(contact) - *contact.penetration;
   return solution_of(std::move(contact), surface.products());

@@ -31,7 +31,7 @@ StickSlipPreconditioner::StickSlipPreconditioner(const SurfaceOperator& surface)
   const PeriodicTable forward(surface.local().table(Entry::phiphi), surface.shape(), period);
   const PeriodicTable sideways(surface.local().table(Entry::thetatheta), surface.shape(), period);
   const Execution& execution = surface.execution();
-  slip_compliance_ = product_.spectrum([&](int j, int l) { return 0.5 * (forward(j, l) + sideways(j, l)); },
+  slip_compliance_ = product_.spectrum([&](int j, int l) { return 0.5 * (forward(j, l) + sideways(j, l)); }, false,
                                        execution.threads, execution.watch);
   const std::size_t stride = product_.column_stride();
   for (std::size_t i = 0; i < slip_compliance_.size(); ++i) {
@@ -41,22 +41,9 @@ StickSlipPreconditioner::StickSlipPreconditioner(const SurfaceOperator& surface)
 }
 
 VectorField StickSlipPreconditioner::force(const VectorField& displacement) const {
-  const auto& directions = surface_.local().directions;
-  Eigen::ArrayXXd moved(displacement.rows(), static_cast<Eigen::Index>(directions.size()));
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    moved.col(static_cast<Eigen::Index>(p)) = directions[p][0] * displacement.col(0) +
-                                              directions[p][1] * displacement.col(1) +
-                                              directions[p][2] * displacement.col(2);
-  }
+  const LocalCompliance& local = surface_.local();
   const Execution& execution = surface_.execution();
-  const Eigen::ArrayXXd loads = inverse_.apply(moved, execution.threads, execution.watch);
-  VectorField force = VectorField::Zero(displacement.rows(), 3);
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    for (const Axis axis : {kForward, kDown, kSideways}) {
-      force.col(axis) += directions[p][static_cast<std::size_t>(axis)] * loads.col(static_cast<Eigen::Index>(p));
-    }
-  }
-  return force;
+  return local.forces(inverse_.apply(local.loads(displacement), execution.threads, execution.watch));
 }
 
 ComplexBuffer StickSlipPreconditioner::turning_symbol(double rigidity, double scale) const {

@@ -19,6 +19,13 @@ struct ConvolutionTerm {
   double sign;
 };
 
+/// @brief Nodes of a window outside which nothing is loaded.
+struct LoadedNodes {
+  int first_row;
+  int rows;
+  int columns;  ///< around the middle
+};
+
 /// @brief Several fields over a window to several others by translation-invariant tables, with FFTs on the window
 /// doubled in both directions: one transform for each field rather than for each table.
 class Convolution {
@@ -29,7 +36,12 @@ class Convolution {
   /// @param[in] threads number of threads, 0 for all cores
   /// @param[in] watch progress and cancellation
   Convolution(WindowShape shape, const std::vector<Table>& tables, const std::vector<ConvolutionTerm>& terms,
-              int threads, Watch& watch);
+              int threads, Watch& watch)
+      : Convolution(shape, {.first_row = 0, .rows = shape.phi_nodes, .columns = shape.theta_nodes}, tables, terms,
+                    threads, watch) {}
+  /// @param[in] loaded nodes that all fields leave out the others of: the fewer, the shorter the period
+  Convolution(WindowShape shape, const LoadedNodes& loaded, const std::vector<Table>& tables,
+              const std::vector<ConvolutionTerm>& terms, int threads, Watch& watch);
 
   /// @param[in] operands one column for each field, rows being nodes
   /// @param[in] threads number of threads, 0 for all cores
@@ -45,8 +57,16 @@ class Convolution {
     product_.apply(fields, fill, terms_, results_, take, threads, watch);
   }
 
+  /// @brief The same of fields that are even or odd, see `SpectralProduct`.
+  void apply_mirrored(const std::vector<bool>& odd, const SpectralProduct::Fill& fill,
+                      const SpectralProduct::Take& take, int threads, Watch& watch) const {
+    product_.apply_mirrored(odd, fill, terms_, results_, take, threads, watch);
+  }
+
   /// @return floating-point operations of a product, roughly
-  [[nodiscard]] double operations() const { return product_.operations(fields_, terms_.size(), results_); }
+  [[nodiscard]] double operations() const {
+    return SpectralProduct::operations(product_.period(), fields_, terms_.size(), results_);
+  }
 
  private:
   SpectralProduct product_;

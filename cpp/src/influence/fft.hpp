@@ -33,12 +33,14 @@ struct CacheLineAllocator {
 using RealBuffer = std::vector<double, CacheLineAllocator<double>>;
 using ComplexBuffer = std::vector<std::complex<double>, CacheLineAllocator<std::complex<double>>>;
 
-/// @return the least multiple of a cache line that holds so many complex numbers: the stride of lines to transform
-[[nodiscard]] constexpr std::size_t cache_line_stride(std::size_t complex_numbers) {
-  return (complex_numbers + 3) / 4 * 4;
+/// @return the least multiple of a cache line that holds so many numbers: the stride of lines to transform
+template <class Number>
+[[nodiscard]] constexpr std::size_t cache_line_stride(std::size_t numbers) {
+  constexpr std::size_t kLine = 64 / sizeof(Number);
+  return (numbers + kLine - 1) / kLine * kLine;
 }
 
-/// @brief Transforms of lines of complex numbers, in place. Several lines at a time may take less time for each.
+/// @brief Transforms of a line of complex numbers, in place.
 class ComplexFft {
  public:
   explicit ComplexFft(int length);
@@ -48,11 +50,9 @@ class ComplexFft {
   ComplexFft(const ComplexFft&) = delete;
   ComplexFft& operator=(const ComplexFft&) = delete;
 
-  /// @param[in,out] lines `length` numbers each, on cache lines
-  /// @param[in] count number of lines
-  /// @param[in] stride numbers from line to line
-  void forward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
-  void backward(std::complex<double>* lines, std::size_t count = 1, std::size_t stride = 0) const;
+  /// @param[in,out] line `length` numbers on a cache line
+  void forward(std::complex<double>* line) const;
+  void backward(std::complex<double>* line) const;
 
   /// @return the length >= `length`, even and of factors 2, 3, 5 and 7, at which a product with a spectrum takes the
   /// least time
@@ -63,7 +63,8 @@ class ComplexFft {
   std::unique_ptr<Impl> impl_;
 };
 
-/// @brief Transforms between a line of real numbers and its half spectrum.
+/// @brief Transforms between lines of real numbers and their half spectra. Several lines at a time may take less time
+/// for each.
 class RealFft {
  public:
   explicit RealFft(int length);
@@ -73,13 +74,24 @@ class RealFft {
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @param[in,out] real `length` numbers on a cache line, overwritten
-  /// @param[out] spectrum `length / 2 + 1` numbers on a cache line
-  void forward(double* real, std::complex<double>* spectrum) const;
+  /// @brief So many lines, and numbers from line to line of either kind.
+  struct Lines {
+    std::size_t count = 1;
+    std::size_t real_stride = 0;
+    std::size_t spectrum_stride = 0;
+  };
 
-  /// @param[in,out] spectrum `length / 2 + 1` numbers on a cache line, overwritten
-  /// @param[out] real `length` numbers on a cache line
-  void backward(std::complex<double>* spectrum, double* real) const;
+  /// @param[in,out] real `length` numbers each, on cache lines, overwritten
+  /// @param[out] spectrum `length / 2 + 1` numbers each, on cache lines
+  /// @param[in] lines how many
+  void forward(double* real, std::complex<double>* spectrum, const Lines& lines) const;
+  void forward(double* real, std::complex<double>* spectrum) const { forward(real, spectrum, Lines{}); }
+
+  /// @param[in,out] spectrum `length / 2 + 1` numbers each, on cache lines, overwritten
+  /// @param[out] real `length` numbers each, on cache lines
+  /// @param[in] lines how many
+  void backward(std::complex<double>* spectrum, double* real, const Lines& lines) const;
+  void backward(std::complex<double>* spectrum, double* real) const { backward(spectrum, real, Lines{}); }
 
   /// @return as `ComplexFft::fast_length`
   [[nodiscard]] static int fast_length(int length);

@@ -47,12 +47,9 @@ Plan plan(const MakePlan& make) {
   return Plan(made);
 }
 
-void transform_lines(fftw_plan plan, std::complex<double>* lines, std::size_t count, std::size_t stride) {
-  for (std::size_t l = 0; l < count; ++l) {
-    fftw_complex* line = as_fftw(lines + l * stride);
-    assert(is_aligned(line));
-    fftw_execute_dft(plan, line, line);
-  }
+void transform(fftw_plan plan, std::complex<double>* line) {
+  assert(is_aligned(line));
+  fftw_execute_dft(plan, as_fftw(line), as_fftw(line));
 }
 
 }  // namespace
@@ -79,13 +76,9 @@ ComplexFft::~ComplexFft() = default;
 ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
 ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 
-void ComplexFft::forward(std::complex<double>* lines, std::size_t count, std::size_t stride) const {
-  transform_lines(impl_->forward.get(), lines, count, stride);
-}
+void ComplexFft::forward(std::complex<double>* line) const { transform(impl_->forward.get(), line); }
 
-void ComplexFft::backward(std::complex<double>* lines, std::size_t count, std::size_t stride) const {
-  transform_lines(impl_->backward.get(), lines, count, stride);
-}
+void ComplexFft::backward(std::complex<double>* line) const { transform(impl_->backward.get(), line); }
 
 struct RealFft::Impl {
   Plan forward;
@@ -105,14 +98,18 @@ RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
-void RealFft::forward(double* real, std::complex<double>* spectrum) const {
-  assert(is_aligned(real) && is_aligned(spectrum));
-  fftw_execute_dft_r2c(impl_->forward.get(), real, as_fftw(spectrum));
+void RealFft::forward(double* real, std::complex<double>* spectrum, const Lines& lines) const {
+  for (std::size_t l = 0; l < lines.count; ++l, real += lines.real_stride, spectrum += lines.spectrum_stride) {
+    assert(is_aligned(real) && is_aligned(spectrum));
+    fftw_execute_dft_r2c(impl_->forward.get(), real, as_fftw(spectrum));
+  }
 }
 
-void RealFft::backward(std::complex<double>* spectrum, double* real) const {
-  assert(is_aligned(real) && is_aligned(spectrum));
-  fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);
+void RealFft::backward(std::complex<double>* spectrum, double* real, const Lines& lines) const {
+  for (std::size_t l = 0; l < lines.count; ++l, real += lines.real_stride, spectrum += lines.spectrum_stride) {
+    assert(is_aligned(real) && is_aligned(spectrum));
+    fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);
+  }
 }
 
 }  // namespace viscoroll::detail

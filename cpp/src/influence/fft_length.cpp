@@ -8,8 +8,8 @@
 namespace viscoroll::detail {
 namespace {
 
-// Both axes take turns: at a number of a period, the time of one axis' transform adds to that of the other's, taken at
-// a length in the middle, and to that of the product itself, which waits for the memory.
+// Both axes take turns, of real lines each: at a number of a period, the time of one axis' transform adds to that of
+// the other's, taken at a length in the middle, and to that of the product itself, which waits for the memory.
 constexpr int kMiddle = 1024;
 constexpr double kProduct = 4.0;  // [ns], in the units of the costs
 
@@ -26,8 +26,8 @@ double time_per_number(int length, const FftCost& cost) {
   return length == 1 ? time : std::numeric_limits<double>::infinity();
 }
 
-int fastest(int length, const FftCost& own, const FftCost& other) {
-  const double rest = time_per_number(kMiddle, other) + kProduct;
+int fastest(int length, const FftCost& own) {
+  const double rest = time_per_number(kMiddle, kRealFftCost) + kProduct;
   int best = length;
   double least = std::numeric_limits<double>::infinity();
   // Costs were measured at even lengths, and a power of two is among those below twice the length.
@@ -43,8 +43,8 @@ int fastest(int length, const FftCost& own, const FftCost& other) {
 
 }  // namespace
 
-int ComplexFft::fast_length(int length) { return fastest(length, kComplexFftCost, kRealFftCost); }
+int ComplexFft::fast_length(int length) { return fastest(length, kComplexFftCost); }
 
-int RealFft::fast_length(int length) { return fastest(length, kRealFftCost, kComplexFftCost); }
+int RealFft::fast_length(int length) { return fastest(length, kRealFftCost); }
 
 }  // namespace viscoroll::detail

@@ -20,14 +20,31 @@ namespace viscoroll::detail {
 namespace {
 
 using std::complex;
-using Plan = pocketfft::detail::cfftp<double>;
+using ComplexPlan = pocketfft::detail::cfftp<double>;
+using RealPlan = pocketfft::detail::rfftp<double>;
 
-/// Real and imaginary part, as PocketFFT has them: of one number, or of one of each line.
-template <class Part>
-using Pair = pocketfft::detail::cmplx<Part>;
+void transform_line(const ComplexPlan& plan, bool forward, complex<double>* line) {
+  plan.exec(reinterpret_cast<pocketfft::detail::cmplx<double>*>(line), 1.0, forward);
+}
 
-void transform_line(const Plan& plan, bool forward, complex<double>* line) {
-  plan.exec(reinterpret_cast<Pair<double>*>(line), 1.0, forward);
+// PocketFFT has the half spectrum in as many numbers as the line: real part 0, real and imaginary part 1, ..., and for
+// an even length the real part of the last.
+
+void transform_line(const RealPlan& plan, std::size_t length, double* real, complex<double>* spectrum) {
+  plan.exec(real, 1.0, true);
+  spectrum[0] = real[0];
+  for (std::size_t i = 1; 2 * i < length; ++i) spectrum[i] = {real[2 * i - 1], real[2 * i]};
+  if (length % 2 == 0) spectrum[length / 2] = real[length - 1];
+}
+
+void transform_line(const RealPlan& plan, std::size_t length, const complex<double>* spectrum, double* real) {
+  real[0] = spectrum[0].real();
+  for (std::size_t i = 1; 2 * i < length; ++i) {
+    real[2 * i - 1] = spectrum[i].real();
+    real[2 * i] = spectrum[i].imag();
+  }
+  if (length % 2 == 0) real[length - 1] = spectrum[length / 2].real();
+  plan.exec(real, 1.0, false);
 }
 
 #ifdef __GNUC__
@@ -35,100 +52,106 @@ void transform_line(const Plan& plan, bool forward, complex<double>* line) {
 constexpr std::size_t kTogether = 4;  // lines
 using Lanes = double __attribute__((vector_size(kTogether * sizeof(double))));
 
-/// As many lines at once as an instruction takes numbers. Nothing is called that is not compiled for those
-/// instructions.
-VISCOROLL_BEST_INSTRUCTIONS __attribute__((flatten)) void transform_together(const Plan& plan, bool forward,
-                                                                             complex<double>* lines, std::size_t length,
-                                                                             std::size_t stride,
-                                                                             Pair<Lanes>* together) {
+// As many lines at once as an instruction takes numbers. Nothing is called that is not compiled for those instructions.
+
+VISCOROLL_BEST_INSTRUCTIONS __attribute__((flatten)) void transform_together(const RealPlan& plan, std::size_t length,
+                                                                             const double* real,
+                                                                             complex<double>* spectrum,
+                                                                             const RealFft::Lines& lines,
+                                                                             Lanes* together) {
   for (std::size_t i = 0; i < length; ++i) {
-    for (std::size_t l = 0; l < kTogether; ++l) {
-      together[i].r[l] = lines[l * stride + i].real();
-      together[i].i[l] = lines[l * stride + i].imag();
-    }
+    for (std::size_t l = 0; l < kTogether; ++l) together[i][l] = real[l * lines.real_stride + i];
   }
-  plan.exec(together, 1.0, forward);
+  plan.exec(together, 1.0, true);
+  for (std::size_t l = 0; l < kTogether; ++l) {
+    complex<double>* line = spectrum + l * lines.spectrum_stride;
+    line[0] = together[0][l];
+    for (std::size_t i = 1; 2 * i < length; ++i) line[i] = {together[2 * i - 1][l], together[2 * i][l]};
+    if (length % 2 == 0) line[length / 2] = together[length - 1][l];
+  }
+}
+
+VISCOROLL_BEST_INSTRUCTIONS __attribute__((flatten)) void transform_together(const RealPlan& plan, std::size_t length,
+                                                                             const complex<double>* spectrum,
+                                                                             double* real, const RealFft::Lines& lines,
+                                                                             Lanes* together) {
+  for (std::size_t l = 0; l < kTogether; ++l) {
+    const complex<double>* line = spectrum + l * lines.spectrum_stride;
+    together[0][l] = line[0].real();
+    for (std::size_t i = 1; 2 * i < length; ++i) {
+      together[2 * i - 1][l] = line[i].real();
+      together[2 * i][l] = line[i].imag();
+    }
+    if (length % 2 == 0) together[length - 1][l] = line[length / 2].real();
+  }
+  plan.exec(together, 1.0, false);
   for (std::size_t i = 0; i < length; ++i) {
-    for (std::size_t l = 0; l < kTogether; ++l) lines[l * stride + i] = {together[i].r[l], together[i].i[l]};
+    for (std::size_t l = 0; l < kTogether; ++l) real[l * lines.real_stride + i] = together[i][l];
   }
 }
 #endif
 
 }  // namespace
 
-// Four lines at a time, and one, on an Intel Xeon with AVX-512, even lengths from 96 to 4200; 10 and 8 % from what was
-// measured.
+// Complex lines four at a time, real ones one by one, on an Intel Xeon with AVX-512, even lengths from 96 to 4200; 10 and
+// 8 % from what was measured.
 const FftCost kComplexFftCost{.least = -1.18, .factor_2 = 0.65, .factor_3 = 1.35, .factor_5 = 1.71, .factor_7 = 1.91};
 const FftCost kRealFftCost{.least = 3.33, .factor_2 = 0.26, .factor_3 = 0.92, .factor_5 = 1.14, .factor_7 = 2.80};
 
 struct ComplexFft::Impl {
-  Plan plan;
-  std::size_t length;
-
-  void transform(bool forward, complex<double>* lines, std::size_t count, std::size_t stride) const {
-#ifdef __GNUC__
-    if (count >= kTogether) {
-      // Kept: the system clears memory that is given back and taken again, which takes longer than the transform.
-      thread_local std::vector<Pair<Lanes>, CacheLineAllocator<Pair<Lanes>>> together;
-      if (together.size() < length) together.resize(length);
-      for (; count >= kTogether; count -= kTogether, lines += kTogether * stride) {
-        transform_together(plan, forward, lines, length, stride, together.data());
-      }
-    }
-#endif
-    for (; count > 0; --count, lines += stride) transform_line(plan, forward, lines);
-  }
+  ComplexPlan plan;
 };
 
-ComplexFft::ComplexFft(int length) {
-  const auto numbers = static_cast<std::size_t>(length);
-  impl_ = std::make_unique<Impl>(Impl{.plan = Plan(numbers), .length = numbers});
-}
+ComplexFft::ComplexFft(int length)
+    : impl_(std::make_unique<Impl>(Impl{.plan = ComplexPlan(static_cast<std::size_t>(length))})) {}
 
 ComplexFft::~ComplexFft() = default;
 ComplexFft::ComplexFft(ComplexFft&&) noexcept = default;
 ComplexFft& ComplexFft::operator=(ComplexFft&&) noexcept = default;
 
-void ComplexFft::forward(complex<double>* lines, std::size_t count, std::size_t stride) const {
-  impl_->transform(true, lines, count, stride);
-}
+void ComplexFft::forward(complex<double>* line) const { transform_line(impl_->plan, true, line); }
 
-void ComplexFft::backward(complex<double>* lines, std::size_t count, std::size_t stride) const {
-  impl_->transform(false, lines, count, stride);
-}
+void ComplexFft::backward(complex<double>* line) const { transform_line(impl_->plan, false, line); }
 
 struct RealFft::Impl {
-  pocketfft::detail::pocketfft_r<double> plan;
+  RealPlan plan;
+  std::size_t length;
+
+  /// @param[in] from,to real lines and spectra, or the reverse
+  template <class From, class To>
+  void transform(From* from, std::size_t from_stride, To* to, std::size_t to_stride, const Lines& lines) const {
+    std::size_t count = lines.count;
+#ifdef __GNUC__
+    if (count >= kTogether) {
+      // Kept: the system clears memory that is given back and taken again, which takes longer than the transform.
+      thread_local std::vector<Lanes, CacheLineAllocator<Lanes>> together;
+      if (together.size() < length) together.resize(length);
+      for (; count >= kTogether; count -= kTogether) {
+        transform_together(plan, length, from, to, lines, together.data());
+        from += kTogether * from_stride;
+        to += kTogether * to_stride;
+      }
+    }
+#endif
+    for (; count > 0; --count, from += from_stride, to += to_stride) transform_line(plan, length, from, to);
+  }
 };
 
-RealFft::RealFft(int length)
-    : impl_(std::make_unique<Impl>(
-          Impl{.plan = pocketfft::detail::pocketfft_r<double>(static_cast<std::size_t>(length))})) {}
+RealFft::RealFft(int length) {
+  const auto numbers = static_cast<std::size_t>(length);
+  impl_ = std::make_unique<Impl>(Impl{.plan = RealPlan(numbers), .length = numbers});
+}
 
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
-// PocketFFT has the half spectrum in as many numbers as the line: real part 0, real and imaginary part 1, ..., and for
-// an even length the real part of the last.
-
-void RealFft::forward(double* real, complex<double>* spectrum) const {
-  const std::size_t length = impl_->plan.length();
-  impl_->plan.exec(real, 1.0, true);
-  spectrum[0] = real[0];
-  for (std::size_t i = 1; 2 * i < length; ++i) spectrum[i] = {real[2 * i - 1], real[2 * i]};
-  if (length % 2 == 0) spectrum[length / 2] = real[length - 1];
+void RealFft::forward(double* real, complex<double>* spectrum, const Lines& lines) const {
+  impl_->transform(real, lines.real_stride, spectrum, lines.spectrum_stride, lines);
 }
 
-void RealFft::backward(complex<double>* spectrum, double* real) const {
-  const std::size_t length = impl_->plan.length();
-  real[0] = spectrum[0].real();
-  for (std::size_t i = 1; 2 * i < length; ++i) {
-    real[2 * i - 1] = spectrum[i].real();
-    real[2 * i] = spectrum[i].imag();
-  }
-  if (length % 2 == 0) real[length - 1] = spectrum[length / 2].real();
-  impl_->plan.exec(real, 1.0, false);
+void RealFft::backward(complex<double>* spectrum, double* real, const Lines& lines) const {
+  impl_->transform(spectrum, lines.spectrum_stride, real, lines.real_stride, lines);
 }
 
 }  // namespace viscoroll::detail

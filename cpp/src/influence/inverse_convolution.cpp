@@ -11,20 +11,28 @@ namespace {
 
 using cplx = std::complex<double>;
 
+constexpr cplx kI(0.0, 1.0);
+
+/// A spectrum and the sign with which it is an entry of the matrix of symbols.
+struct Symbol {
+  std::size_t entry;
+  const ComplexBuffer* spectrum;
+  cplx factor;  // -i of odd tables
+};
+
 /// Inverse of the matrix of symbols at every order, for each of its entries, row by row.
 template <int Fields>
-std::vector<ComplexBuffer> inverse(const std::vector<ComplexBuffer>& spectra, const std::vector<ConvolutionTerm>& terms,
-                                   double points) {
+std::vector<ComplexBuffer> inverse(const std::vector<Symbol>& symbols, double points) {
   using Matrix = Eigen::Matrix<cplx, Fields, Fields, Fields == 1 ? 0 : Eigen::RowMajor>;
-  const std::size_t size = spectra[terms.front().table].size();
+  const std::size_t size = symbols.front().spectrum->size();
   std::vector<ComplexBuffer> inverses(std::size_t{Fields} * Fields, ComplexBuffer(size));
   for (std::size_t i = 0; i < size; ++i) {
-    Matrix symbol = Matrix::Zero();
-    for (const ConvolutionTerm& term : terms) {
-      symbol.data()[term.result * Fields + term.operand] += term.sign * points * points * spectra[term.table][i];
+    Matrix matrix = Matrix::Zero();
+    for (const Symbol& symbol : symbols) {
+      matrix.data()[symbol.entry] += symbol.factor * points * points * (*symbol.spectrum)[i];
     }
-    if (symbol(0, 0) == cplx()) continue;  // a gap that keeps columns on cache lines
-    const Matrix inverted = symbol.inverse();
+    if (matrix(0, 0) == cplx()) continue;  // a gap that keeps columns on cache lines
+    const Matrix inverted = matrix.inverse();
     for (std::size_t entry = 0; entry < inverses.size(); ++entry) inverses[entry][i] = inverted.data()[entry];
   }
   return inverses;
@@ -37,17 +45,27 @@ InverseConvolution::InverseConvolution(WindowShape shape, WindowShape period, co
     : product_(shape, period) {
   for (const ConvolutionTerm& term : terms) fields_ = std::max(fields_, term.result + 1);
   std::vector<ComplexBuffer> spectra(tables.size());
+  std::vector<Symbol> symbols;
+  std::vector<bool> odd(fields_ * fields_);
   for (const ConvolutionTerm& term : terms) {
+    const std::size_t entry = term.result * fields_ + term.operand;
+    odd[entry] = tables[term.table]->mirror() < 0.0;
     ComplexBuffer& spectrum = spectra[term.table];
     if (spectrum.empty()) {
-      spectrum = product_.spectrum(PeriodicTable(*tables[term.table], shape, period), threads, watch);
+      spectrum = product_.spectrum(PeriodicTable(*tables[term.table], shape, period), odd[entry], threads, watch);
     }
+    symbols.push_back({entry, &spectrum, odd[entry] ? -kI * term.sign : cplx(term.sign)});
   }
   // The spectrum is divided by the number of points, and so must its inverse be.
   const auto points = static_cast<double>(period.size());
-  inverse_symbol_ = fields_ == 1 ? inverse<1>(spectra, terms, points) : inverse<3>(spectra, terms, points);
+  inverse_symbol_ = fields_ == 1 ? inverse<1>(symbols, points) : inverse<3>(symbols, points);
   for (std::size_t p = 0; p < fields_; ++p) {
-    for (std::size_t q = 0; q < fields_; ++q) terms_.push_back({p, &inverse_symbol_[p * fields_ + q], q, 1.0});
+    for (std::size_t q = 0; q < fields_; ++q) {
+      const std::size_t entry = p * fields_ + q;
+      // As of tables, without the factor -i.
+      if (odd[entry]) std::ranges::for_each(inverse_symbol_[entry], [](cplx& number) { number *= kI; });
+      terms_.push_back({p, &inverse_symbol_[entry], q, 1.0, odd[entry]});
+    }
   }
 }
 
@@ -58,16 +76,17 @@ Eigen::ArrayXXd InverseConvolution::apply(const Eigen::ArrayXXd& fields, int thr
 Eigen::VectorXd InverseConvolution::apply(const NodeRows& nodes, const Eigen::VectorXd& values, int threads,
                                           Watch& watch) const {
   Eigen::VectorXd result(values.size());
-  product_.apply(
-      1,
-      [&](int row, std::size_t, double* line) {
-        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { line[k] = values[i]; });
-      },
-      terms_, 1,
-      [&](int row, std::size_t, const double* line) {
-        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { result[i] = line[k]; });
-      },
-      threads, watch);
+  const auto fill = [&](int row, std::size_t, double* line) {
+    nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { line[k] = values[i]; });
+  };
+  const auto take = [&](int row, std::size_t, const double* line) {
+    nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) { result[i] = line[k]; });
+  };
+  if (nodes.mirrored()) {
+    product_.apply_mirrored({false}, fill, terms_, 1, take, threads, watch);
+  } else {
+    product_.apply(1, fill, terms_, 1, take, threads, watch);
+  }
   return result;
 }
 

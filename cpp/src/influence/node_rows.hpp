@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 #include "influence/spectral_product.hpp"
@@ -12,35 +12,53 @@
 namespace viscoroll::detail {
 
 /// @brief Finds those of a list of nodes that lie in a row, so that products are fed with them and read at them without
-/// fields over the whole window.
+/// fields over the whole window. Nodes may stand for their mirror images across the middle column, too.
 class NodeRows {
  public:
-  /// @param[in] shape window
-  /// @param[in] nodes ascending, which outlive this object
-  NodeRows(WindowShape shape, const std::vector<Eigen::Index>& nodes)
-      : theta_nodes_(shape.theta_nodes), nodes_(nodes), first_(static_cast<std::size_t>(shape.phi_nodes) + 1) {
-    for (std::size_t row = 0; row < first_.size(); ++row) {
-      const Eigen::Index start = static_cast<Eigen::Index>(row) * theta_nodes_;
-      first_[row] = std::ranges::lower_bound(nodes, start) - nodes.begin();
+  /// @param[in] shape window, of an odd number of columns where mirrored
+  /// @param[in] nodes ascending
+  /// @param[in] mirrored whether they come with mirror images at which fields are the same: those from the middle
+  /// column on are kept
+  NodeRows(WindowShape shape, const std::vector<Eigen::Index>& nodes, bool mirrored = false)
+      : theta_nodes_(shape.theta_nodes), mirrored_(mirrored), first_column_(mirrored ? shape.theta_nodes / 2 : 0) {
+    nodes_.reserve(nodes.size());
+    first_.reserve(static_cast<std::size_t>(shape.phi_nodes) + 1);
+    auto next = nodes.begin();
+    for (int row = 0; row < shape.phi_nodes; ++row) {
+      first_.push_back(count());
+      next = std::lower_bound(next, nodes.end(), start_of(row));
+      const auto end = std::lower_bound(next, nodes.end(), (row + 1) * theta_nodes_);
+      nodes_.insert(nodes_.end(), next, end);
+      next = end;
     }
+    first_.push_back(count());
   }
 
   [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(nodes_.size()); }
+  [[nodiscard]] bool mirrored() const { return mirrored_; }
+  /// @return the column that those of `for_row` are counted from
+  [[nodiscard]] Eigen::Index first_column() const { return first_column_; }
+  [[nodiscard]] int rows() const { return static_cast<int>(first_.size()) - 1; }
 
   /// @return the node with a number in the list
   [[nodiscard]] Eigen::Index node(Eigen::Index i) const { return nodes_[static_cast<std::size_t>(i)]; }
 
-  /// @brief Call function(i, k) for the i-th node of the list, in column k, for every one in the row.
+  /// @brief Call function(i, k) for the i-th node of the list, in column first_column() + k, for every one in the row.
+  /// Where mirrored, its image is node(i) - 2 k.
   template <class Function>
   void for_row(int row, const Function& function) const {
     const auto place = static_cast<std::size_t>(row);
-    const Eigen::Index start = static_cast<Eigen::Index>(row) * theta_nodes_;
+    const Eigen::Index start = start_of(row);
     for (Eigen::Index i = first_[place]; i < first_[place + 1]; ++i) function(i, node(i) - start);
   }
 
  private:
+  [[nodiscard]] Eigen::Index start_of(int row) const { return row * theta_nodes_ + first_column_; }
+
   Eigen::Index theta_nodes_;
-  const std::vector<Eigen::Index>& nodes_;
+  bool mirrored_;
+  Eigen::Index first_column_;
+  std::vector<Eigen::Index> nodes_;
   std::vector<Eigen::Index> first_;  // number in the list of the first node of every row, and of the end
 };
 

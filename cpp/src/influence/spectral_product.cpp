@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "instruction_sets.hpp"
 
@@ -12,28 +13,13 @@ namespace {
 using cplx = std::complex<double>;
 using Eigen::Index;
 
-constexpr std::size_t kColumns = 4;     // taken at a time: a cache line of every row
+constexpr std::size_t kColumns = ColumnBlocks::kColumns;
 constexpr std::size_t kRows = 16;       // taken at a time
 constexpr Index kThreadedSize = 20000;  // nodes below which starting threads costs more than they save
 
 std::size_t parts(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
 std::size_t unsigned_size(int count) { return static_cast<std::size_t>(count); }
-
-/// Copy `count` columns of `rows` rows to lines, and the other way.
-void gather(const cplx* rows, std::size_t row_stride, std::size_t row_count, std::size_t count, cplx* lines,
-            std::size_t line_stride) {
-  for (std::size_t row = 0; row < row_count; ++row) {
-    for (std::size_t c = 0; c < count; ++c) lines[c * line_stride + row] = rows[row * row_stride + c];
-  }
-}
-
-void scatter(const cplx* lines, std::size_t line_stride, std::size_t row_count, std::size_t count, cplx* rows,
-             std::size_t row_stride) {
-  for (std::size_t row = 0; row < row_count; ++row) {
-    for (std::size_t c = 0; c < count; ++c) rows[row * row_stride + c] = lines[c * line_stride + row];
-  }
-}
 
 /// sum += sign * factor * line, for complex numbers as pairs of real ones
 VISCOROLL_BEST_INSTRUCTIONS
@@ -49,46 +35,127 @@ void add_product(double sign, const double* factor, const double* line, std::siz
 const double* as_pairs(const cplx* numbers) { return reinterpret_cast<const double*>(numbers); }
 double* as_pairs(cplx* numbers) { return reinterpret_cast<double*>(numbers); }
 
+/// Continue the numbers from the middle on to the other side of a circle: an even line, and an odd one that is added.
+void mirror(double* line, const double* odd, int length) {
+  for (int k = 1; 2 * k < length; ++k) {
+    line[length - k] = line[k] - odd[k];
+    line[k] += odd[k];
+  }
+}
+
+/// The other way.
+void split(double* line, double* odd, int length) {
+  odd[0] = 0.0;
+  for (int k = 1; 2 * k < length; ++k) {
+    odd[k] = 0.5 * (line[k] - line[length - k]);
+    line[k] = 0.5 * (line[k] + line[length - k]);
+  }
+}
+
+/// Numbers of an even and of an odd field, or of one of both, whose lines pass as one.
+struct Couple {
+  std::optional<std::size_t> even;
+  std::optional<std::size_t> odd;
+};
+
+std::vector<Couple> couples(const std::vector<FieldPart>& parts) {
+  std::vector<Couple> all;
+  for (const FieldPart& part : parts) {
+    const auto member = part.odd ? &Couple::odd : &Couple::even;
+    auto free = std::ranges::find_if(all, [&](const Couple& couple) { return !(couple.*member); });
+    if (free == all.end()) free = all.emplace(all.end());
+    (*free).*member = part.field;
+  }
+  return all;
+}
+
+WindowShape fast_period(int phi_nodes, int theta_nodes) {
+  return {RealFft::fast_length(phi_nodes), RealFft::fast_length(theta_nodes)};
+}
+
 }  // namespace
 
-WindowShape doubled(const WindowShape& shape) {
-  return {ComplexFft::fast_length(2 * shape.phi_nodes - 1), RealFft::fast_length(2 * shape.theta_nodes - 1)};
+WindowShape doubled(const WindowShape& shape) { return doubled(shape, shape); }
+
+WindowShape doubled(const WindowShape& shape, const WindowShape& loaded) {
+  return fast_period(shape.phi_nodes + loaded.phi_nodes - 1, shape.theta_nodes + loaded.theta_nodes - 1);
 }
 
 SpectralProduct::SpectralProduct(WindowShape window, WindowShape period)
     : window_(window),
       period_(period),
       columns_(unsigned_size(period.theta_nodes / 2 + 1)),
-      row_stride_(cache_line_stride(columns_)),
-      column_stride_(cache_line_stride(unsigned_size(period.phi_nodes))),
+      line_stride_(cache_line_stride<double>(unsigned_size(period.phi_nodes))),
+      column_stride_(cache_line_stride<cplx>(unsigned_size(period.phi_nodes / 2 + 1))),
       theta_fft_(period.theta_nodes),
       phi_fft_(period.phi_nodes) {}
 
 int SpectralProduct::useful_threads(int threads) const { return period_.size() < kThreadedSize ? 1 : threads; }
 
-ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, int)>& fill, int threads,
+cplx* SpectralProduct::half_row(Workspace& work, std::size_t place) const {
+  return work.half_rows.data() + place * ColumnBlocks::count(columns_) * kColumns;
+}
+
+void SpectralProduct::reserve(std::size_t parts_of_fields, int threads) const {
+  const std::size_t rows = unsigned_size(window_.phi_nodes);
+  const std::size_t blocks = ColumnBlocks::count(columns_);
+  workspaces_.resize(worker_count(std::max(parts(rows, kRows), blocks), useful_threads(threads)));
+  for (Workspace& work : workspaces_) {
+    work.row.resize(unsigned_size(period_.theta_nodes));
+    work.odd_row.resize(columns_);
+    work.half_rows.resize(std::min(rows, kRows) * blocks * kColumns);
+    work.lines.resize(kColumns * line_stride_);
+    work.columns.resize(parts_of_fields * kColumns * column_stride_);
+    work.sums.resize(kColumns * column_stride_);
+  }
+  rows_.resize(parts_of_fields, rows, columns_);
+}
+
+void SpectralProduct::for_rows(int threads, Watch& watch,
+                               const std::function<void(std::size_t, std::size_t, Workspace&)>& function) const {
+  const std::size_t rows = unsigned_size(window_.phi_nodes);
+  parallel_for(parts(rows, kRows), useful_threads(threads), watch, "solving the contact equations",
+               [&](std::size_t part, const Worker& worker) {
+                 function(part * kRows, std::min(rows, (part + 1) * kRows), workspaces_[worker.number]);
+               });
+}
+
+ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, int)>& fill, bool odd, int threads,
                                          Watch& watch) const {
   const std::size_t rows = unsigned_size(period_.phi_nodes);
+  const std::size_t blocks = ColumnBlocks::count(columns_);
+  const std::size_t length = unsigned_size(period_.theta_nodes);
   const double normalization = 1.0 / static_cast<double>(period_.size());
-  ComplexBuffer half(rows * row_stride_);
-  const std::size_t row_parts = parts(rows, kRows);
   const int useful = useful_threads(threads);
-  std::vector<RealBuffer> lines(worker_count(row_parts, useful), RealBuffer(unsigned_size(period_.theta_nodes)));
-  parallel_for(row_parts, useful, watch, "transforming tables", [&](std::size_t part, const Worker& worker) {
-    RealBuffer& line = lines[worker.number];
-    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
-      fill(static_cast<int>(row), line.data(), period_.theta_nodes);
-      for (double& value : line) value *= normalization;
-      theta_fft_.forward(line.data(), half.data() + row * row_stride_);
+  const std::size_t workers = worker_count(std::max(parts(rows, kRows), blocks), useful);
+
+  ColumnBlocks half;
+  half.resize(1, rows, columns_);
+  std::vector<RealBuffer> lines(workers, RealBuffer(std::max(length, kColumns * line_stride_)));
+  std::vector<ComplexBuffer> half_rows(workers, ComplexBuffer(std::min(rows, kRows) * blocks * kColumns));
+  parallel_for(parts(rows, kRows), useful, watch, "transforming tables", [&](std::size_t part, const Worker& worker) {
+    double* line = lines[worker.number].data();
+    cplx* transformed = half_rows[worker.number].data();
+    const std::size_t first = part * kRows;
+    const std::size_t end = std::min(rows, first + kRows);
+    for (std::size_t row = first; row < end; ++row) {
+      fill(static_cast<int>(row), line, static_cast<int>(columns_));
+      for (std::size_t k = 0; k < columns_; ++k) line[k] *= normalization;
+      for (std::size_t k = 1; 2 * k < length; ++k) line[length - k] = odd ? -line[k] : line[k];
+      if (odd) line[0] = 0.0;
+      theta_fft_.forward(line, transformed + (row - first) * blocks * kColumns);
     }
+    half.store(transformed, 0, odd, first, end);
   });
-  ComplexBuffer spectrum(columns_ * column_stride_);
-  parallel_for(parts(columns_, kColumns), useful, watch, "transforming tables", [&](std::size_t part, const Worker&) {
-    const std::size_t first = part * kColumns;
-    const std::size_t count = std::min(kColumns, columns_ - first);
-    cplx* columns = spectrum.data() + first * column_stride_;
-    gather(half.data() + first, row_stride_, rows, count, columns, column_stride_);
-    phi_fft_.forward(columns, count, column_stride_);
+
+  ComplexBuffer spectrum(blocks * kColumns * column_stride_);
+  parallel_for(blocks, useful, watch, "transforming tables", [&](std::size_t block, const Worker& worker) {
+    double* columns = lines[worker.number].data();
+    half.gather(0, block, columns, line_stride_);
+    phi_fft_.forward(columns, spectrum.data() + block * kColumns * column_stride_,
+                     {.count = std::min(kColumns, columns_ - block * kColumns),
+                      .real_stride = line_stride_,
+                      .spectrum_stride = column_stride_});
   });
   return spectrum;
 }
@@ -110,73 +177,126 @@ Eigen::ArrayXXd SpectralProduct::apply(const Eigen::ArrayXXd& operands, const st
   return values;
 }
 
-double SpectralProduct::operations(std::size_t fields, std::size_t terms, std::size_t results) const {
-  const double points = static_cast<double>(period_.phi_nodes) * period_.theta_nodes;
+double SpectralProduct::operations(WindowShape period, std::size_t fields, std::size_t terms, std::size_t results) {
+  const double points = static_cast<double>(period.phi_nodes) * period.theta_nodes;
   const double transform = 2.5 * points * std::log2(points);
   return static_cast<double>(fields + results) * transform + static_cast<double>(terms) * 4.0 * points;
 }
 
 void SpectralProduct::apply(std::size_t fields, const Fill& fill, const std::vector<SpectralTerm>& terms,
                             std::size_t results, const Take& take, int threads, Watch& watch) const {
-  constexpr const char* kStage = "solving the contact equations";
-  const std::size_t rows = unsigned_size(window_.phi_nodes);
-  const std::size_t field_size = rows * row_stride_;
-  const int useful = useful_threads(threads);
-  const std::size_t row_parts = parts(rows, kRows);
-
-  workspaces_.resize(worker_count(std::max(row_parts, parts(columns_, kColumns)), useful));
-  for (Workspace& work : workspaces_) {
-    work.row.resize(unsigned_size(period_.theta_nodes));
-    work.lines.resize(fields * kColumns * column_stride_);
-    work.sums.resize(kColumns * column_stride_);
-  }
-  half_.resize(std::max(fields, results) * field_size);
-
-  parallel_for(row_parts, useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
-    RealBuffer& line = workspaces_[worker.number].row;
-    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
-      for (std::size_t field = 0; field < fields; ++field) {
-        std::ranges::fill(line, 0.0);
-        fill(static_cast<int>(row), field, line.data());
-        theta_fft_.forward(line.data(), half_.data() + field * field_size + row * row_stride_);
-      }
+  const auto both_parts = [](std::size_t count) {
+    Parts all;
+    for (std::size_t field = 0; field < count; ++field) {
+      all.push_back({.field = field, .odd = false});
+      all.push_back({.field = field, .odd = true});
     }
-  });
-
-  parallel_for(parts(columns_, kColumns), useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
-    Workspace& work = workspaces_[worker.number];
-    const std::size_t first = part * kColumns;
-    const std::size_t count = std::min(kColumns, columns_ - first);
+    return all;
+  };
+  reserve(2 * std::max(fields, results), threads);
+  for_rows(threads, watch, [&](std::size_t first, std::size_t end, Workspace& work) {
     for (std::size_t field = 0; field < fields; ++field) {
-      cplx* lines = work.lines.data() + field * kColumns * column_stride_;
-      gather(half_.data() + field * field_size + first, row_stride_, rows, count, lines, column_stride_);
-      for (std::size_t c = 0; c < count; ++c) {
-        std::fill(lines + c * column_stride_ + rows, lines + (c + 1) * column_stride_, cplx());
+      for (std::size_t row = first; row < end; ++row) {
+        std::ranges::fill(work.row, 0.0);
+        fill(static_cast<int>(row), field, work.row.data());
+        theta_fft_.forward(work.row.data(), half_row(work, row - first));
       }
-      phi_fft_.forward(lines, count, column_stride_);
+      rows_.store(work.half_rows.data(), 2 * field, false, first, end);
+      rows_.store(work.half_rows.data(), 2 * field + 1, true, first, end);
     }
+  });
+  multiply(both_parts(fields), terms, both_parts(results), threads, watch);
+  for_rows(threads, watch, [&](std::size_t first, std::size_t end, Workspace& work) {
     for (std::size_t result = 0; result < results; ++result) {
-      std::ranges::fill(work.sums, cplx());
-      for (const SpectralTerm& term : terms) {
-        if (term.result != result) continue;
-        add_product(term.sign, as_pairs(term.spectrum->data() + first * column_stride_),
-                    as_pairs(work.lines.data() + term.operand * kColumns * column_stride_), count * column_stride_,
-                    as_pairs(work.sums.data()));
+      rows_.load(2 * result, false, first, end, work.half_rows.data());
+      rows_.load(2 * result + 1, true, first, end, work.half_rows.data());
+      for (std::size_t row = first; row < end; ++row) {
+        theta_fft_.backward(half_row(work, row - first), work.row.data());
+        take(static_cast<int>(row), result, work.row.data());
       }
-      phi_fft_.backward(work.sums.data(), count, column_stride_);
-      scatter(work.sums.data(), column_stride_, rows, count, half_.data() + result * field_size + first, row_stride_);
     }
   });
+}
 
-  parallel_for(row_parts, useful, watch, kStage, [&](std::size_t part, const Worker& worker) {
-    RealBuffer& line = workspaces_[worker.number].row;
-    for (std::size_t row = part * kRows; row < std::min(rows, (part + 1) * kRows); ++row) {
-      for (std::size_t result = 0; result < results; ++result) {
-        theta_fft_.backward(half_.data() + result * field_size + row * row_stride_, line.data());
-        take(static_cast<int>(row), result, line.data());
+void SpectralProduct::apply_mirrored(const std::vector<bool>& odd, const Fill& fill,
+                                     const std::vector<SpectralTerm>& terms, std::size_t results, const Take& take,
+                                     int threads, Watch& watch) const {
+  Parts operands;
+  for (std::size_t field = 0; field < odd.size(); ++field) operands.push_back({.field = field, .odd = odd[field]});
+  Parts sums(results);
+  for (const SpectralTerm& term : terms) {
+    sums[term.result] = {.field = term.result, .odd = odd[term.operand] != term.odd};
+  }
+  reserve(std::max(odd.size(), results), threads);
+  const int length = period_.theta_nodes;
+  const std::vector<Couple> given = couples(operands);
+  const std::vector<Couple> wanted = couples(sums);
+  for_rows(threads, watch, [&](std::size_t first, std::size_t end, Workspace& work) {
+    for (const auto& [even_field, odd_field] : given) {
+      for (std::size_t row = first; row < end; ++row) {
+        std::fill_n(work.row.begin(), columns_, 0.0);
+        std::ranges::fill(work.odd_row, 0.0);
+        if (even_field) fill(static_cast<int>(row), *even_field, work.row.data());
+        if (odd_field) fill(static_cast<int>(row), *odd_field, work.odd_row.data());
+        mirror(work.row.data(), work.odd_row.data(), length);
+        theta_fft_.forward(work.row.data(), half_row(work, row - first));
+      }
+      if (even_field) rows_.store(work.half_rows.data(), *even_field, false, first, end);
+      if (odd_field) rows_.store(work.half_rows.data(), *odd_field, true, first, end);
+    }
+  });
+  multiply(operands, terms, sums, threads, watch);
+  for_rows(threads, watch, [&](std::size_t first, std::size_t end, Workspace& work) {
+    for (const auto& [even_result, odd_result] : wanted) {
+      if (!even_result || !odd_result) std::ranges::fill(work.half_rows, cplx());
+      if (even_result) rows_.load(*even_result, false, first, end, work.half_rows.data());
+      if (odd_result) rows_.load(*odd_result, true, first, end, work.half_rows.data());
+      for (std::size_t row = first; row < end; ++row) {
+        theta_fft_.backward(half_row(work, row - first), work.row.data());
+        if (odd_result) split(work.row.data(), work.odd_row.data(), length);
+        if (even_result) take(static_cast<int>(row), *even_result, work.row.data());
+        if (odd_result) take(static_cast<int>(row), *odd_result, work.odd_row.data());
       }
     }
   });
+}
+
+void SpectralProduct::multiply(const Parts& operands, const std::vector<SpectralTerm>& terms, const Parts& results,
+                               int threads, Watch& watch) const {
+  const std::size_t rows = unsigned_size(window_.phi_nodes);
+  const std::size_t size = kColumns * column_stride_;
+  parallel_for(ColumnBlocks::count(columns_), useful_threads(threads), watch, "solving the contact equations",
+               [&](std::size_t block, const Worker& worker) {
+                 Workspace& work = workspaces_[worker.number];
+                 const std::size_t count = std::min(kColumns, columns_ - block * kColumns);
+                 const RealFft::Lines lines{
+                     .count = count, .real_stride = line_stride_, .spectrum_stride = column_stride_};
+                 for (std::size_t part = 0; part < operands.size(); ++part) {
+                   rows_.gather(part, block, work.lines.data(), line_stride_);
+                   for (std::size_t c = 0; c < count; ++c) {
+                     double* line = work.lines.data() + c * line_stride_;
+                     std::fill(line + rows, line + line_stride_, 0.0);
+                   }
+                   phi_fft_.forward(work.lines.data(), work.columns.data() + part * size, lines);
+                 }
+                 for (std::size_t part = 0; part < results.size(); ++part) {
+                   std::ranges::fill(work.sums, cplx());
+                   for (std::size_t operand = 0; operand < operands.size(); ++operand) {
+                     const bool odd = operands[operand].odd;
+                     for (const SpectralTerm& term : terms) {
+                       if (term.result != results[part].field || term.operand != operands[operand].field) continue;
+                       if ((odd != term.odd) != results[part].odd) continue;
+                       // Odd ones come without their factor -i, and (-i)^2 = -1.
+                       const double sign = odd && term.odd ? -term.sign : term.sign;
+                       add_product(sign, as_pairs(term.spectrum->data() + block * size),
+                                   as_pairs(work.columns.data() + operand * size), count * column_stride_,
+                                   as_pairs(work.sums.data()));
+                     }
+                   }
+                   phi_fft_.backward(work.sums.data(), work.lines.data(), lines);
+                   rows_.scatter(work.lines.data(), line_stride_, part, block);
+                 }
+               });
 }
 
 }  // namespace viscoroll::detail

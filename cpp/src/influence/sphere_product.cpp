@@ -46,7 +46,7 @@ double local_operations(WindowShape shape, const SphereInfluence& influence) {
   if (influence.powers == 0) return 0.0;
   const std::size_t components = influence.components();
   const std::size_t fields = influence.powers * components;
-  return SpectralProduct(shape, doubled(shape)).operations(fields, fields * components, fields);
+  return SpectralProduct::operations(doubled(shape), fields, fields * components, fields);
 }
 
 /// Nodes from the equator to the far edge of a window, on one side.

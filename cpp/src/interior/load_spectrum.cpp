@@ -156,8 +156,8 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
                                 .counterpart_curvatures = {.along = tractions.counterpart_curvature[0],
                                                            .across = tractions.counterpart_curvature[1]}};
   const VectorField force = nodal_forces(tractions, window);
-  const auto directions = load_directions(formulation, window);
-  const auto weights = patch_weights(formulation, window);
+  const auto directions = load_directions(formulation, window.points());
+  const auto weights = patch_weights(formulation, window.points());
   const Eigen::MatrixXcd to_m = phi_waves(window.window().phi, window.grid().phi_spacing, m);
   std::vector<ThetaWaves> to_n;
   to_n.reserve(weights.size());
@@ -169,13 +169,14 @@ LoadSpectrum::LoadSpectrum(const Tractions& tractions, const Metric& metric, con
   const cplx i(0.0, 1.0);
   for (std::size_t component = 0; component < directions.size(); ++component) {
     const auto& direction = directions[component];
-    const ArrayXd load = direction[0] * force.col(0) + direction[1] * force.col(1) + direction[2] * force.col(2);
+    const ArrayXd load = direction[0].values() * force.col(0) + direction[1].values() * force.col(1) +
+                         direction[2].values() * force.col(2);
     if ((load == 0.0).all()) continue;
     loaded_[component] = true;
     Orders even = Orders::Zero(m.size(), n.size());
     Orders odd = even;
     for (std::size_t shape = 0; shape < weights.size(); ++shape) {
-      const ArrayXd weighted = weights[shape] * load;
+      const ArrayXd weighted = weights[shape].replicate(window.shape().phi_nodes, 1) * load;
       const Eigen::Map<const RowMajor> nodes(weighted.data(), window.shape().phi_nodes, window.shape().theta_nodes);
       const Eigen::MatrixXcd rows = to_m * nodes;
       even += rows * to_n[shape].even;

@@ -22,7 +22,7 @@ std::shared_ptr<const SurfaceOperator> SphereTables::operator_on(const SurfaceWi
   Formulation flat = formulation;
   flat.patch_load = PatchLoad::flat;
   auto nearby = std::make_shared<const TableOperator>(
-      flat, nodes, std::make_shared<const std::vector<Table>>(tables_around_equator(*influence)),
+      flat, nodes.grid(), nodes.window(), std::make_shared<const std::vector<Table>>(tables_around_equator(*influence)),
       TableOperator::DissipationSource{}, execution);
   request.power = true;
   return std::make_shared<SphereOperator>(std::move(nearby), std::move(influence),

@@ -23,7 +23,8 @@ std::shared_ptr<const SurfaceOperator> TableStore::operator_on(const SurfaceWind
                                                                const Execution& execution) const {
   const auto [phi_nodes, theta_nodes] = nodes.shape();
   return std::make_shared<TableOperator>(
-      formulation, nodes, tables(formulation, TableKind::displacement, phi_nodes - 1, theta_nodes - 1, execution),
+      formulation, nodes.grid(), nodes.window(),
+      tables(formulation, TableKind::displacement, phi_nodes - 1, theta_nodes - 1, execution),
       [this, formulation, execution](int phi_reach, int theta_reach) {
         return tables(formulation, TableKind::dissipation, phi_reach, theta_reach, execution);
       },

@@ -39,6 +39,9 @@ class SumOperator : public SurfaceOperator {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override {
     return std::make_shared<SumOperator>(rolling_->within(window), counterpart_->within(window));
   }
+  [[nodiscard]] bool takes_mirrored() const override {
+    return rolling_->takes_mirrored() && counterpart_->takes_mirrored();
+  }
   [[nodiscard]] Losses dissipation(const VectorField& force) const override {
     return {.rolling = rolling_->dissipation(force).rolling,
             .counterpart = counterpart_->dissipation(force).counterpart};

@@ -1,7 +1,6 @@
 #include "surface/surface_operator.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "surface/patch_slope.hpp"
 
@@ -23,31 +22,71 @@ Losses SurfaceOperator::losses(double lost) const {
   return deforming() == Deforming::counterpart ? Losses{.counterpart = lost} : Losses{.rolling = lost};
 }
 
-Eigen::ArrayXXd LocalCompliance::loads(const VectorField& force) const {
-  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(directions.size()));
-  for (std::size_t p = 0; p < directions.size(); ++p) {
-    loads.col(static_cast<Eigen::Index>(p)) = directions[p][kForward] * force.col(kForward) +
-                                              directions[p][kDown] * force.col(kDown) +
-                                              directions[p][kSideways] * force.col(kSideways);
+namespace {
+
+/// Call function(node, row, column) for every node of a field.
+template <class Function>
+void for_nodes(const WindowField& field, const Function& function) {
+  Eigen::Index node = 0;
+  for (Eigen::Index row = 0; row < field.rows.size(); ++row) {
+    for (Eigen::Index column = 0; column < field.columns.size(); ++column) function(node++, row, column);
   }
-  return loads;
 }
 
-VectorField LocalCompliance::displacements(const Eigen::ArrayXXd& components) const {
+VectorField along_axes(const std::vector<std::array<WindowField, 3>>& directions, const Eigen::ArrayXXd& components) {
   VectorField result = VectorField::Zero(components.rows(), 3);
-  for (std::size_t p = 0; p < displaced_directions.size(); ++p) {
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    const auto part = components.col(static_cast<Eigen::Index>(p));
     for (const Axis axis : {kForward, kDown, kSideways}) {
-      result.col(axis) +=
-          displaced_directions[p][static_cast<std::size_t>(axis)] * components.col(static_cast<Eigen::Index>(p));
+      const WindowField& direction = directions[p][static_cast<std::size_t>(axis)];
+      for_nodes(direction, [&](Eigen::Index node, Eigen::Index row, Eigen::Index column) {
+        result(node, axis) += direction(row, column) * part[node];
+      });
     }
   }
   return result;
 }
 
-Eigen::ArrayXd SurfaceOperator::normal_displacement(const Eigen::ArrayXd& pressing) const {
-  std::vector<Eigen::Index> all(static_cast<std::size_t>(pressing.size()));
-  std::iota(all.begin(), all.end(), 0);
-  return normal_displacement(NodeRows(shape(), all), pressing.matrix()).array();
+}  // namespace
+
+Eigen::ArrayXXd LocalCompliance::loads(const VectorField& force) const {
+  Eigen::ArrayXXd loads(force.rows(), static_cast<Eigen::Index>(directions.size()));
+  for (std::size_t p = 0; p < directions.size(); ++p) {
+    const auto& [forward, down, sideways] = directions[p];
+    auto load = loads.col(static_cast<Eigen::Index>(p));
+    for_nodes(down, [&](Eigen::Index node, Eigen::Index row, Eigen::Index column) {
+      load[node] = forward(row, column) * force(node, kForward) + down(row, column) * force(node, kDown) +
+                   sideways(row, column) * force(node, kSideways);
+    });
+  }
+  return loads;
+}
+
+VectorField LocalCompliance::displacements(const Eigen::ArrayXXd& components) const {
+  return along_axes(displaced_directions, components);
+}
+
+VectorField LocalCompliance::forces(const Eigen::ArrayXXd& loads) const { return along_axes(directions, loads); }
+
+Eigen::ArrayXd SurfaceOperator::normal_displacement(const Eigen::ArrayXd& pressing, bool mirrored) const {
+  const auto [rows, columns] = shape();
+  std::vector<Eigen::Index> every;
+  every.reserve(static_cast<std::size_t>(mirrored ? rows * (columns / 2 + 1) : rows * columns));
+  for (Eigen::Index start = 0; start < pressing.size(); start += columns) {
+    for (Eigen::Index k = mirrored ? columns / 2 : 0; k < columns; ++k) every.push_back(start + k);
+  }
+  const NodeRows nodes(shape(), every, mirrored);
+  Eigen::VectorXd forces(nodes.count());
+  for (Eigen::Index i = 0; i < forces.size(); ++i) forces[i] = pressing[nodes.node(i)];
+  const Eigen::VectorXd moved = normal_displacement(nodes, forces);
+  Eigen::ArrayXd result(pressing.size());
+  for (int row = 0; row < nodes.rows(); ++row) {
+    nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
+      result[nodes.node(i)] = moved[i];
+      if (mirrored) result[nodes.node(i) - 2 * k] = moved[i];
+    });
+  }
+  return result;
 }
 
 double SurfaceOperator::normal_stiffness() const { return 1.0 / local().table(Entry::rr)(0, 0); }

@@ -12,6 +12,7 @@
 #include "influence/table.hpp"
 #include "modal/spectrum.hpp"
 #include "parallel.hpp"
+#include "surface/surface_window.hpp"
 #include "surface/window.hpp"
 
 namespace viscoroll::detail {
@@ -56,15 +57,17 @@ struct LocalCompliance {
   /// [Entry], tables of flat patches that reach across the window; only that of r by r where there are no others
   std::array<std::shared_ptr<const Table>, kEntries> tables;
   /// [component][axis] of r, phi and theta, or of r alone, at every node
-  std::vector<std::array<Eigen::ArrayXd, 3>> directions;
+  std::vector<std::array<WindowField, 3>> directions;
   /// the same where displacements are taken, see `SurfaceOperator::collocation`
-  std::vector<std::array<Eigen::ArrayXd, 3>> displaced_directions;
+  std::vector<std::array<WindowField, 3>> displaced_directions;
 
   [[nodiscard]] const Table& table(Entry entry) const { return *tables[static_cast<std::size_t>(entry)]; }
   /// @return forces along x, y and z as loads along the components, a column for each
   [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
   /// @return displacements along the components, a column for each, as those along x, y and z
   [[nodiscard]] VectorField displacements(const Eigen::ArrayXXd& components) const;
+  /// @return loads along the components, a column for each, as forces along x, y and z
+  [[nodiscard]] VectorField forces(const Eigen::ArrayXXd& loads) const;
 };
 
 /// @brief Displacements of a surface by forces on the nodes of a window. Operators do not change, but keep buffers: one
@@ -89,6 +92,9 @@ class SurfaceOperator {
   /// @return their upward displacements [m]
   [[nodiscard]] virtual Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                             const Eigen::VectorXd& pressing) const = 0;
+
+  /// @brief Whether `normal_displacement` takes nodes that stand for their mirror images as well.
+  [[nodiscard]] virtual bool takes_mirrored() const { return false; }
 
   /// @brief Of which of the two bodies it is. Forces are those on the body that rolls; displacements those of it,
   /// relative to what it rolls on.
@@ -125,8 +131,10 @@ class SurfaceOperator {
 
   [[nodiscard]] WindowShape shape() const { return window().shape(); }
 
-  /// @return upward displacement of every node [m] by pressing forces on every node [N]
-  [[nodiscard]] Eigen::ArrayXd normal_displacement(const Eigen::ArrayXd& pressing) const;
+  /// @param[in] pressing force on every node, upwards [N]
+  /// @param[in] mirrored whether mirror images bear the same, and `takes_mirrored`
+  /// @return upward displacement of every node [m]
+  [[nodiscard]] Eigen::ArrayXd normal_displacement(const Eigen::ArrayXd& pressing, bool mirrored = false) const;
 
   /// @return force per own displacement of a node, pressed [N/m]
   [[nodiscard]] double normal_stiffness() const;

@@ -40,43 +40,54 @@ Circle circle_at(const SurfaceGrid& grid, int column) {
   return {.z = z, .radius = grid.radius - drop, .drop = drop};
 }
 
+/// Angle of every row from the lowest point, forward [rad].
+Eigen::ArrayXd row_angles(const SurfacePoints& points) {
+  return Eigen::ArrayXd::NullaryExpr(points.window.phi.count(), [&](Eigen::Index row) {
+    return -(static_cast<double>(points.window.phi.first + row) + points.shift) * points.grid.phi_spacing;
+  });
+}
+
+template <class Function>
+Eigen::ArrayXd over_columns(const Window& window, const Function& function) {
+  return Eigen::ArrayXd::NullaryExpr(window.theta.count(), [&](Eigen::Index column) {
+    return function(window.theta.first + static_cast<int>(column));
+  });
+}
+
 }  // namespace
 
 SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, double shift)
-    : grid_(grid), window_(window), shift_(shift) {
-  const auto& [phi, theta] = window;
+    : grid_(grid),
+      window_(window),
+      shift_(shift),
+      positions_(std::make_shared<const Positions>(grid.is_paraboloid ? on_paraboloid() : on_sphere())) {}
+
+SurfaceWindow::Positions SurfaceWindow::on_sphere() const {
+  const auto& [phi, theta] = window_;
   const Eigen::Index count = shape().size();
-  x_.resize(count);
-  y_.resize(count);
-  z_.resize(count);
-  height_.resize(count);
+  Positions nodes{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
   std::vector<Circle> circles;
-  for (int k = theta.first; k <= theta.last; ++k) circles.push_back(circle_at(grid, k));
+  for (int k = theta.first; k <= theta.last; ++k) circles.push_back(circle_at(grid_, k));
   Eigen::Index node = 0;
   for (int i = phi.first; i <= phi.last; ++i) {
-    const Angle forward(-(i + shift) * grid.phi_spacing);  // pi/2 - phi
+    const Angle forward(-(i + shift_) * grid_.phi_spacing);  // pi/2 - phi
     for (const Circle& circle : circles) {
-      x_[node] = circle.radius * forward.sine;
-      y_[node] = circle.radius * forward.cosine;
-      z_[node] = circle.z;
-      height_[node] = circle.drop + circle.radius * forward.versine;
+      nodes.x[node] = circle.radius * forward.sine;
+      nodes.y[node] = circle.radius * forward.cosine;
+      nodes.z[node] = circle.z;
+      nodes.height[node] = circle.drop + circle.radius * forward.versine;
       ++node;
     }
   }
-  if (grid.is_paraboloid) flatten();
+  return nodes;
 }
 
-void SurfaceWindow::flatten() {
+SurfaceWindow::Positions SurfaceWindow::on_paraboloid() const {
   const double r = grid_.radius;
-  const Eigen::Index columns = shape().theta_nodes;
-  for (Eigen::Index node = 0; node < x_.size(); ++node) {
-    const Eigen::Index row = window_.phi.first + node / columns;
-    const Eigen::Index column = window_.theta.first + node % columns;
-    x_[node] = -r * grid_.phi_spacing * (static_cast<double>(row) + shift_);
-    z_[node] = -r * grid_.theta_spacing * static_cast<double>(column);
-  }
-  height_ = (x_.square() + z_.square()) / (2.0 * r);
-  y_ = r - height_;
+  Positions nodes{.x = points().x().values(), .y = {}, .z = points().z().values(), .height = {}};
+  nodes.height = (nodes.x.square() + nodes.z.square()) / (2.0 * r);
+  nodes.y = r - nodes.height;
+  return nodes;
 }
 
 Eigen::ArrayXd SurfaceWindow::lag() const {
@@ -101,14 +112,16 @@ Eigen::ArrayXd SurfaceWindow::lag() const {
 }
 
 Eigen::ArrayXd SurfaceWindow::rolled() const {
-  if (!grid_.is_paraboloid) return x_;
-  return x_ * (1.0 - (x_.square() / 3.0 + z_.square()) / (2.0 * std::pow(grid_.radius, 2)));
+  if (!grid_.is_paraboloid) return x();
+  return x() * (1.0 - (x().square() / 3.0 + z().square()) / (2.0 * std::pow(grid_.radius, 2)));
 }
 
 Eigen::ArrayXd SurfaceWindow::patch_area() const {
   const double equatorial = std::pow(grid_.radius, 2) * grid_.phi_spacing * grid_.theta_spacing;
   if (grid_.is_paraboloid || grid_.crown_radius) return Eigen::ArrayXd::Constant(shape().size(), equatorial);
-  return equatorial * theta().sin();
+  const Eigen::ArrayXd areas =
+      over_columns(window_, [&](int column) { return equatorial * std::cos(column * grid_.theta_spacing); });
+  return areas.replicate(shape().phi_nodes, 1);
 }
 
 Eigen::ArrayXd SurfaceWindow::phi() const {
@@ -126,19 +139,46 @@ Eigen::ArrayXd SurfaceWindow::theta() const {
   });
 }
 
-std::array<std::array<Eigen::ArrayXd, 3>, 3> SurfaceWindow::axes() const {
-  const Eigen::ArrayXd phi = this->phi();
-  const Eigen::ArrayXd tilt = z_ / grid_.radius_across();  // the normal's share along z
+WindowField SurfacePoints::x() const {
+  const Eigen::ArrayXd forward = row_angles(*this);
+  if (grid.is_paraboloid) return {grid.radius * forward, Eigen::ArrayXd::Ones(window.theta.count()), {}};
+  return {forward.sin(), over_columns(window, [&](int column) { return circle_at(grid, column).radius; }), {}};
+}
+
+WindowField SurfacePoints::z() const {
+  return {Eigen::ArrayXd::Ones(window.phi.count()),
+          over_columns(window,
+                       [&](int column) {
+                         return grid.is_paraboloid ? -grid.radius * grid.theta_spacing * column
+                                                   : circle_at(grid, column).z;
+                       }),
+          {}};
+}
+
+std::array<std::array<WindowField, 3>, 3> SurfacePoints::axes() const {
+  const Eigen::ArrayXd forward = row_angles(*this);
+  const Eigen::ArrayXd sine = forward.sin();
+  const Eigen::ArrayXd cosine = forward.cos();
+  const Eigen::ArrayXd tilt = z().columns / grid.radius_across();  // the normal's share along z
   // The other share is the sine of theta, by which a sphere's circles are smaller, too.
-  Eigen::ArrayXd level = theta().sin();
-  Eigen::ArrayXd circle = Eigen::ArrayXd::Constant(phi.size(), grid_.radius);
-  if (grid_.crown_radius) {
-    level = (1.0 - tilt.square()).sqrt();
-    circle = (grid_.radius - height_) / phi.sin() / level;
+  const Eigen::ArrayXd level = over_columns(window, [&](int column) { return std::cos(column * grid.theta_spacing); });
+  const Eigen::ArrayXd columns = Eigen::ArrayXd::Ones(tilt.size());
+  const Eigen::ArrayXd rows = Eigen::ArrayXd::Ones(forward.size());
+  WindowField forward_share{sine, level, {}};
+  WindowField down_share{cosine, level, {}};
+  WindowField sideways_share{rows, level, {}};
+  if (grid.crown_radius) {
+    for (WindowField* share : {&forward_share, &down_share, &sideways_share}) {
+      share->columns = (1.0 - tilt.square()).sqrt();
+    }
+  } else if (grid.is_paraboloid) {
+    forward_share = {forward, columns, {}};
+    down_share = {1.0 - 0.5 * forward.square(), columns, -0.5 * tilt.square()};
   }
-  return {{{x_ / circle, -phi.sin(), tilt * phi.cos()},
-           {y_ / circle, phi.cos(), tilt * phi.sin()},
-           {tilt, Eigen::ArrayXd::Zero(phi.size()), -level}}};
+  sideways_share.rows *= -1.0;
+  return {{{forward_share, WindowField{-cosine, columns, {}}, WindowField{sine, tilt, {}}},
+           {down_share, WindowField{sine, columns, {}}, WindowField{cosine, tilt, {}}},
+           {WindowField{rows, tilt, {}}, WindowField{0.0 * rows, columns, {}}, sideways_share}}};
 }
 
 }  // namespace viscoroll::detail

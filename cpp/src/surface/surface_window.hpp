@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <concepts>
+#include <memory>
 #include <optional>
 
 #include "surface/window.hpp"
@@ -34,7 +35,42 @@ struct SurfaceGrid {
   return nodes_per_revolution / 6;
 }
 
-/// @brief The nodes of a rectangle of the grid.
+/// @brief Numbers at the nodes of a window that rows and columns tell: the sum of a product of both and of one of the
+/// column's own. On large windows the numbers themselves would be most of what memory holds.
+struct WindowField {
+  Eigen::ArrayXd rows;
+  Eigen::ArrayXd columns;
+  Eigen::ArrayXd added;  ///< none where nothing is added
+
+  [[nodiscard]] double operator()(Eigen::Index row, Eigen::Index column) const {
+    const double product = rows[row] * columns[column];
+    return added.size() == 0 ? product : product + added[column];
+  }
+  /// @return the number at every node
+  [[nodiscard]] Eigen::ArrayXd values() const {
+    return Eigen::ArrayXd::NullaryExpr(rows.size() * columns.size(), [&](Eigen::Index node) {
+      return (*this)(node / columns.size(), node % columns.size());
+    });
+  }
+};
+
+/// @brief Points of a rectangle of the grid, as rows and columns tell them.
+struct SurfacePoints {
+  SurfaceGrid grid;
+  Window window;       ///< less than a quarter revolution from the lowest point
+  double shift = 0.0;  ///< of all points downstream of the nodes [spacings]
+
+  /// @return undeformed positions forward and sideways [m]
+  [[nodiscard]] WindowField x() const;
+  [[nodiscard]] WindowField z() const;
+
+  /// @return directions x (forward), y (down) and z (sideways), each by its components (r, phi, theta) at every point:
+  /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y; on a wheel theta is along the
+  /// profile
+  [[nodiscard]] std::array<std::array<WindowField, 3>, 3> axes() const;
+};
+
+/// @brief The nodes of a rectangle of the grid. Copies share their positions.
 class SurfaceWindow {
  public:
   /// @param[in] grid all nodes
@@ -49,11 +85,11 @@ class SurfaceWindow {
   [[nodiscard]] double shift() const { return shift_; }
 
   /// Undeformed positions [m]: x forward, y down, z sideways.
-  [[nodiscard]] const Eigen::ArrayXd& x() const { return x_; }
-  [[nodiscard]] const Eigen::ArrayXd& y() const { return y_; }
-  [[nodiscard]] const Eigen::ArrayXd& z() const { return z_; }
+  [[nodiscard]] const Eigen::ArrayXd& x() const { return positions_->x; }
+  [[nodiscard]] const Eigen::ArrayXd& y() const { return positions_->y; }
+  [[nodiscard]] const Eigen::ArrayXd& z() const { return positions_->z; }
   /// @return height of every undeformed node above the lowest point, r_o - y without its round-off [m]
-  [[nodiscard]] const Eigen::ArrayXd& height() const { return height_; }
+  [[nodiscard]] const Eigen::ArrayXd& height() const { return positions_->height; }
   /// @return way by which every point falls behind the lowest one as it comes from its upstream neighbor, for what lies
   /// at height h above that moves at Omega (r_o - h): the integral of h dphi [m]; 0 in the first row
   [[nodiscard]] Eigen::ArrayXd lag() const;
@@ -67,18 +103,19 @@ class SurfaceWindow {
   /// @return theta of every node of a sphere [rad]
   [[nodiscard]] Eigen::ArrayXd theta() const;
 
-  /// @return directions x (forward), y (down) and z (sideways), each by its components (r, phi, theta) at every node:
-  /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y; on a wheel theta is along the
-  /// profile
-  [[nodiscard]] std::array<std::array<Eigen::ArrayXd, 3>, 3> axes() const;
+  [[nodiscard]] SurfacePoints points() const { return {grid_, window_, shift_}; }
 
  private:
-  void flatten();
+  struct Positions {
+    Eigen::ArrayXd x, y, z, height;
+  };
+  [[nodiscard]] Positions on_sphere() const;
+  [[nodiscard]] Positions on_paraboloid() const;
 
   SurfaceGrid grid_;
   Window window_;
   double shift_;
-  Eigen::ArrayXd x_, y_, z_, height_;
+  std::shared_ptr<const Positions> positions_;
 };
 
 }  // namespace viscoroll::detail

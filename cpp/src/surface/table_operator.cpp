@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
 #include <utility>
 
 #include "influence/patch.hpp"
@@ -90,40 +93,99 @@ class Terms {
   std::size_t shapes_;
 };
 
+/// Share of the period of a whole window below which a product of its own is made for forces on a part of it.
+constexpr double kWorthOwnProduct = 0.8;
+
+/// The rows, and the columns around the middle, that hold all forces.
+LoadedNodes loaded_nodes(const VectorField& force, const Window& window) {
+  const auto [rows, columns] = window.shape();
+  if (window.theta.first != -window.theta.last) return {.first_row = 0, .rows = rows, .columns = columns};
+  int first = rows;
+  int last = -1;
+  int aside = 0;
+  for (int row = 0; row < rows; ++row) {
+    const auto line = force.middleRows(static_cast<Eigen::Index>(row) * columns, columns);
+    for (int column = 0; column < columns; ++column) {
+      if ((line.row(column) == 0.0).all()) continue;
+      first = std::min(first, row);
+      last = row;
+      aside = std::max(aside, std::abs(column - columns / 2));
+    }
+  }
+  if (last < 0) return {.first_row = 0, .rows = 1, .columns = 1};
+  return {.first_row = first, .rows = last - first + 1, .columns = 2 * aside + 1};
+}
+
+/// Call function(node, image) for the nodes of one side, those in the middle among them.
+template <class Function>
+void for_images(const Window& window, const Function& function) {
+  const Eigen::Index columns = window.theta.count();
+  for (Eigen::Index row = 0; row < window.phi.count(); ++row) {
+    const Eigen::Index middle = row * columns + columns / 2;
+    for (Eigen::Index k = 0; k <= columns / 2; ++k) function(middle + k, middle - k);
+  }
+}
+
+/// Whether mirror images bear the same forces, sideways the opposite ones.
+bool is_mirrored(const VectorField& force, const Window& window) {
+  bool same = true;
+  for_images(window, [&](Eigen::Index node, Eigen::Index image) {
+    same = same && force(node, kForward) == force(image, kForward) && force(node, kDown) == force(image, kDown) &&
+           force(node, kSideways) == -force(image, kSideways);
+  });
+  return same;
+}
+
+/// Give mirror images the displacements of the other side.
+void mirror(VectorField& displacement, const Window& window) {
+  for_images(window, [&](Eigen::Index node, Eigen::Index image) {
+    displacement(image, kForward) = displacement(node, kForward);
+    displacement(image, kDown) = displacement(node, kDown);
+    displacement(image, kSideways) = -displacement(node, kSideways);
+  });
+}
+
 }  // namespace
 
-std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
-                                                           const SurfaceWindow& window) {
+std::vector<std::array<WindowField, 3>> load_directions(const Formulation& formulation, const SurfacePoints& points) {
   using Eigen::ArrayXd;
-  std::vector<std::array<ArrayXd, 3>> directions(components(formulation));
+  std::vector<std::array<WindowField, 3>> directions(components(formulation));
   if (formulation.compliance == Compliance::radial) {
-    const Eigen::Index count = window.shape().size();
+    const auto constant = [&](double value) {
+      return WindowField{
+          ArrayXd::Constant(points.window.phi.count(), value), ArrayXd::Ones(points.window.theta.count()), {}};
+    };
     const std::array<std::size_t, 3> axis_of{kDown, kForward, kSideways};
     for (std::size_t p = 0; p < directions.size(); ++p) {
-      directions[p].fill(ArrayXd::Zero(count));
-      directions[p][axis_of[p]].setConstant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
+      directions[p].fill(constant(0.0));
+      directions[p][axis_of[p]] = constant(p == 0 || formulation.is_counterpart ? 1.0 : -1.0);
     }
-    if (formulation.tangential && formulation.is_counterpart) {
-      directions[0][kForward] = -formulation.counterpart_curvatures.along * window.x();
-      directions[0][kSideways] = -formulation.counterpart_curvatures.across * window.z();
-    } else if (formulation.tangential) {
-      directions[0][kForward] = window.x() / window.grid().radius;
-      directions[0][kSideways] = window.z() / window.grid().radius_across();
+    if (formulation.tangential) {
+      const Curvatures& curvatures = formulation.counterpart_curvatures;
+      const bool of_counterpart = formulation.is_counterpart;
+      directions[0][kForward] = points.x();
+      directions[0][kForward].rows *= of_counterpart ? -curvatures.along : 1.0 / points.grid.radius;
+      directions[0][kSideways] = points.z();
+      directions[0][kSideways].rows *= of_counterpart ? -curvatures.across : 1.0 / points.grid.radius_across();
     }
     return directions;
   }
-  const auto axes = window.axes();
+  const auto axes = points.axes();
   for (std::size_t p = 0; p < 3; ++p) directions[p] = {axes[0][p], axes[1][p], axes[2][p]};
   return directions;
 }
 
-std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfaceWindow& window) {
-  if (formulation.patch_load == PatchLoad::flat) return {Eigen::ArrayXd::Ones(window.shape().size())};
+std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfacePoints& points) {
+  const NodeRange& range = points.window.theta;
+  if (formulation.patch_load == PatchLoad::flat) return {Eigen::ArrayXd::Ones(range.count())};
+  const double spacing = points.grid.theta_spacing;
   std::vector<Eigen::ArrayXd> weights;
   weights.reserve(shapes(formulation));
   for (std::size_t shape = 0; shape < shapes(formulation); ++shape) {
-    weights.emplace_back(window.theta().unaryExpr(
-        [&](double theta) { return spherical_patch_weights(theta, window.grid().theta_spacing)[shape]; }));
+    weights.emplace_back(Eigen::ArrayXd::NullaryExpr(range.count(), [&](Eigen::Index column) {
+      const double theta = std::numbers::pi / 2.0 + static_cast<double>(range.first + column) * spacing;
+      return spherical_patch_weights(theta, spacing)[shape];
+    }));
   }
   return weights;
 }
@@ -159,19 +221,17 @@ std::vector<TableRequest> dissipation_tables(const Formulation& formulation) {
   return requests;
 }
 
-TableOperator::TableOperator(const Formulation& formulation, const SurfaceWindow& nodes, Tables tables,
-                             DissipationSource dissipation_source, const Execution& execution)
+TableOperator::TableOperator(const Formulation& formulation, const SurfaceGrid& grid, const Window& window,
+                             Tables tables, DissipationSource dissipation_source, const Execution& execution)
     : formulation_(formulation),
-      grid_(nodes.grid()),
-      window_(nodes.window()),
+      grid_(grid),
+      window_(window),
       tables_(std::move(tables)),
       dissipation_source_(std::move(dissipation_source)),
-      local_{
-          .tables = {},
-          .directions = load_directions(formulation, nodes),
-          .displaced_directions = load_directions(formulation, SurfaceWindow(grid_, window_, formulation.collocation))},
-      weights_(patch_weights(formulation, nodes)),
-      displacements_(window_.shape(), *tables_, Terms(formulation).displacement(), execution.threads, execution.watch),
+      local_{.tables = {},
+             .directions = load_directions(formulation, {grid, window}),
+             .displaced_directions = load_directions(formulation, {grid, window, formulation.collocation})},
+      weights_(patch_weights(formulation, {grid, window})),
       execution_(execution) {
   const auto requests = displacement_tables(formulation);
   for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -180,40 +240,99 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceWindow
   }
 }
 
-Eigen::ArrayXXd TableOperator::loads(const VectorField& force) const {
-  const Eigen::ArrayXXd components = local_.loads(force);
-  Eigen::ArrayXXd loads(components.rows(), components.cols() * static_cast<Eigen::Index>(weights_.size()));
-  Eigen::Index field = 0;
-  for (const auto& component : components.colwise()) {
-    for (const Eigen::ArrayXd& weight : weights_) loads.col(field++) = weight * component;
+double TableOperator::load(const VectorField& force, Eigen::Index row, Eigen::Index column, std::size_t field) const {
+  const auto& [forward, down, sideways] = local_.directions[field / weights_.size()];
+  const Eigen::Index node = row * window_.theta.count() + column;
+  return weights_[field % weights_.size()][column] *
+         (forward(row, column) * force(node, kForward) + down(row, column) * force(node, kDown) +
+          sideways(row, column) * force(node, kSideways));
+}
+
+const Convolution& TableOperator::displacements() const {
+  if (!displacements_) {
+    displacements_.emplace(window_.shape(), *tables_, Terms(formulation_).displacement(), execution_.threads,
+                           execution_.watch);
   }
-  return loads;
+  return *displacements_;
+}
+
+double TableOperator::operations() const {
+  return SpectralProduct::operations(doubled(window_.shape()), fields(), Terms(formulation_).displacement().size(),
+                                     local_.directions.size());
+}
+
+bool TableOperator::takes_mirrored() const {
+  return weights_.size() == 1 && window_.theta.first == -window_.theta.last;
+}
+
+std::vector<bool> TableOperator::odd_components() const {
+  std::vector<bool> odd(local_.directions.size());
+  if (odd.size() == 3) odd[2] = true;
+  return odd;
 }
 
 VectorField TableOperator::displacement(const VectorField& force) const {
-  return local_.displacements(displacements_.apply(loads(force), execution_.threads, execution_.watch));
+  if (displacements_) return displacement(force, *displacements_);
+  const LoadedNodes loaded = loaded_nodes(force, window_);
+  const WindowShape shape = window_.shape();
+  const WindowShape period = doubled(shape, {.phi_nodes = loaded.rows, .theta_nodes = loaded.columns});
+  if (static_cast<double>(period.size()) > kWorthOwnProduct * static_cast<double>(doubled(shape).size())) {
+    return displacement(force, displacements());
+  }
+  return displacement(force, Convolution(shape, loaded, *tables_, Terms(formulation_).displacement(),
+                                         execution_.threads, execution_.watch));
+}
+
+VectorField TableOperator::displacement(const VectorField& force, const Convolution& product) const {
+  const bool mirrored = takes_mirrored() && is_mirrored(force, window_);
+  const Eigen::Index columns = window_.theta.count();
+  const Eigen::Index middle = mirrored ? columns / 2 : 0;
+  VectorField result = VectorField::Zero(force.rows(), 3);
+  const auto fill = [&](int row, std::size_t field, double* line) {
+    for (Eigen::Index k = middle; k < columns; ++k) line[k - middle] = load(force, row, k, field);
+  };
+  const auto take = [&](int row, std::size_t component, const double* line) {
+    for (const Axis axis : {kForward, kDown, kSideways}) {
+      const WindowField& direction = local_.displaced_directions[component][static_cast<std::size_t>(axis)];
+      for (Eigen::Index k = middle; k < columns; ++k) {
+        result(row * columns + k, axis) += direction(row, k) * line[k - middle];
+      }
+    }
+  };
+  const auto& [threads, watch] = execution_;
+  if (mirrored) {
+    product.apply_mirrored(odd_components(), fill, take, threads, watch);
+    mirror(result, window_);
+  } else {
+    product.apply(fields(), fill, take, threads, watch);
+  }
+  return result;
 }
 
 Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const Eigen::VectorXd& pressing) const {
   const auto& directions = local_.directions;
   Eigen::VectorXd result(pressing.size());
-  displacements_.apply(
-      directions.size() * weights_.size(),
-      [&](int row, std::size_t field, double* line) {
-        const Eigen::ArrayXd& direction = directions[field / weights_.size()][kDown];
-        const Eigen::ArrayXd& weight = weights_[field % weights_.size()];
-        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
-          line[k] = weight[nodes.node(i)] * direction[nodes.node(i)] * pressing[i];
-        });
-      },
-      [&](int row, std::size_t component, const double* line) {
-        const Eigen::ArrayXd& direction = local_.displaced_directions[component][kDown];
-        nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
-          const double share = direction[nodes.node(i)] * line[k];
-          result[i] = component == 0 ? share : result[i] + share;
-        });
-      },
-      execution_.threads, execution_.watch);
+  const auto fill = [&](int row, std::size_t field, double* line) {
+    const WindowField& direction = directions[field / weights_.size()][kDown];
+    const Eigen::ArrayXd& weight = weights_[field % weights_.size()];
+    nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
+      const Eigen::Index column = nodes.first_column() + k;
+      line[k] = weight[column] * direction(row, column) * pressing[i];
+    });
+  };
+  const auto take = [&](int row, std::size_t component, const double* line) {
+    const WindowField& direction = local_.displaced_directions[component][kDown];
+    nodes.for_row(row, [&](Eigen::Index i, Eigen::Index k) {
+      const double share = direction(row, nodes.first_column() + k) * line[k];
+      result[i] = component == 0 ? share : result[i] + share;
+    });
+  };
+  const auto& [threads, watch] = execution_;
+  if (nodes.mirrored()) {
+    displacements().apply_mirrored(odd_components(), fill, take, threads, watch);
+  } else {
+    displacements().apply(fields(), fill, take, threads, watch);
+  }
   return result;
 }
 
@@ -235,7 +354,7 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
   grid.theta_spacing *= 2.0;
   // What is loaded and what is displaced are both averages over wider patches where work is lost.
   return std::make_shared<TableOperator>(
-      flat, SurfaceWindow(grid, window_.coarsened()),
+      flat, grid, window_.coarsened(),
       flat_tables(*tables_, displacement_tables,
                   [this](const Table& table) { return widened(table, 2, formulation_.collocation); }),
       [source = dissipation_source_, flat_tables](int phi_reach, int theta_reach) {
@@ -246,16 +365,33 @@ std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
 }
 
 std::shared_ptr<const SurfaceOperator> TableOperator::within(const Window& window) const {
-  return std::make_shared<TableOperator>(formulation_, SurfaceWindow(grid_, window), tables_, dissipation_source_,
-                                         execution_);
+  return std::make_shared<TableOperator>(formulation_, grid_, window, tables_, dissipation_source_, execution_);
 }
 
 Losses TableOperator::dissipation(const VectorField& force) const {
-  const WindowShape shape = window_.shape();
-  const Tables tables = dissipation_source_(shape.phi_nodes - 1, shape.theta_nodes - 1);
-  const Convolution product(shape, *tables, Terms(formulation_).dissipation(), execution_.threads, execution_.watch);
-  const Eigen::ArrayXXd loads = this->loads(force);
-  return losses((loads * product.apply(loads, execution_.threads, execution_.watch)).sum());
+  const auto [rows, columns] = window_.shape();
+  const Tables tables = dissipation_source_(rows - 1, columns - 1);
+  const auto& [threads, watch] = execution_;
+  const Convolution product({rows, columns}, loaded_nodes(force, window_), *tables, Terms(formulation_).dissipation(),
+                            threads, watch);
+  const bool mirrored = takes_mirrored() && is_mirrored(force, window_);
+  const Eigen::Index middle = mirrored ? columns / 2 : 0;
+  Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that threads do not change
+  const auto fill = [&](int row, std::size_t field, double* line) {
+    for (Eigen::Index k = middle; k < columns; ++k) line[k - middle] = load(force, row, k, field);
+  };
+  const auto take = [&](int row, std::size_t field, const double* line) {
+    for (Eigen::Index k = middle; k < columns; ++k) {
+      const double images = mirrored && k > middle ? 2.0 : 1.0;
+      lost[row] += images * load(force, row, k, field) * line[k - middle];
+    }
+  };
+  if (mirrored) {
+    product.apply_mirrored(odd_components(), fill, take, threads, watch);
+  } else {
+    product.apply(fields(), fill, take, threads, watch);
+  }
+  return losses(lost.sum());
 }
 
 }  // namespace viscoroll::detail

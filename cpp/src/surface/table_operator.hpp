@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "influence/convolution.hpp"
@@ -38,11 +39,11 @@ struct Formulation {
 [[nodiscard]] std::vector<TableRequest> dissipation_tables(const Formulation& formulation);
 
 /// @return [component][axis] of r, phi and theta, or of r alone, at every node: what forces along the axes load
-[[nodiscard]] std::vector<std::array<Eigen::ArrayXd, 3>> load_directions(const Formulation& formulation,
-                                                                         const SurfaceWindow& window);
+[[nodiscard]] std::vector<std::array<WindowField, 3>> load_directions(const Formulation& formulation,
+                                                                      const SurfacePoints& points);
 
-/// @return [shape] the share of every node's load that its patch bears in the shape of a Legendre polynomial
-[[nodiscard]] std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfaceWindow& window);
+/// @return [shape] the share of every node's load that its patch bears in the shape of a Legendre polynomial, by column
+[[nodiscard]] std::vector<Eigen::ArrayXd> patch_weights(const Formulation& formulation, const SurfacePoints& points);
 
 /// @brief C_r = Q^T C_s Q over the nodes of a window: rotations around translation-invariant tables. With the radial
 /// compliance Q is taken as it is at the lowest point, where y is r, x is -phi and z is -theta, but that forces along
@@ -54,11 +55,11 @@ class TableOperator : public SurfaceOperator {
   using DissipationSource = std::function<Tables(int phi_reach, int theta_reach)>;
 
   /// @param[in] formulation as for `displacement_tables`
-  /// @param[in] nodes of the window, and where they are
+  /// @param[in] grid,window nodes
   /// @param[in] tables for the requests of `displacement_tables`, reaching across the window
   /// @param[in] dissipation_source tables of the dissipation
   /// @param[in] execution of this and of all products
-  TableOperator(const Formulation& formulation, const SurfaceWindow& nodes, Tables tables,
+  TableOperator(const Formulation& formulation, const SurfaceGrid& grid, const Window& window, Tables tables,
                 DissipationSource dissipation_source, const Execution& execution);
 
   [[nodiscard]] const Window& window() const override { return window_; }
@@ -77,13 +78,20 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> within(const Window& window) const override;
   [[nodiscard]] const LocalCompliance& local() const override { return local_; }
   [[nodiscard]] double collocation() const override { return formulation_.collocation; }
-  [[nodiscard]] double operations() const override { return displacements_.operations(); }
+  [[nodiscard]] bool takes_mirrored() const override;
+  [[nodiscard]] double operations() const override;
   /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:
-  /// Forces along x, y and z as loads along the components, a column for each component * shapes + shape.
-  [[nodiscard]] Eigen::ArrayXXd loads(const VectorField& force) const;
+  /// Of forces along x, y and z, that along a component and in a shape, field being component * shapes + shape.
+  [[nodiscard]] double load(const VectorField& force, Eigen::Index row, Eigen::Index column, std::size_t field) const;
+  [[nodiscard]] std::size_t fields() const { return local_.directions.size() * weights_.size(); }
+  /// Products are made when they are asked for: of the windows that boxes lie in, most never are.
+  [[nodiscard]] const Convolution& displacements() const;
+  [[nodiscard]] VectorField displacement(const VectorField& force, const Convolution& product) const;
+  /// Whether each component of mirrored forces is odd in theta.
+  [[nodiscard]] std::vector<bool> odd_components() const;
 
   Formulation formulation_;
   SurfaceGrid grid_;
@@ -92,7 +100,7 @@ class TableOperator : public SurfaceOperator {
   DissipationSource dissipation_source_;
   LocalCompliance local_;
   std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
-  Convolution displacements_;
+  mutable std::optional<Convolution> displacements_;
   Execution execution_;
 };
 

@@ -22,14 +22,14 @@ Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sidew
 }
 
 Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
-  const auto exact = nodes.axes();
+  const auto exact = nodes.points().axes();
   if (pair.compliance == Compliance::radial) {
-    return level_axes(exact[kForward][0], exact[kSideways][0], -1.0, pair.half_nodes());
+    return level_axes(exact[kForward][0].values(), exact[kSideways][0].values(), -1.0, pair.half_nodes());
   }
   Axes axes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t component = 0; component < 3; ++component) {
-      axes[axis][component] = as_field(exact[axis][component], pair.half_nodes());
+      axes[axis][component] = as_field(exact[axis][component].values(), pair.half_nodes());
     }
   }
   return axes;
