@@ -26,9 +26,11 @@ class Arnoldi {
   [[nodiscard]] Index count() const { return static_cast<Index>(rotations_.size()); }
   [[nodiscard]] double residual() const { return std::abs(right_side_.back()); }
 
-  /// Add the image of the last direction. @return whether it adds anything
-  bool extend(VectorXd image) {
+  /// Add the image of the last direction, by way of the step that it is preconditioned to.
+  /// @return whether it adds anything
+  bool extend(VectorXd step, VectorXd image) {
     const Index n = count();
+    steps_.push_back(std::move(step));
     VectorXd column = VectorXd::Zero(n + 2);
     const double before = image.norm();
     for (int pass = 0; pass < 2; ++pass) {  // twice is enough for orthogonality to round-off
@@ -52,7 +54,7 @@ class Arnoldi {
     return adds;
   }
 
-  /// The combination of directions with the least residual.
+  /// The combination of steps with the least residual.
   [[nodiscard]] VectorXd combination() const {
     const Index n = count();
     VectorXd shares(n);
@@ -62,7 +64,7 @@ class Arnoldi {
       shares[i] = sum / columns_[static_cast<std::size_t>(i)][i];
     }
     VectorXd result = VectorXd::Zero(directions_.front().size());
-    for (Index i = 0; i < n; ++i) result += shares[i] * directions_[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < n; ++i) result += shares[i] * steps_[static_cast<std::size_t>(i)];
     return result;
   }
 
@@ -78,6 +80,7 @@ class Arnoldi {
   };
 
   std::vector<VectorXd> directions_;
+  std::vector<VectorXd> steps_;    // kept: to precondition their combination would take as long as another one
   std::vector<VectorXd> columns_;  // of the triangle that rotations make of the Hessenberg matrix
   std::vector<Rotation> rotations_;
   std::vector<double> right_side_;  // rotated alike; its last number is the residual
@@ -102,10 +105,12 @@ KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& 
     if (!(solution.residual > small) || stagnates || solution.products >= most_products) return solution;
     Arnoldi space(residual);
     for (bool adds = true; adds && space.residual() > small && space.count() < most_directions;) {
-      adds = space.extend(matrix(preconditioner(space.last())));
+      VectorXd step = preconditioner(space.last());
+      VectorXd image = matrix(step);
+      adds = space.extend(std::move(step), std::move(image));
       ++solution.products;
     }
-    solution.unknowns += preconditioner(space.combination());
+    solution.unknowns += space.combination();
     if (space.residual() <= small) {
       solution.residual = space.residual();
       return solution;
