@@ -52,8 +52,8 @@ std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
   for (Index node = 0; node < contact.gap.size(); ++node) {
     if (contact.gap[node] < -slack && contact.pressing[node] == 0.0) added.push_back(node);
   }
-  contact.nodes.insert(contact.nodes.end(), added.begin(), added.end());
-  std::ranges::sort(contact.nodes);
+  const auto middle = contact.nodes.insert(contact.nodes.end(), added.begin(), added.end());
+  std::inplace_merge(contact.nodes.begin(), middle, contact.nodes.end());
   return added.size();
 }
 

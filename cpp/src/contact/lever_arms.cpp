@@ -6,9 +6,10 @@ LeverArms added_arms(const VectorField& displacement, double pressure_share) {
   return {.x = pressure_share * displacement.col(kForward), .y = displacement.col(kDown), .radius = 0.0};
 }
 
-LeverArms displaced(const LeverArms& arms, const VectorField& displacement, double pressure_share) {
-  const LeverArms added = added_arms(displacement, pressure_share);
-  return {.x = arms.x + added.x, .y = arms.y + added.y, .radius = arms.radius, .slope = arms.slope};
+LeverArms displaced(LeverArms arms, const VectorField& displacement, double pressure_share) {
+  arms.x += pressure_share * displacement.col(kForward);
+  arms.y += displacement.col(kDown);
+  return arms;
 }
 
 double moment(const LeverArms& arms, const VectorField& force) {

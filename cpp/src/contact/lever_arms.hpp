@@ -23,7 +23,7 @@ struct LeverArms {
 [[nodiscard]] LeverArms added_arms(const VectorField& displacement, double pressure_share);
 
 /// @return arms of displaced points; the parameters as for `added_arms`
-[[nodiscard]] LeverArms displaced(const LeverArms& arms, const VectorField& displacement, double pressure_share);
+[[nodiscard]] LeverArms displaced(LeverArms arms, const VectorField& displacement, double pressure_share);
 
 /// @return moment of forces [N], sum of y F_x - x F_y [N m]
 [[nodiscard]] double moment(const LeverArms& arms, const VectorField& force);

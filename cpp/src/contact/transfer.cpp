@@ -115,16 +115,26 @@ bool touches_edge(const LocatedContact& located) {
 
 ContactSolution extended(const LocatedContact& located, const ContactProblem& whole) {
   const Window& outer = whole.surface->window();
-  ContactSolution contact = located.contact;
-  contact.force = VectorField::Zero(outer.shape().size(), 3);
-  if (located.contact.slip.rows() > 0) contact.slip = Eigen::ArrayX2d::Zero(outer.shape().size(), 2);
+  const ContactSolution& inside = located.contact;
+  const Index size = outer.shape().size();
+  ContactSolution contact{.force = VectorField::Zero(size, 3)};
+  if (inside.slip.rows() > 0) contact.slip = Eigen::ArrayX2d::Zero(size, 2);
   for_nodes_within(outer, located.window(), [&](Index node, Index number) {
-    contact.force.row(number) = located.contact.force.row(node);
-    if (contact.slip.rows() > 0) contact.slip.row(number) = located.contact.slip.row(node);
+    contact.force.row(number) = inside.force.row(node);
+    if (contact.slip.rows() > 0) contact.slip.row(number) = inside.slip.row(node);
   });
-  for (auto* nodes : {&contact.contact, &contact.stick}) {
-    for (Index& node : *nodes) node = outer.number_of(located.window(), node);
-  }
+  const auto renumbered = [&](std::vector<Index> nodes) {
+    for (Index& node : nodes) node = outer.number_of(located.window(), node);
+    return nodes;
+  };
+  contact.contact = renumbered(inside.contact);
+  contact.stick = renumbered(inside.stick);
+  contact.penetration = inside.penetration;
+  contact.creepage = inside.creepage;
+  contact.iterations = inside.iterations;
+  contact.operator_applications = inside.operator_applications;
+  contact.converged = inside.converged;
+  contact.residual = inside.residual;
   find_displacements(*whole.surface, contact);
   contact.gap = whole.initial_gap - contact.displacement.col(kDown) - contact.penetration;
   return contact;

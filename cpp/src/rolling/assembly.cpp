@@ -46,6 +46,7 @@ bool Assembly::has_sides() const { return std::isfinite(width(pair())); }
 bool Assembly::approach_exists() const { return detail::approach_exists(pair()); }
 
 SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
+  if (formulation.collocation == window.shift()) return window;
   return {window.grid(), window.window(), formulation.collocation};
 }
 

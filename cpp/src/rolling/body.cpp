@@ -23,6 +23,7 @@ std::vector<NamedLayer> named(const std::vector<Layer>& layers) {
 std::function<Profile(const SurfaceWindow&)> circles(const Curvatures& curvatures) {
   return [curvatures](const SurfaceWindow& points) -> Profile {
     const auto& [along, across] = curvatures;
+    if (along == 0.0 && across == 0.0) return {};
     const Eigen::ArrayXd& x = points.x();
     const Eigen::ArrayXd& z = points.z();
     if (points.grid().is_paraboloid) {

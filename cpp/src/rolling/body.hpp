@@ -30,7 +30,7 @@ struct NamedLayer {
   Layer layer;
 };
 
-/// @brief An undeformed surface at the nodes of what rolls on it.
+/// @brief An undeformed surface at the nodes of what rolls on it; no numbers where it is flat.
 struct Profile {
   Eigen::ArrayXd drop;   ///< below its highest point [m]; a hollow one rises
   Eigen::ArrayXd slope;  ///< downwards along x [-]

@@ -4,16 +4,31 @@ namespace viscoroll::detail {
 
 using Eigen::ArrayXd;
 
+namespace {
+
+/// Of a profile, which has no numbers where it is flat.
+void add(const ArrayXd& numbers, ArrayXd& sum) {
+  if (numbers.size() > 0) sum += numbers;
+}
+
+}  // namespace
+
 ArrayXd initial_gap(const SurfaceWindow& points, double swelling, const RollingPair& pair) {
-  return swelling * points.height() + pair.on.profile(points).drop;
+  ArrayXd gap = swelling * points.height();
+  add(pair.on.profile(points).drop, gap);
+  return gap;
 }
 
 ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair) {
-  return pair.on.curvatures.along * pair.on.profile(points).drop;
+  ArrayXd drop = ArrayXd::Zero(points.shape().size());
+  add(pair.on.profile(points).drop, drop);
+  return pair.on.curvatures.along * drop;
 }
 
 ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
-  return relative_radius(pair) * (points.x() / points.grid().radius + pair.on.profile(points).slope);
+  ArrayXd slope = points.x() / points.grid().radius;
+  add(pair.on.profile(points).slope, slope);
+  return relative_radius(pair) * slope;
 }
 
 ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair) {

@@ -18,10 +18,30 @@ using Eigen::ArrayX2d;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-std::vector<double> to_vector(const ArrayXd& array) { return {array.begin(), array.end()}; }
+/// Values as a result has them, without another array in between: on large windows these are what memory is full of.
+template <class Values>
+std::vector<double> to_vector(const Eigen::ArrayBase<Values>& values) {
+  std::vector<double> result(static_cast<std::size_t>(values.size()));
+  Eigen::Map<ArrayXd>(result.data(), values.size()) = values;
+  return result;
+}
 
-/// One column after the other.
-std::vector<double> columns_of(const ArrayX2d& array) { return to_vector(ArrayXd(array.reshaped())); }
+/// Columns of a number of rows, one after the other, of what a function puts into them.
+template <class Function>
+std::vector<double> columns(Index rows, const Function& function) {
+  std::vector<double> result(2 * static_cast<std::size_t>(rows));
+  Eigen::Map<ArrayX2d> both(result.data(), rows, 2);
+  function(both);
+  return result;
+}
+
+/// Arms of the nodes where what rolls is displaced to, by itself.
+LeverArms displaced_arms(const Assembly& given, const HeldContact& held) {
+  const double share = given.pressure_share();
+  LeverArms arms = displaced(given.lever_arms(held.nodes), held.contact.displacement, share);
+  const VectorField& counterpart = held.contact.counterpart_displacement;
+  return counterpart.rows() == 0 ? arms : displaced(std::move(arms), -counterpart, share);
+}
 
 std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
   std::vector<unsigned char> values(static_cast<std::size_t>(size), 0);
@@ -61,11 +81,10 @@ class Summary {
         losses_(held.losses),
         size_(window_.shape().size()),
         pressing_(pressing_force(contact_)),
-        arms_(displaced(given.lever_arms(window_), own_displacement(held.contact), given.pressure_share())),
+        arms_(displaced_arms(given, held)),
         curvature_(given.pair().on.curvatures.along),
         pushback_(deformed_pushback(given, held)),
-        flat_area_(ArrayXd::Constant(
-            size_, std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing)),
+        flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area()) {}
 
   void add_status(Result& r) const {
@@ -77,9 +96,9 @@ class Summary {
 
   void add_shape(Result& r) const {
     ArrayXd touching = ArrayXd::Zero(size_);
-    touching(contact_.contact) = 1.0;
+    touching(contact_.contact) = area_(contact_.contact);
     r.centrifugal_displacement = given_.model.centrifugal;
-    const ContactExtent extent = contact_extent(window_, touching * area_);
+    const ContactExtent extent = contact_extent(window_, touching);
     r.contact_area = extent.area;
     r.semi_axis_x = extent.semi_axis_x;
     r.semi_axis_z = extent.semi_axis_z;
@@ -101,12 +120,12 @@ class Summary {
   }
 
   void add_forces(Result& r) const {
-    const ArrayXd forward = contact_.force.col(kForward);
+    const auto forward = contact_.force.col(kForward);
     r.resisting_torque = (pressure_lever(window_, given_.pair()) * pressing_).sum();
     const double load = given_.load_case.load;
     const GivenMotion motion = given_motion(given_.load_case.drive);
     r.driving_force = settled(-forward.sum() + counterpart_force(r), load, motion.force);
-    const ArrayXd sideways = contact_.force.col(kSideways);
+    const auto sideways = contact_.force.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
     r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
 
@@ -144,11 +163,15 @@ class Summary {
   void add_fields(Result& r) const {
     // The paper's flat patch has the size of those on the equator.
     const bool flat = given_.options.patch_load == PatchLoad::flat && given_.model.curvature != Curvature::exact;
-    const ArrayXd patch_area = flat ? flat_area_ : area_;
-    const ArrayXd pressure = pressing_ / patch_area;
-    ArrayX2d shear(size_, 2);
-    shear.col(0) = contact_.force.col(kForward) / patch_area;
-    shear.col(1) = contact_.force.col(kSideways) / patch_area;
+    const auto put_per_area = [&](const auto& force, auto&& traction) {
+      if (flat) {
+        traction = force / flat_area_;
+      } else {
+        traction = force / area_;
+      }
+    };
+    ArrayXd pressure(size_);
+    put_per_area(pressing_, pressure);
     r.max_pressure = pressure.maxCoeff();
     r.max_pressure_error = unseen_peak(pressure, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
@@ -159,14 +182,18 @@ class Summary {
     r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    const ArrayXd rise = contact_.gap - initial_gap(given_.displaced_points(window_), 1.0, given_.pair());
+    ArrayXd rise = initial_gap(given_.displaced_points(window_), 1.0, given_.pair());
+    rise = contact_.gap - rise;
     r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);
     r.stick = mask(contact_.stick, size_);
     r.slip = r.contact;
     for (const Index node : contact_.stick) r.slip[static_cast<std::size_t>(node)] = 0;
-    r.shear_traction = columns_of(shear);
-    r.slip_velocity = columns_of(slip_velocity());
+    r.shear_traction = columns(size_, [&](auto& shear) {
+      put_per_area(contact_.force.col(kForward), shear.col(0));
+      put_per_area(contact_.force.col(kSideways), shear.col(1));
+    });
+    r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
 
  private:
@@ -209,12 +236,10 @@ class Summary {
   }
 
   /// Of the nodes in contact; a node takes spacing / Omega to its neighbor.
-  [[nodiscard]] ArrayX2d slip_velocity() const {
-    ArrayX2d velocity = ArrayX2d::Zero(size_, 2);
-    if (contact_.slip.rows() == 0) return velocity;
+  void add_slip_velocity(Eigen::Map<ArrayX2d>& velocity) const {
+    if (contact_.slip.rows() == 0) return;
     const double rate = given_.load_case.angular_speed / window_.grid().phi_spacing;
     for (const Index node : contact_.contact) velocity.row(node) = rate * contact_.slip.row(node);
-    return velocity;
   }
 
   /// A node's patch reaches half way to both neighbors: it slides half of the way from the one before and half of the
@@ -241,7 +266,7 @@ class Summary {
   LeverArms arms_;    // of the displaced nodes
   double curvature_;  // of the counterpart along the path [1/m]
   double pushback_;   // of the pressure along the deformed surface of the counterpart, D_2 [N]
-  ArrayXd flat_area_;
+  double flat_area_;  // of a patch [m^2]
   ArrayXd area_;
 };
 

@@ -33,9 +33,19 @@ struct HalfWidths {
 };
 
 /// Smallest gap of the nodes that a box leaves out.
-double least_gap_outside(const Window& box, Eigen::ArrayXd gap, const Window& window) {
-  for_nodes_within(window, box, [&gap](Eigen::Index, Eigen::Index node) { gap[node] = 0.0; });
-  return gap.minCoeff();
+double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Window& window) {
+  const Eigen::Index columns = window.theta.count();
+  const Eigen::Index left = box.theta.first - window.theta.first;
+  const Eigen::Index right = window.theta.last - box.theta.last;
+  double least = 0.0;  // that of nodes in contact
+  for (int i = window.phi.first; i <= window.phi.last; ++i) {
+    const auto row = gap.segment(static_cast<Eigen::Index>(i - window.phi.first) * columns, columns);
+    const bool beside = i < box.phi.first || i > box.phi.last;
+    if (beside) least = std::min(least, row.minCoeff());
+    if (left > 0) least = std::min(least, row.head(left).minCoeff());
+    if (right > 0) least = std::min(least, row.tail(right).minCoeff());
+  }
+  return least;
 }
 
 /// Whether a window holds the contact without friction, before stick and slip are sought; loads that press through to
@@ -66,7 +76,7 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
                                            bool is_seen) {
   require_few_nodes(window, assembly.model.mesh);
   const SurfaceWindow nodes(assembly.nodes.grid, window);
-  const ContactProblem problem = assembly.problem(nodes);
+  ContactProblem problem = assembly.problem(nodes);
   if (!is_seen && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
       !(is_widest && holds_pressed_contact(assembly, problem, problem.initial_gap.size()))) {
     return std::nullopt;
@@ -81,7 +91,7 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
     if (!boxed || !(at_edge || overclosed)) {
       const Losses losses = located.problem.surface->dissipation(located.contact.force);
       require_contact(assembly, assembly.load_case.friction, whole.penetration);
-      return HeldContact{.nodes = nodes, .problem = problem, .contact = std::move(whole), .losses = losses};
+      return HeldContact{.nodes = nodes, .problem = std::move(problem), .contact = std::move(whole), .losses = losses};
     }
     // The box that was thought to hold the contact does not.
     located = solve_on_window(problem, whole, assembly.limits);
