@@ -23,7 +23,7 @@ __all__ = ["EXAMPLES", "PublishedMaterial", "example_material"]
 _DRIFT = 0.5
 
 #: Of a line in which one is told of.
-_WIDTH = 100
+_WIDTH = 92
 
 #: Their names.
 EXAMPLES = ("pressure_sensitive_adhesive", "vinyl_nitrile_foam")
