@@ -74,6 +74,17 @@ void reject_load(const RollingPair& pair, double load, const std::string& reason
              reason + ")");
 }
 
+void reject_contact_over_60_degrees(const RollingPair& pair, double load) {
+  reject_load(pair, load, "is in contact over 60 degrees to a side");
+}
+
+void require_depth(const RollingPair& pair, double load, double depth) {
+  const double most = thickness(pair);
+  if (!(depth < most)) {
+    reject_load(pair, load, "is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
+  }
+}
+
 void require_formulation(const MeshModel& model, const Options& options) {
   model.pair.body.require(options);
   if (!model.counterpart) return;
@@ -107,22 +118,19 @@ void require_few_nodes(const Window& window, const Mesh& mesh) {
 
 void require_contact(const Assembly& assembly, double friction, double penetration) {
   if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
-  const auto reject = [&](const std::string& reason) { reject_load(assembly.pair(), assembly.load_case.load, reason); };
   if (assembly.approach_exists() && !(penetration > 0.0)) {
     if (friction == 0.0) {
       assembly.pair().body.require_stiffness();
       assembly.pair().on.require_stiffness();
       // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
-      reject("would be pressed through it");
+      reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
     }
-    detail::reject("friction",
-                   "so small that the forces along the plane do not lift the " +
-                       std::string(assembly.pair().body.name) + " out of its own contact",
-                   text(friction));
+    reject("friction",
+           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body.name) +
+               " out of its own contact",
+           text(friction));
   }
-  const double depth = penetration - assembly.model.centrifugal;
-  const double most = thickness(assembly.pair());
-  if (!(depth < most)) reject("is pressed " + rounded(depth) + " m into a coating of " + text(most) + " m");
+  require_depth(assembly.pair(), assembly.load_case.load, penetration - assembly.model.centrifugal);
 }
 
 void require_reachable_drive(const Assembly& assembly, const ContactProblem& problem) {

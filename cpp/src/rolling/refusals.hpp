@@ -37,4 +37,11 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
 /// @param[in] reason what becomes of what rolls
 [[noreturn]] void reject_load(const RollingPair& pair, double load, const std::string& reason);
 
+/// @brief The load whose contact no window holds, always.
+[[noreturn]] void reject_contact_over_60_degrees(const RollingPair& pair, double load);
+
+/// @brief A load that presses what rolls as deep as all layers are thick.
+/// @param[in] depth of the free surface [m]
+void require_depth(const RollingPair& pair, double load, double depth);
+
 }  // namespace viscoroll::detail

@@ -174,7 +174,7 @@ HeldContact find_held_contact(const Assembly& assembly, const std::optional<Cont
     }
     is_seen = false;
     if (is_widest) {
-      reject_load(assembly.pair(), assembly.load_case.load, "is in contact over 60 degrees to a side");
+      reject_contact_over_60_degrees(assembly.pair(), assembly.load_case.load);
     }
     half = at_most_widest(half.phi + half.phi / 2 + 1, half.theta + half.theta / 2 + 1);
   }

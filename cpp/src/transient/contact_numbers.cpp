@@ -2,11 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "contact/contact_extent.hpp"
+#include "rolling/refusals.hpp"
 #include "transient/center_forces.hpp"
-#include "validate.hpp"
 
 namespace viscoroll::detail {
 
@@ -19,13 +18,7 @@ void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& n
   const ArrayXd weights = half_weights(pair.half_nodes()).replicate(touch.place.count, 1);
   const ArrayXd forces = -touch.contact.force.col(kDown) / touch.yielding.sum;
   now.penetration = touch.contact.penetration;
-  const double coating_thickness = thickness(pair.pair);
-  if (now.penetration >= coating_thickness) {
-    reject("load", "small enough for the coating",
-           text(now.load) + " " + std::string(pair.pair.body.form.load_unit) + " (it is pressed " +
-               rounded(now.penetration) + " m into a coating of " + text(coating_thickness) + " m)");
-  }
-
+  if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
   const ArrayXd patches = nodes.patch_area();
   ArrayXd touching = ArrayXd::Zero(forces.size());
   for (const Eigen::Index node : touch.contact.nodes) touching[node] = weights[node] * weights[node] * patches[node];

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "rolling/refusals.hpp"
 #include "transient/center_motion.hpp"
 #include "validate.hpp"
 
@@ -131,11 +132,7 @@ bool Lattice::fits(const Touch& touch, double load) {
   }
   if (at_side && !pair_->ends_at_sides()) throw ContactTooWide();
   if (!at_end) return true;
-  if (half_rows_ >= most) {
-    reject("load", "small enough for the coating",
-           text(load) + " " + std::string(pair_->pair.body.form.load_unit) +
-               " (it is in contact over 60 degrees to a side)");
-  }
+  if (half_rows_ >= most) reject_contact_over_60_degrees(pair_->pair, load);
   half_rows_ = std::min(half_rows_ + half_rows_ / 2 + 1, most);
   forget_contact();
   return false;
