@@ -14,6 +14,11 @@
 namespace viscoroll::detail {
 namespace {
 
+/// Of the estimated contact, which is half as wide again as the contact: nodes within it are taken to touch at first,
+/// rather too many than too few. 16 balls with and without friction took 1410, 1063, 1164, 1491 and 1557 products with
+/// shares of 0.5, 0.67, 0.8, 1 and 1.3.
+constexpr double kLikelyShare = 0.8;
+
 /// Of what rolls, of what it rolls on, or the sum of both.
 std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, const Assembly& given) {
   const MeshModel& model = given.model;
@@ -70,7 +75,7 @@ Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Optio
   const auto& [body, on] = model.pair;
   const double radius = body.radius;
   const ContactReach contact = estimate_contact(model.pair, load_case.angular_speed, load_case.load);
-  const double half_chord = 0.8 * contact.along;
+  const double half_chord = kLikelyShare * contact.along;
   return {.model = model,
           .load_case = load_case,
           .options = options,

@@ -20,7 +20,7 @@ struct Assembly {
   Nodes nodes;
   double swelling;         ///< of the free surface, by the turning
   ContactReach contact;    ///< estimated, rather from above
-  double estimated_depth;  ///< initial gap at the rim of the estimated contact, half as wide again as the contact [m]
+  double estimated_depth;  ///< initial gap up to which nodes are likely to touch, by the estimated contact [m]
 
   [[nodiscard]] const RollingPair& pair() const { return model.pair; }
   /// @return `estimated_depth` of the free surface [m]
