@@ -7,6 +7,8 @@
 
 #define Eigen VISCOROLL_EIGEN  // NOLINT(readability-identifier-naming)
 #include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
 
 #include "dense_views.hpp"
 
@@ -57,7 +59,31 @@ void multiply(const ConstComplexMatrixView& matrix, const std::complex<double>* 
   Eigen::Map<Eigen::VectorXcd>(product, matrix.rows).noalias() = left * right;
 }
 
-constexpr DenseProducts kProducts{.add = add, .multiply = multiply};
+template <class Scalar>
+void factor(Scalar* matrix, std::ptrdiff_t size, int* places) {
+  using Matrix = Eigen::Matrix<Scalar, Dynamic, Dynamic>;
+  if (size == 0) return;
+  Eigen::Map<Matrix> factors(matrix, size, size);
+  Eigen::Ref<Matrix> in_place(factors);
+  const Eigen::PartialPivLU<Eigen::Ref<Matrix>> lu(in_place);
+  const auto& order = lu.permutationP().indices();
+  std::copy_n(order.data(), size, places);
+}
+
+void solve_single(const float* factors, std::ptrdiff_t size, const int* places, const double* right, double* solution) {
+  const Eigen::Map<const Eigen::MatrixXf> matrix(factors, size, size);
+  Eigen::VectorXf unknowns(size);
+  for (Eigen::Index row = 0; row < size; ++row) unknowns[places[row]] = static_cast<float>(right[row]);
+  matrix.triangularView<Eigen::UnitLower>().solveInPlace(unknowns);
+  matrix.triangularView<Eigen::Upper>().solveInPlace(unknowns);
+  for (Eigen::Index row = 0; row < size; ++row) solution[row] = static_cast<double>(unknowns[row]);
+}
+
+constexpr DenseProducts kProducts{.add = add,
+                                  .multiply = multiply,
+                                  .factor = factor<double>,
+                                  .factor_single = factor<float>,
+                                  .solve_single = solve_single};
 
 }  // namespace
 }  // namespace viscoroll::detail

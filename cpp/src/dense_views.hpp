@@ -37,6 +37,13 @@ struct DenseProducts {
   void (*add)(const ConstMatrixView& left, const ConstMatrixView& right, const RowMajorView& sum);
   void (*multiply)(const ConstComplexMatrixView& matrix, const std::complex<double>* vector,
                    std::complex<double>* product);
+  /// Replaces a square matrix by columns by its triangular factors, L with ones in its diagonal; row i of the matrix is
+  /// row places[i] of their product.
+  void (*factor)(double* matrix, std::ptrdiff_t size, int* places);
+  void (*factor_single)(float* matrix, std::ptrdiff_t size, int* places);
+  /// Solves by such factors, in place.
+  void (*solve_single)(const float* factors, std::ptrdiff_t size, const int* places, const double* right,
+                       double* solution);
 };
 
 }  // namespace viscoroll::detail

@@ -71,6 +71,14 @@ TEST_P(NormalContactTest, AgreesWithADenseSolution) {
   EXPECT_LT((pressing - dense.head(count)).cwiseAbs().maxCoeff(), 1e-9 * dense.head(count).maxCoeff());
   EXPECT_NEAR(contact.penetration, dense[count], 1e-9 * dense[count]);
   EXPECT_GE(contact.gap.minCoeff(), -1e-9 * contact.penetration);
+
+  // By products what a matrix has found.
+  NormalContactGuess same{.contact = contact.contact,
+                          .pressing = Eigen::ArrayXd::Zero(guess.pressing.size()),
+                          .penetration = contact.penetration};
+  same.pressing(same.contact).setConstant(60.0 / static_cast<double>(count));
+  const Eigen::ArrayXd by_products = pressing_force(press_kept_nodes(problem, same, {.max_iterations = 1}));
+  EXPECT_LT((by_products - pressing_force(contact)).abs().maxCoeff(), 1e-9 * dense.head(count).maxCoeff());
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations, NormalContactTest,

@@ -9,6 +9,7 @@
 
 #include "contact/active_set.hpp"
 #include "contact/krylov.hpp"
+#include "contact/pressed_by_matrix.hpp"
 #include "influence/fft.hpp"
 #include "influence/inverse_convolution.hpp"
 #include "viscoroll/errors.hpp"
@@ -215,16 +216,12 @@ PressedNodes start_of(const NormalContactGuess& guess) {
   return {.pressing = guess.pressing, .nodes = guess.contact, .penetration = guess.penetration};
 }
 
-}  // namespace
-
-ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
-                                     const ContactOptions& options) {
-  PressedNodes start = start_of(guess);
-  const std::optional<PressedNodes> same = mirrored(problem, start);
-  SurfaceOfProducts surface(problem, same.has_value());
-  PressedNodes contact = find_contact(surface, same ? *same : std::move(start),
+/// @param[in] first_tolerance of residuals, where systems that are solved less closely cost less
+template <class Surface>
+ContactSolution press(Surface&& surface, PressedNodes start, const ContactOptions& options, double first_tolerance) {
+  PressedNodes contact = find_contact(surface, std::move(start),
                                       {.most_passes = options.max_iterations,
-                                       .first_tolerance = kFirstTolerance,
+                                       .first_tolerance = first_tolerance,
                                        .tightening = kTightening,
                                        .tolerance = options.tolerance,
                                        .unsettled = options.unsettled});
@@ -233,6 +230,20 @@ ContactSolution solve_normal_contact(const ContactProblem& problem, const Normal
     contact.gap = surface.height(contact) - *contact.penetration;
   }
   return solution_of(std::move(contact), surface.products());
+}
+
+}  // namespace
+
+ContactSolution solve_normal_contact(const ContactProblem& problem, const NormalContactGuess& guess,
+                                     const ContactOptions& options) {
+  PressedNodes start = start_of(guess);
+  if (PressedByMatrix::serves(problem, guess.contact)) {
+    return press(PressedByMatrix(problem), std::move(start), options, options.tolerance);
+  }
+  if (std::optional<PressedNodes> same = mirrored(problem, start)) {
+    return press(SurfaceOfProducts(problem, true), *std::move(same), options, kFirstTolerance);
+  }
+  return press(SurfaceOfProducts(problem, false), std::move(start), options, kFirstTolerance);
 }
 
 ContactSolution press_kept_nodes(const ContactProblem& problem, const NormalContactGuess& guess,

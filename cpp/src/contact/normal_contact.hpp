@@ -17,7 +17,8 @@ struct NormalContactGuess {
   double penetration;                 ///< [m]
 };
 
-/// @brief Active set whose systems are solved by products and a Krylov method, the first ones roughly.
+/// @brief Active set whose systems are solved by products and a Krylov method, the first ones roughly, or between few
+/// nodes by a matrix.
 /// @param[in] problem surface, initial gap and normal force; friction is left out
 /// @param[in] guess to start from
 /// @param[in] options limits

@@ -36,4 +36,13 @@ SumOperator::SumOperator(std::shared_ptr<const SurfaceOperator> rolling,
   }
 }
 
+std::optional<Eigen::MatrixXd> SumOperator::normal_compliance(const std::vector<Eigen::Index>& displaced,
+                                                              const std::vector<Eigen::Index>& loaded) const {
+  auto sum = rolling_->normal_compliance(displaced, loaded);
+  const auto other = counterpart_->normal_compliance(displaced, loaded);
+  if (!sum || !other) return std::nullopt;
+  *sum += *other;
+  return sum;
+}
+
 }  // namespace viscoroll::detail

@@ -33,6 +33,8 @@ class SumOperator : public SurfaceOperator {
                                                     const Eigen::VectorXd& pressing) const override {
     return rolling_->normal_displacement(nodes, pressing) + counterpart_->normal_displacement(nodes, pressing);
   }
+  [[nodiscard]] std::optional<Eigen::MatrixXd> normal_compliance(
+      const std::vector<Eigen::Index>& displaced, const std::vector<Eigen::Index>& loaded) const override;
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override {
     return std::make_shared<SumOperator>(rolling_->coarsened(), counterpart_->coarsened());
   }

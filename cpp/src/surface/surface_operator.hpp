@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "influence/node_rows.hpp"
@@ -95,6 +96,14 @@ class SurfaceOperator {
 
   /// @brief Whether `normal_displacement` takes nodes that stand for their mirror images as well.
   [[nodiscard]] virtual bool takes_mirrored() const { return false; }
+
+  /// @param[in] displaced,loaded nodes
+  /// @return upward displacement of the former per pressing force on the latter, a row and a column for each [m/N];
+  /// nothing where it is known by products alone
+  [[nodiscard]] virtual std::optional<Eigen::MatrixXd> normal_compliance(
+      const std::vector<Eigen::Index>& /*displaced*/, const std::vector<Eigen::Index>& /*loaded*/) const {
+    return std::nullopt;
+  }
 
   /// @brief Of which of the two bodies it is. Forces are those on the body that rolls; displacements those of it,
   /// relative to what it rolls on.

@@ -232,6 +232,7 @@ TableOperator::TableOperator(const Formulation& formulation, const SurfaceGrid& 
              .directions = load_directions(formulation, {grid, window}),
              .displaced_directions = load_directions(formulation, {grid, window, formulation.collocation})},
       weights_(patch_weights(formulation, {grid, window})),
+      by_nodes_(window.shape(), tables_, Terms(formulation).displacement()),
       execution_(execution) {
   const auto requests = displacement_tables(formulation);
   for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -272,6 +273,7 @@ std::vector<bool> TableOperator::odd_components() const {
 }
 
 VectorField TableOperator::displacement(const VectorField& force) const {
+  if (std::optional<VectorField> found = displacement_by_nodes(force)) return *std::move(found);
   if (displacements_) return displacement(force, *displacements_);
   const LoadedNodes loaded = loaded_nodes(force, window_);
   const WindowShape shape = window_.shape();
@@ -283,15 +285,15 @@ VectorField TableOperator::displacement(const VectorField& force) const {
                                          execution_.threads, execution_.watch));
 }
 
-VectorField TableOperator::displacement(const VectorField& force, const Convolution& product) const {
-  const bool mirrored = takes_mirrored() && is_mirrored(force, window_);
-  const Eigen::Index columns = window_.theta.count();
-  const Eigen::Index middle = mirrored ? columns / 2 : 0;
-  VectorField result = VectorField::Zero(force.rows(), 3);
-  const auto fill = [&](int row, std::size_t field, double* line) {
-    for (Eigen::Index k = middle; k < columns; ++k) line[k - middle] = load(force, row, k, field);
+SpectralProduct::Fill TableOperator::loads(const VectorField& force, Eigen::Index middle) const {
+  return [this, &force, middle](int row, std::size_t field, double* line) {
+    for (Eigen::Index k = middle; k < window_.theta.count(); ++k) line[k - middle] = load(force, row, k, field);
   };
-  const auto take = [&](int row, std::size_t component, const double* line) {
+}
+
+SpectralProduct::Take TableOperator::moves(VectorField& result, Eigen::Index middle) const {
+  return [this, &result, middle](int row, std::size_t component, const double* line) {
+    const Eigen::Index columns = window_.theta.count();
     for (const Axis axis : {kForward, kDown, kSideways}) {
       const WindowField& direction = local_.displaced_directions[component][static_cast<std::size_t>(axis)];
       for (Eigen::Index k = middle; k < columns; ++k) {
@@ -299,12 +301,24 @@ VectorField TableOperator::displacement(const VectorField& force, const Convolut
       }
     }
   };
+}
+
+std::optional<VectorField> TableOperator::displacement_by_nodes(const VectorField& force) const {
+  VectorField result = VectorField::Zero(force.rows(), 3);
+  if (!by_nodes_.apply(fields(), loads(force, 0), moves(result, 0))) return std::nullopt;
+  return result;
+}
+
+VectorField TableOperator::displacement(const VectorField& force, const Convolution& product) const {
+  const bool mirrored = takes_mirrored() && is_mirrored(force, window_);
+  const Eigen::Index middle = mirrored ? window_.theta.count() / 2 : 0;
+  VectorField result = VectorField::Zero(force.rows(), 3);
   const auto& [threads, watch] = execution_;
   if (mirrored) {
-    product.apply_mirrored(odd_components(), fill, take, threads, watch);
+    product.apply_mirrored(odd_components(), loads(force, middle), moves(result, middle), threads, watch);
     mirror(result, window_);
   } else {
-    product.apply(fields(), fill, take, threads, watch);
+    product.apply(fields(), loads(force, middle), moves(result, middle), threads, watch);
   }
   return result;
 }
@@ -327,6 +341,7 @@ Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const 
       result[i] = component == 0 ? share : result[i] + share;
     });
   };
+  if (!nodes.mirrored() && by_nodes_.apply(fields(), fill, take)) return result;
   const auto& [threads, watch] = execution_;
   if (nodes.mirrored()) {
     displacements().apply_mirrored(odd_components(), fill, take, threads, watch);
@@ -334,6 +349,33 @@ Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const 
     displacements().apply(fields(), fill, take, threads, watch);
   }
   return result;
+}
+
+std::optional<Eigen::MatrixXd> TableOperator::normal_compliance(const std::vector<Eigen::Index>& displaced,
+                                                                const std::vector<Eigen::Index>& loaded) const {
+  const Eigen::Index columns = window_.theta.count();
+  const auto values = [columns](const std::vector<Eigen::Index>& nodes, const auto& value) {
+    Eigen::ArrayXd at(static_cast<Eigen::Index>(nodes.size()));
+    std::ranges::transform(nodes, at.begin(), [&](Eigen::Index node) { return value(node / columns, node % columns); });
+    return at;
+  };
+  Eigen::MatrixXd compliance;
+  for (const ConvolutionTerm& term : by_nodes_.terms()) {
+    const Eigen::ArrayXd& weight = weights_[term.operand % weights_.size()];
+    const WindowField& pressed = local_.directions[term.operand / weights_.size()][kDown];
+    const auto share_of_load = [&](Eigen::Index row, Eigen::Index column) {
+      return weight[column] * pressed(row, column);
+    };
+    Eigen::MatrixXd share = by_nodes_.between(term.table, displaced, loaded);
+    share.array().colwise() *= term.sign * values(displaced, local_.displaced_directions[term.result][kDown]);
+    share.array().rowwise() *= values(loaded, share_of_load).transpose();
+    if (compliance.size() == 0) {
+      compliance = std::move(share);
+    } else {
+      compliance += share;
+    }
+  }
+  return compliance;
 }
 
 std::shared_ptr<const SurfaceOperator> TableOperator::coarsened() const {
@@ -371,25 +413,26 @@ std::shared_ptr<const SurfaceOperator> TableOperator::within(const Window& windo
 Losses TableOperator::dissipation(const VectorField& force) const {
   const auto [rows, columns] = window_.shape();
   const Tables tables = dissipation_source_(rows - 1, columns - 1);
-  const auto& [threads, watch] = execution_;
-  const Convolution product({rows, columns}, loaded_nodes(force, window_), *tables, Terms(formulation_).dissipation(),
-                            threads, watch);
-  const bool mirrored = takes_mirrored() && is_mirrored(force, window_);
-  const Eigen::Index middle = mirrored ? columns / 2 : 0;
+  const std::vector<ConvolutionTerm> terms = Terms(formulation_).dissipation();
   Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that threads do not change
-  const auto fill = [&](int row, std::size_t field, double* line) {
-    for (Eigen::Index k = middle; k < columns; ++k) line[k - middle] = load(force, row, k, field);
+  const auto lose = [&, columns = columns](bool mirrored) -> SpectralProduct::Take {
+    const Eigen::Index middle = mirrored ? columns / 2 : 0;
+    return [&, mirrored, middle, columns](int row, std::size_t field, const double* line) {
+      for (Eigen::Index k = middle; k < columns; ++k) {
+        const double images = mirrored && k > middle ? 2.0 : 1.0;
+        lost[row] += images * load(force, row, k, field) * line[k - middle];
+      }
+    };
   };
-  const auto take = [&](int row, std::size_t field, const double* line) {
-    for (Eigen::Index k = middle; k < columns; ++k) {
-      const double images = mirrored && k > middle ? 2.0 : 1.0;
-      lost[row] += images * load(force, row, k, field) * line[k - middle];
-    }
-  };
-  if (mirrored) {
-    product.apply_mirrored(odd_components(), fill, take, threads, watch);
+  if (TableProduct({rows, columns}, tables, terms).apply(fields(), loads(force, 0), lose(false))) {
+    return losses(lost.sum());
+  }
+  const auto& [threads, watch] = execution_;
+  const Convolution product({rows, columns}, loaded_nodes(force, window_), *tables, terms, threads, watch);
+  if (takes_mirrored() && is_mirrored(force, window_)) {
+    product.apply_mirrored(odd_components(), loads(force, columns / 2), lose(true), threads, watch);
   } else {
-    product.apply(fields(), fill, take, threads, watch);
+    product.apply(fields(), loads(force, 0), lose(false), threads, watch);
   }
   return losses(lost.sum());
 }

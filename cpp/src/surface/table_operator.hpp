@@ -11,6 +11,7 @@
 
 #include "influence/convolution.hpp"
 #include "influence/synthesis.hpp"
+#include "influence/table_product.hpp"
 #include "surface/curvatures.hpp"
 #include "surface/surface_operator.hpp"
 #include "surface/surface_window.hpp"
@@ -72,6 +73,8 @@ class TableOperator : public SurfaceOperator {
   using SurfaceOperator::normal_displacement;
   [[nodiscard]] Eigen::VectorXd normal_displacement(const NodeRows& nodes,
                                                     const Eigen::VectorXd& pressing) const override;
+  [[nodiscard]] std::optional<Eigen::MatrixXd> normal_compliance(
+      const std::vector<Eigen::Index>& displaced, const std::vector<Eigen::Index>& loaded) const override;
   /// Patches of twice the width lie on a whole patch and half of each neighbor, so that tables are averages of tables;
   /// they are flat.
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> coarsened() const override;
@@ -90,6 +93,11 @@ class TableOperator : public SurfaceOperator {
   /// Products are made when they are asked for: of the windows that boxes lie in, most never are.
   [[nodiscard]] const Convolution& displacements() const;
   [[nodiscard]] VectorField displacement(const VectorField& force, const Convolution& product) const;
+  /// @return nothing where transforms take less time
+  [[nodiscard]] std::optional<VectorField> displacement_by_nodes(const VectorField& force) const;
+  /// Rows of a product from a column on: what forces load, and what it moves.
+  [[nodiscard]] SpectralProduct::Fill loads(const VectorField& force, Eigen::Index middle) const;
+  [[nodiscard]] SpectralProduct::Take moves(VectorField& result, Eigen::Index middle) const;
   /// Whether each component of mirrored forces is odd in theta.
   [[nodiscard]] std::vector<bool> odd_components() const;
 
@@ -100,6 +108,7 @@ class TableOperator : public SurfaceOperator {
   DissipationSource dissipation_source_;
   LocalCompliance local_;
   std::vector<Eigen::ArrayXd> weights_;  // of the patch shapes
+  TableProduct by_nodes_;                // of windows few nodes of which are loaded
   mutable std::optional<Convolution> displacements_;
   Execution execution_;
 };

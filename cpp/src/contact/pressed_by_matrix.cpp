@@ -1,0 +1,160 @@
+#include "contact/pressed_by_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "contact/krylov.hpp"
+#include "viscoroll/errors.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::size_t kMostNodes = 600;  // whose factors take less time than the transforms of their window
+constexpr double kExact = 1e-14;         // of residuals, so that nothing is left of what was there before
+constexpr double kOfRound = 1e-5;        // of the residual that a round begins with
+constexpr int kMostRounds = 5;
+constexpr double kFailure = 1e-8;    // of residuals that no answer can be built on
+constexpr std::size_t kChanged = 6;  // one node in so many, with which factors are made anew
+
+}  // namespace
+
+PressedByMatrix::PressedByMatrix(const ContactProblem& problem)
+    : problem_(problem),
+      is_symmetric_(is_mirror_symmetric(problem)),
+      weights_(ArrayXd::Ones(problem.initial_gap.size())) {}
+
+bool PressedByMatrix::serves(const ContactProblem& problem, const std::vector<Index>& nodes) {
+  return !nodes.empty() && nodes.size() <= kMostNodes &&
+         problem.surface->normal_compliance({nodes.front()}, {nodes.front()}).has_value();
+}
+
+Index PressedByMatrix::image_of(Index node) const {
+  const Index width = problem_.surface->shape().theta_nodes;
+  return node + width - 1 - 2 * (node % width);
+}
+
+/// One side of the path, where both sides touch alike.
+PressedByMatrix::Unknowns PressedByMatrix::unknowns_of(const std::vector<Index>& contact) const {
+  const bool is_alike = is_symmetric_ && std::ranges::all_of(contact, [&](Index node) {
+                          return std::ranges::binary_search(contact, image_of(node));
+                        });
+  Unknowns unknowns;
+  std::ranges::copy_if(contact, std::back_inserter(unknowns.nodes),
+                       [&](Index node) { return !is_alike || node <= image_of(node); });
+  unknowns.counts = VectorXd::Ones(static_cast<Index>(unknowns.nodes.size()));
+  for (Index i = 0; is_alike && i < unknowns.counts.size(); ++i) {
+    const Index node = unknowns.nodes[static_cast<std::size_t>(i)];
+    if (node != image_of(node)) unknowns.counts[i] = 2.0;
+  }
+  return unknowns;
+}
+
+/// Of the nodes that are solved for, each with what it stands for.
+MatrixXd PressedByMatrix::compliance(const Unknowns& unknowns) const {
+  MatrixXd matrix = *problem_.surface->normal_compliance(unknowns.nodes, unknowns.nodes);
+  std::vector<Index> images;
+  std::vector<Index> doubled;
+  for (Index i = 0; i < unknowns.counts.size(); ++i) {
+    if (unknowns.counts[i] == 1.0) continue;
+    doubled.push_back(i);
+    images.push_back(image_of(unknowns.nodes[static_cast<std::size_t>(i)]));
+  }
+  if (images.empty()) return matrix;
+  const MatrixXd by_images = *problem_.surface->normal_compliance(unknowns.nodes, images);
+  for (std::size_t i = 0; i < doubled.size(); ++i) matrix.col(doubled[i]) += by_images.col(static_cast<Index>(i));
+  return matrix;
+}
+
+void PressedByMatrix::follow(const std::vector<Index>& nodes, const MatrixXd& matrix) {
+  std::vector<Index> common;
+  std::ranges::set_intersection(nodes, factored_, std::back_inserter(common));
+  const std::size_t changed = nodes.size() + factored_.size() - 2 * common.size();
+  if (factored_.empty() || kChanged * changed > nodes.size()) {
+    factors_.compute(matrix);
+    factored_ = nodes;
+  }
+  places_.clear();
+  for (const Index node : nodes) {
+    const auto place = std::ranges::lower_bound(factored_, node);
+    const bool found = place != factored_.end() && *place == node;
+    places_.push_back(found ? place - factored_.begin() : -1);
+  }
+}
+
+/// By the factors of nearly the same nodes; of those that these do not know by what each does to itself.
+/// @param[in] displacements times the stiffness
+VectorXd PressedByMatrix::about_forces(const VectorXd& displacements) const {
+  VectorXd known = VectorXd::Zero(static_cast<Index>(factored_.size()));
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (places_[i] >= 0) known[places_[i]] = displacements[static_cast<Index>(i)];
+  }
+  const VectorXd solved = factors_.solve(known);
+  VectorXd forces(displacements.size());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const auto node = static_cast<Index>(i);
+    forces[node] = places_[i] >= 0 ? solved[places_[i]] : displacements[node];
+  }
+  return forces;
+}
+
+void PressedByMatrix::press(PressedNodes& contact, double tolerance) {
+  const Unknowns unknowns = unknowns_of(contact.nodes);
+  const double stiffness = this->stiffness();
+  const MatrixXd matrix = stiffness * compliance(unknowns);
+  follow(unknowns.nodes, matrix);
+  const Index count = matrix.rows();
+  const VectorXd& counts = unknowns.counts;
+  const VectorXd uniform = about_forces(VectorXd::Ones(count));  // that lower all nodes alike
+  // Forces come first, then the penetration times the stiffness; the preconditioner leaves no sum of forces.
+  const auto times = [&](const VectorXd& vector) {
+    VectorXd result(count + 1);
+    result.head(count).noalias() = matrix * vector.head(count);
+    result.head(count).array() -= vector[count];
+    result[count] = counts.dot(vector.head(count));
+    return result;
+  };
+  const auto precondition = [&](const VectorXd& right) {
+    VectorXd result(count + 1);
+    result.head(count) = about_forces(right.head(count));
+    result[count] = (right[count] - counts.dot(result.head(count))) / counts.dot(uniform);
+    result.head(count) += result[count] * uniform;
+    return result;
+  };
+  VectorXd right(count + 1);
+  right.head(count) = -stiffness * problem_.initial_gap(unknowns.nodes).matrix();
+  right[count] = problem_.normal_force;
+  VectorXd guess(count + 1);
+  guess.head(count) = contact.pressing(unknowns.nodes).matrix();
+  guess[count] = stiffness * contact.penetration.value_or(0.0);
+  // A preconditioner in single precision is linear to six digits: so many are won in a round.
+  const KrylovTolerance round{.absolute = kExact * right.norm(), .relative = kOfRound, .small_system = count + 1};
+  KrylovSolution solution{.unknowns = guess, .products = 0, .residual = right.norm()};
+  for (int i = 0; i < kMostRounds && solution.residual > round.absolute; ++i) {
+    solution = solve_krylov(times, precondition, right, solution.unknowns, round);
+    products_ += solution.products;
+  }
+  const double error = solution.residual / right.norm();
+  if (!(error < std::max(kFailure, 2.0 * tolerance))) {
+    throw ConvergenceError("the contact equations were not solved", contact.passes, error);
+  }
+  contact.penetration = solution.unknowns[count] / stiffness;
+  contact.pressing.setZero();
+  for (Index i = 0; i < count; ++i) {
+    const Index node = unknowns.nodes[static_cast<std::size_t>(i)];
+    contact.pressing[node] = solution.unknowns[i];
+    if (counts[i] > 1.0) contact.pressing[image_of(node)] = solution.unknowns[i];
+  }
+}
+
+ArrayXd PressedByMatrix::height(const PressedNodes& contact) {
+  ++products_;
+  return problem_.initial_gap + problem_.surface->normal_displacement(contact.pressing);
+}
+
+}  // namespace viscoroll::detail
