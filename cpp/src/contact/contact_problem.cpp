@@ -22,6 +22,7 @@ ContactProblem with_nodes(const ContactProblem& problem, std::shared_ptr<const S
                         .ends_at_sides = problem.ends_at_sides};
   if (result.friction) {
     Friction& friction = *result.friction;
+    friction.shared.reset();
     const LeverArms& arms = problem.friction->arms;
     friction.arms = {.x = picked(arms.x, nodes), .y = picked(arms.y, nodes), .radius = arms.radius};
     if (arms.slope.size() > 0) friction.arms.slope = picked(arms.slope, nodes);

@@ -8,6 +8,7 @@
 
 #include "contact/contact_solution.hpp"
 #include "contact/drive.hpp"
+#include "contact/shared_start.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::detail {
@@ -24,6 +25,8 @@ struct Friction {
   double step;  ///< distance of two rows [m]
   LeverArms arms;
   std::shared_ptr<const DriveCondition> drive;
+  /// With problems that differ by their coefficient alone, on this window; none where there are no others.
+  std::shared_ptr<SharedStart> shared = {};
 };
 
 /// @brief Find forces p >= 0 and how deep the bodies approach one another such that they touch where p > 0 and are

@@ -52,7 +52,7 @@ class StateSearch {
     const bool is_finite = std::isfinite(wanted_.coefficient);
     const bool is_found = (start_.creepage && from_coarser_mesh()) || (is_finite ? find() : find_full_stick());
     if (is_found) return finished();
-    const int iterations = start_.iterations + newton_.systems();
+    const int iterations = this->iterations();
     throw ConvergenceError((is_finite ? "no state of stick and slip" : "no full stick without tension") +
                                (" was found in " + std::to_string(iterations)) + " iterations: the residual is " +
                                rounded(residual_) + " of the load" +
@@ -61,6 +61,9 @@ class StateSearch {
   }
 
  private:
+  /// Linear systems, those of others on the way that was theirs among them.
+  [[nodiscard]] int iterations() const { return start_.iterations + newton_.systems() + shared_systems_; }
+
   /// Begin at a state, with the creepage that the drive gives if it does.
   void start_from(ContactSolution state) {
     if (const auto given = problem_.friction->drive->given_creepage()) state.creepage = given;
@@ -96,12 +99,37 @@ class StateSearch {
   /// From full stick, which need not have a solution, most frictions are reached in one iteration; where a body slides
   /// as a whole, from the contact without friction.
   bool find_at_once() {
-    const int few = kSettings.steps_of_full_stick;
-    start_from(start_);
-    std::ignore = newton_.iterate(std::numeric_limits<double>::infinity(), {.patience = few, .most = few});
+    stick();
     if (iterate()) return true;
     start_from(start_);
     return iterate();
+  }
+
+  /// The way to full stick, which does not know the friction that is wanted: others may have gone it.
+  void stick() {
+    const bool is_shared = wanted_.shared && problem_.friction->drive == wanted_.drive && !start_.creepage;
+    if (is_shared) {
+      if (const auto kept = wanted_.shared->stuck()) {
+        shared_systems_ += kept->systems;
+        shared_products_ += kept->products;
+        newton_.start_from(kept->state);
+        return;
+      }
+    }
+    const int few = kSettings.steps_of_full_stick;
+    const int products = system_.products();
+    SearchLimits limits = limits_;
+    limits.tolerance = kSettings.tolerance;
+    limits.round_off = kSettings.round_off;
+    SemismoothNewton sticking(system_, limits);
+    start_from(start_);
+    sticking.start_from(newton_.state());
+    std::ignore = sticking.iterate(std::numeric_limits<double>::infinity(), {.patience = few, .most = few});
+    newton_.start_from(sticking.state());
+    shared_systems_ += sticking.systems();
+    if (!is_shared) return;
+    wanted_.shared->keep(
+        {.state = sticking.state(), .systems = sticking.systems(), .products = system_.products() - products});
   }
 
   /// From a friction that is easy to the one wanted, by steps on a logarithmic scale that are halved where they fail.
@@ -185,8 +213,8 @@ class StateSearch {
       if (sets.states[i].stick) state.stick.push_back(sets.contact[i]);
     }
     state.contact = std::move(sets.contact);
-    state.iterations = start_.iterations + newton_.systems();
-    state.operator_applications = start_.operator_applications + system_.products();
+    state.iterations = iterations();
+    state.operator_applications = start_.operator_applications + system_.products() + shared_products_;
     state.converged = true;
     return state;
   }
@@ -198,7 +226,9 @@ class StateSearch {
   bool is_for_finer_mesh_;  // where creep need not come to rest
   StickSlipByProducts system_;
   SemismoothNewton newton_;
-  double residual_ = 1.0;  // the last finite one, for the message of a failure
+  int shared_systems_ = 0;   // of the way to full stick
+  int shared_products_ = 0;  // the same, where others have gone it
+  double residual_ = 1.0;    // the last finite one, for the message of a failure
 };
 
 }  // namespace

@@ -82,6 +82,18 @@ LocatedContact press_multilevel(const ContactProblem& problem, double likely_dep
   }
 }
 
+/// The contact without friction, which others may have found.
+LocatedContact pressed(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
+  const auto& shared = problem.friction->shared;
+  const bool is_shared = shared && problem.initial_gap.size() <= kSmallFrictionalWindow;  // on the window itself
+  if (is_shared) {
+    if (const auto kept = shared->pressed()) return {.problem = problem, .contact = *kept};
+  }
+  LocatedContact located = press_multilevel(problem, likely_depth, options);
+  if (is_shared) shared->keep(located.contact);
+  return located;
+}
+
 /// Contact with friction from a frictionless one, or from a state with friction, on its own window.
 LocatedContact add_friction(LocatedContact start, const ContactOptions& options) {
   start.contact = solve_frictional_contact(start.problem, start.contact, options);
@@ -100,9 +112,7 @@ LocatedContact refine(const LocatedContact& coarse, const ContactProblem& proble
 
 LocatedContact solve_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
   if (!problem.friction) return press_multilevel(problem, likely_depth, options);
-  const auto by_way_of_full_stick = [&] {
-    return add_friction(press_multilevel(problem, likely_depth, options), options);
-  };
+  const auto by_way_of_full_stick = [&] { return add_friction(pressed(problem, likely_depth, options), options); };
   if (problem.initial_gap.size() <= kSmallFrictionalWindow) return by_way_of_full_stick();
   const ContactProblem coarse = coarsened(problem);
   const auto from_coarse = [&] {

@@ -41,7 +41,8 @@ Friction make_friction(const SurfaceWindow& window, const Assembly& given) {
           .counterpart_way = std::move(ways.counterpart_way),
           .step = window.grid().radius * window.grid().phi_spacing,
           .arms = given.lever_arms(window),
-          .drive = condition_of(load_case.drive, given.pressure_share())};
+          .drive = condition_of(load_case.drive, given.pressure_share()),
+          .shared = given.model.starts->of(load_case, given.options, window.window())};
 }
 
 }  // namespace

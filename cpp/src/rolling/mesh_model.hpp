@@ -7,6 +7,7 @@
 
 #include "influence/coating_sum.hpp"
 #include "rolling/rolling_pair.hpp"
+#include "rolling/shared_starts.hpp"
 
 namespace viscoroll::detail {
 
@@ -21,6 +22,7 @@ struct MeshModel {
   double stiffest_modulus;  ///< the largest shear modulus of a layer at the highest harmonic [Pa]
   double centrifugal;       ///< d_R^(c) [m]
   double collocation;       ///< where displacements are taken, see `SurfaceOperator::collocation` [spacings]
+  std::shared_ptr<SharedStarts> starts = std::make_shared<SharedStarts>();  ///< of its load cases with friction
 };
 
 /// @param[in] pair what rolls, and what it rolls on

@@ -77,7 +77,8 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
   require_few_nodes(window, assembly.model.mesh);
   const SurfaceWindow nodes(assembly.nodes.grid, window);
   ContactProblem problem = assembly.problem(nodes);
-  if (!is_seen && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
+  const bool is_known = is_seen || (problem.friction && problem.friction->shared->pressed());
+  if (!is_known && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
       !(is_widest && holds_pressed_contact(assembly, problem, problem.initial_gap.size()))) {
     return std::nullopt;
   }

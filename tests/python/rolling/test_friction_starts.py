@@ -127,3 +127,22 @@ def test_harmonics_beyond_memory_are_refused_by_the_order_that_asks_for_them(pap
         ValueError, match=r"mesh\.max_order must be small enough for .* values of harmonics, got 200000"
     ):
         vr.solve(paper_ball, load=10.0, angular_speed=1.0, curvature="EXACT", mesh=mesh)
+
+
+def test_coefficients_that_share_a_start_do_not_depend_on_their_order():
+    """The way to full stick is gone once for a model, to the same bits as by a coefficient alone."""
+    given = {"load": 20.0, "angular_speed": 2.5}
+    mesh = vr.Mesh(nodes_per_revolution=100)
+    coefficients = [0.05, 0.3, 1.0]
+
+    def on_a_model(order):
+        model = vr.RollingModel(coated_ball(), angular_speed=given["angular_speed"], mesh=mesh)
+        return {mu: model.solve(load=given["load"], friction=mu) for mu in order}
+
+    upwards = on_a_model(coefficients)
+    downwards = on_a_model(coefficients[::-1])
+    for mu in coefficients:
+        alone = vr.solve(coated_ball(), **given, friction=mu, mesh=mesh)
+        for r in (upwards[mu], downwards[mu]):
+            assert str(r.scalars()) == str(alone.scalars())
+            np.testing.assert_array_equal(r.shear_traction, alone.shear_traction)

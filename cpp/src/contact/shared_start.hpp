@@ -1,0 +1,48 @@
+/// @file
+/// @brief What contacts that differ by their coefficient of friction alone begin with.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "contact/contact_solution.hpp"
+
+namespace viscoroll::detail {
+
+/// @brief The contact without friction, and the state that the way to full stick leads to: found by the first contact,
+/// and the same for all of them. Threads may share it.
+class SharedStart {
+ public:
+  /// @brief A state, and what it took to come there.
+  struct Stuck {
+    ContactSolution state;
+    int systems;
+    int products;
+  };
+
+  [[nodiscard]] std::shared_ptr<const ContactSolution> pressed() const { return found(pressed_); }
+  [[nodiscard]] std::shared_ptr<const Stuck> stuck() const { return found(stuck_); }
+  void keep(ContactSolution pressed) { keep(std::move(pressed), pressed_); }
+  void keep(Stuck stuck) { keep(std::move(stuck), stuck_); }
+
+ private:
+  template <class Found>
+  [[nodiscard]] std::shared_ptr<const Found> found(const std::shared_ptr<const Found>& kept) const {
+    const std::scoped_lock lock(mutex_);
+    return kept;
+  }
+
+  template <class Found>
+  void keep(Found found, std::shared_ptr<const Found>& kept) {
+    auto next = std::make_shared<const Found>(std::move(found));
+    const std::scoped_lock lock(mutex_);
+    kept = std::move(next);
+  }
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const ContactSolution> pressed_;
+  std::shared_ptr<const Stuck> stuck_;
+};
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,43 @@
+#include "rolling/shared_starts.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <variant>
+
+namespace viscoroll::detail {
+namespace {
+
+/// As many as a study takes turns with: loads, and drives.
+constexpr std::size_t kKept = 16;
+
+std::vector<double> numbers_of(const Drive& drive) {
+  struct Numbers {
+    std::vector<double> operator()(const DriveForce& given) const { return {0.0, given.force}; }
+    std::vector<double> operator()(const DriveTorque& given) const { return {1.0, given.torque}; }
+    std::vector<double> operator()(const DriveCreepage& given) const {
+      return {2.0, given.creepage, given.lateral_creepage, given.spin};
+    }
+  };
+  return std::visit(Numbers{}, drive);
+}
+
+}  // namespace
+
+std::shared_ptr<SharedStart> SharedStarts::of(const LoadCase& load_case, const Options& options, const Window& window) {
+  Key key = numbers_of(load_case.drive);
+  for (const double number :
+       {load_case.load, static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
+        static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),
+        static_cast<double>(window.phi.first), static_cast<double>(window.phi.last),
+        static_cast<double>(window.theta.first), static_cast<double>(window.theta.last)}) {
+    key.push_back(number);
+  }
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::ranges::find(starts_, key, [](const auto& entry) { return entry.first; });
+  if (found != starts_.end()) return found->second;
+  starts_.emplace_front(std::move(key), std::make_shared<SharedStart>());
+  if (starts_.size() > kKept) starts_.pop_back();
+  return starts_.front().second;
+}
+
+}  // namespace viscoroll::detail
