@@ -398,6 +398,9 @@ BENCHMARK_CAPTURE(thick_coating, sphere, Curvature::sphere, 800, 0.0, kThickTorq
 BENCHMARK_CAPTURE(thick_coating, exact_200, Curvature::exact, 200, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(thick_coating, exact_400, Curvature::exact, 400, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
 BENCHMARK_CAPTURE(thick_coating, exact_800, Curvature::exact, 800, 0.0, kThickTorque)->Unit(kUnit)->UseRealTime();
+BENCHMARK_CAPTURE(thick_coating, exact_200_friction, Curvature::exact, 200, 0.3, kThickFrictionTorque)
+    ->Unit(kUnit)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(thick_coating, exact_400_friction, Curvature::exact, 400, 0.3, kThickFrictionTorque)
     ->Unit(kUnit)
     ->UseRealTime();
