@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "viscoroll/errors.hpp"
@@ -52,8 +53,10 @@ std::size_t add_overclosed(PressedNodes& contact, double tolerance) {
   for (Index node = 0; node < contact.gap.size(); ++node) {
     if (contact.gap[node] < -slack && contact.pressing[node] == 0.0) added.push_back(node);
   }
-  const auto middle = contact.nodes.insert(contact.nodes.end(), added.begin(), added.end());
-  std::inplace_merge(contact.nodes.begin(), middle, contact.nodes.end());
+  std::vector<Index> nodes;
+  nodes.reserve(contact.nodes.size() + added.size());
+  std::ranges::merge(contact.nodes, added, std::back_inserter(nodes));
+  contact.nodes = std::move(nodes);
   return added.size();
 }
 

@@ -249,7 +249,7 @@ double TableOperator::load(const VectorField& force, Eigen::Index row, Eigen::In
           sideways(row, column) * force(node, kSideways));
 }
 
-const Convolution& TableOperator::displacements() const {
+const Convolution& TableOperator::spectral_displacements() const {
   if (!displacements_) {
     displacements_.emplace(window_.shape(), *tables_, Terms(formulation_).displacement(), execution_.threads,
                            execution_.watch);
@@ -279,7 +279,7 @@ VectorField TableOperator::displacement(const VectorField& force) const {
   const WindowShape shape = window_.shape();
   const WindowShape period = doubled(shape, {.phi_nodes = loaded.rows, .theta_nodes = loaded.columns});
   if (static_cast<double>(period.size()) > kWorthOwnProduct * static_cast<double>(doubled(shape).size())) {
-    return displacement(force, displacements());
+    return displacement(force, spectral_displacements());
   }
   return displacement(force, Convolution(shape, loaded, *tables_, Terms(formulation_).displacement(),
                                          execution_.threads, execution_.watch));
@@ -344,9 +344,9 @@ Eigen::VectorXd TableOperator::normal_displacement(const NodeRows& nodes, const 
   if (!nodes.mirrored() && by_nodes_.apply(fields(), fill, take)) return result;
   const auto& [threads, watch] = execution_;
   if (nodes.mirrored()) {
-    displacements().apply_mirrored(odd_components(), fill, take, threads, watch);
+    spectral_displacements().apply_mirrored(odd_components(), fill, take, threads, watch);
   } else {
-    displacements().apply(fields(), fill, take, threads, watch);
+    spectral_displacements().apply(fields(), fill, take, threads, watch);
   }
   return result;
 }

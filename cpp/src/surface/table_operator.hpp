@@ -91,7 +91,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] double load(const VectorField& force, Eigen::Index row, Eigen::Index column, std::size_t field) const;
   [[nodiscard]] std::size_t fields() const { return local_.directions.size() * weights_.size(); }
   /// Products are made when they are asked for: of the windows that boxes lie in, most never are.
-  [[nodiscard]] const Convolution& displacements() const;
+  [[nodiscard]] const Convolution& spectral_displacements() const;
   [[nodiscard]] VectorField displacement(const VectorField& force, const Convolution& product) const;
   /// @return nothing where transforms take less time
   [[nodiscard]] std::optional<VectorField> displacement_by_nodes(const VectorField& force) const;

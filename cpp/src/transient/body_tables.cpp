@@ -29,7 +29,7 @@ CreepingTables tables_alike(const Body& at_rest, const Crossing& crossing, const
   const LayeredBody layers = at_rest.layered(crossing);
   const auto sum = crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
   std::vector<MirroredTables> tables;
-  tables.push_back(MirroredTables(*sum, shape, threads, watch));  // in place of a list, which copies
+  tables.emplace_back(*sum, shape, threads, watch);  // in place of a list, which copies
   if (at_rest.free_tread) {
     const double radius = layers.metric.radius;
     const SideSum sides =
