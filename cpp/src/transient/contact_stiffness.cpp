@@ -5,7 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "transient/bordered_inverse.hpp"
+#include "dense_products.hpp"
+#include "dense_solvers.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -57,15 +58,25 @@ bool ContactStiffness::cover(const StepOperator& surface, const std::vector<Inde
 
 ContactStiffness::Inverse ContactStiffness::bordered(const Inverse& inverse, const StepOperator& surface,
                                                      const std::vector<Index>& added) {
-  MatrixXd corner = surface.compliance(added, added);
+  const Index before = inverse.matrix.rows();
+  const auto size = static_cast<Index>(3 * added.size());
+  const MatrixXd beside = surface.compliance(inverse.nodes, added);
+  MatrixXd complement = surface.compliance(added, added);
   for (std::size_t i = 0; i < added.size(); ++i) {
     const auto sideways = static_cast<Index>(3 * i + 2);  // nothing moves that way in the middle
-    if (added[i] % surface.half_nodes() == 0) corner(sideways, sideways) = surface.own_compliance();
+    if (added[i] % surface.half_nodes() == 0) complement(sideways, sideways) = surface.own_compliance();
   }
-  Inverse wide{.nodes = inverse.nodes,
-               .matrix = bordered_inverse(inverse.matrix, surface.compliance(inverse.nodes, added), std::move(corner)),
-               .shares = inverse.shares};
+  const MatrixXd moved = product(inverse.matrix, beside);
+  complement -= product(moved.transpose(), beside);
+  Inverse wide{.nodes = inverse.nodes, .matrix = MatrixXd(before + size, before + size), .shares = inverse.shares};
   wide.nodes.insert(wide.nodes.end(), added.begin(), added.end());
+  const MatrixXd corner = dense_inverse(complement);
+  const MatrixXd edge = product(moved, corner);
+  wide.matrix.topLeftCorner(before, before) = inverse.matrix;
+  add_product(edge, moved.transpose(), wide.matrix.topLeftCorner(before, before));
+  wide.matrix.topRightCorner(before, size) = -edge;
+  wide.matrix.bottomLeftCorner(size, before) = -edge.transpose();
+  wide.matrix.bottomRightCorner(size, size) = corner;
   return wide;
 }
 

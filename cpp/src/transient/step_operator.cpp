@@ -77,14 +77,13 @@ double StepOperator::own_compliance() const {
 
 double StepOperator::compliance_along(Index node) const {
   double sum = 0.0;
-  for (const Part& part : parts_)
-    sum += part.share * part.tables->compliance({node}, {node}, (*part.axes)[kForward])(0, 0);
+  for (const Part& part : parts_) sum += part.share * part.tables->compliance({node}, (*part.axes)[kForward])(0, 0);
   return sum;
 }
 
-MatrixXd StepOperator::normal_compliance(const std::vector<Index>& displaced, const std::vector<Index>& loaded) const {
-  return summed<MatrixXd>(
-      parts_, [&](const Part& part) { return part.tables->compliance(displaced, loaded, (*part.axes)[kDown]); });
+MatrixXd StepOperator::normal_compliance(const std::vector<Index>& nodes) const {
+  return summed<MatrixXd>(parts_,
+                          [&](const Part& part) { return part.tables->compliance(nodes, (*part.axes)[kDown]); });
 }
 
 HalfField StepOperator::normal_displacement(const HalfField& pressing, Index first, Index last) const {

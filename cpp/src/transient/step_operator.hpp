@@ -35,9 +35,8 @@ class StepOperator {
   /// @return and along the plane, of a node of the window
   [[nodiscard]] double compliance_along(Eigen::Index node) const;
 
-  /// @return upward displacements of some nodes by pressing forces on others
-  [[nodiscard]] Eigen::MatrixXd normal_compliance(const std::vector<Eigen::Index>& displaced,
-                                                  const std::vector<Eigen::Index>& loaded) const;
+  /// @return upward displacements of some nodes by pressing forces on them: symmetric, the lower half is set
+  [[nodiscard]] Eigen::MatrixXd normal_compliance(const std::vector<Eigen::Index>& nodes) const;
 
   /// @return upward displacements of a window by pressing forces on rows from the first to the last
   [[nodiscard]] HalfField normal_displacement(const HalfField& pressing, Eigen::Index first, Eigen::Index last) const;
