@@ -63,9 +63,11 @@ template <class Scalar>
 void factor(Scalar* matrix, std::ptrdiff_t size, int* places) {
   using Matrix = Eigen::Matrix<Scalar, Dynamic, Dynamic>;
   if (size == 0) return;
-  Eigen::Map<Matrix> factors(matrix, size, size);
+  // In memory that is aligned for these instructions: otherwise round-off would depend on the address.
+  Matrix factors = Eigen::Map<Matrix>(matrix, size, size);
   Eigen::Ref<Matrix> in_place(factors);
   const Eigen::PartialPivLU<Eigen::Ref<Matrix>> lu(in_place);
+  Eigen::Map<Matrix>(matrix, size, size) = factors;
   const auto& order = lu.permutationP().indices();
   std::copy_n(order.data(), size, places);
 }

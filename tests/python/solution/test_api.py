@@ -264,7 +264,7 @@ def test_threads_with_a_python_modulus(rubber):
 
 
 def test_solve_releases_the_gil():
-    mesh = vr.Mesh(nodes_per_revolution=1200, max_order=1200)
+    mesh = vr.Mesh(nodes_per_revolution=6000)
     worker = threading.Thread(
         target=lambda: vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=mesh, threads=1)
     )
@@ -293,7 +293,7 @@ def test_an_exception_in_progress_ends_the_solve():
             paper.ball(),
             load=100.0,
             angular_speed=2.5,
-            mesh=vr.Mesh(nodes_per_revolution=1000, max_order=1500),
+            mesh=vr.Mesh(nodes_per_revolution=6000),
             progress=fails,
         )
 
@@ -329,8 +329,8 @@ ROLL = (
 )
 LONG_CALLS = {  # and after how many seconds they are in what they are named for
     "tables": (SOLVE.format(20000, 30000, ""), 2.0),
-    "many orders to a node": (SOLVE.format(64, 200000, ""), 2.0),
-    "contact": (SOLVE.format(16000, 8000, ""), 6.0),
+    "many orders to a node": (SOLVE.format(64, 200000, ""), 0.5),
+    "contact": (SOLVE.format(24000, 12000, ""), 3.0),
     "friction": (SOLVE.format(16000, None, ", friction=0.1"), 2.0),
     "a history": (ROLL, 2.0),
     "single orders": ("vr.surface_compliance(paper.ball(), 2.5, np.arange(4000)[:, None], np.arange(4000))", 2.0),
