@@ -142,7 +142,9 @@ def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solu
             result = solve(case.ball, **case.arguments)
     except vr.ConvergenceError as error:
         outcome.message = str(error)
-        outcome.kind = "refused" if math.isinf(case.arguments.get("friction", 0.0)) else "no convergence"  # of full stick
+        outcome.kind = (
+            "refused" if math.isinf(case.arguments.get("friction", 0.0)) else "no convergence"
+        )  # of full stick
     except ValueError as error:
         outcome.message = str(error)
         outcome.kind = "refused" if _is_proper(outcome.message, case) else "refused improperly"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 
+import numpy as np
 import pytest
 import viscoroll as vr
 from viscoroll import paper
@@ -45,7 +46,7 @@ def result(ball):
         lambda *_, **p: vr.roll(paper.ball(), **MOTION, **p),
         lambda ball, _, **p: vr.sweep(ball, **CASE | {"load": [50.0, 60.0]}, **p),
         lambda *_, **p: vr.self_heating(paper.ball(), **SMALL, **COOLING, shift=SHIFT, points=4, **p),
-        lambda _, result, **p: result.interior(depth=[0.5e-3], **p),
+        lambda _, result, **p: result.interior(depth=np.linspace(1e-5, 1e-3, 40), **p),
         lambda _, result, **p: result.loss(**p),
         lambda _, result, **p: result.bonds(**p),
         lambda _, result, **p: vr.temperature(result, **COOLING, **p),
