@@ -142,9 +142,8 @@ def attempt(solve: Callable[..., Solution], case: Any, outcome: Outcome) -> Solu
             result = solve(case.ball, **case.arguments)
     except vr.ConvergenceError as error:
         outcome.message = str(error)
-        outcome.kind = (
-            "refused" if math.isinf(case.arguments.get("friction", 0.0)) else "no convergence"
-        )  # of full stick
+        is_full_stick = math.isinf(case.arguments.get("friction", 0.0))
+        outcome.kind = "refused" if is_full_stick else "no convergence"
     except ValueError as error:
         outcome.message = str(error)
         outcome.kind = "refused" if _is_proper(outcome.message, case) else "refused improperly"
