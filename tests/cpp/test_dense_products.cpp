@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "dense_products.hpp"
+#include "dense_solvers.hpp"
+#include "transient/bordered_inverse.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -84,6 +86,36 @@ TEST(DenseProductsTest, BlocksAndTransposes) {
   add_product(left.transpose(), right, sum.middleRows(2, 9));
   EXPECT_LT((sum.middleRows(2, 9) - expected).cwiseAbs().maxCoeff(), 1e-13);
   EXPECT_EQ(sum.topRows(2).cwiseAbs().maxCoeff() + sum.bottomRows(1).cwiseAbs().maxCoeff(), 0.0);
+}
+
+/// A matrix with large numbers in its diagonal, of the size of a contact.
+Eigen::MatrixXd well_posed(Eigen::Index size) {
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) matrix(i, j) = 1.0 / (1.0 + std::abs(static_cast<double>(i - j)));
+  }
+  return matrix;
+}
+
+TEST(DenseFactors, SolveWithRowsThatChangePlaces) {
+  const Eigen::MatrixXd matrix = well_posed(90).colwise().reverse();
+  const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(90, -1.0, 2.0);
+  const Eigen::VectorXd right = matrix * wanted;
+  DenseFactors factors;
+  factors.compute(matrix);
+  EXPECT_LT((factors.solve(right) - wanted).cwiseAbs().maxCoeff(), 1e-13);
+  SingleFactors rough;
+  rough.compute(matrix);
+  EXPECT_LT((rough.solve(1e-60 * right) - 1e-60 * wanted).cwiseAbs().maxCoeff(), 1e-65);  // at any size
+  EXPECT_EQ(rough.solve(Eigen::VectorXd::Zero(90)).cwiseAbs().maxCoeff(), 0.0);
+}
+
+TEST(BorderedInverse, IsThatOfTheWholeMatrix) {
+  const Eigen::MatrixXd matrix = well_posed(60);
+  const Eigen::MatrixXd first = bordered_inverse({}, Eigen::MatrixXd(0, 45), matrix.topLeftCorner(45, 45));
+  const Eigen::MatrixXd whole =
+      bordered_inverse(first, matrix.topRightCorner(45, 15), matrix.bottomRightCorner(15, 15));
+  EXPECT_LT((whole * matrix - Eigen::MatrixXd::Identity(60, 60)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "cases.hpp"
 #include "influence/coating_sum.hpp"
 #include "modal/layered_body.hpp"
-#include "transient/contact_stiffness.hpp"
+#include "transient/contact_inverse.hpp"
 #include "transient/creep_spectrum.hpp"
 #include "transient/creeping_body.hpp"
 #include "transient/nnls.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "transient/carried_forces.hpp"
-#include "transient/contact_stiffness.hpp"
+#include "transient/contact_inverse.hpp"
 #include "transient/elastic_contact.hpp"
 #include "transient/touch.hpp"
 

@@ -1,10 +1,8 @@
 #include "transient/elastic_contact.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "viscoroll/errors.hpp"
 
@@ -20,61 +18,14 @@ constexpr double kTolerance = 1e-11;      // and in all others
 constexpr int kMostPasses = 200;
 constexpr int kMostProducts = 400;  // of a pass
 
-/// Nodes in contact up to which a factor that is kept pays: with 100 of a wheel steps take half the time, with 200 the
-/// same, with 400 a third more; with 10 000 products take 9 s for a first contact, a factor over a minute.
-constexpr std::size_t kMostDense = 300;
+/// Nodes in contact up to which an inverse is kept: of more it takes more memory than a cache holds, and seconds to
+/// make.
+constexpr std::size_t kMostKept = 1000;
 
-/// How the nodes in contact displace each other, and about which forces do that.
-class NodeCompliance {
- public:
-  virtual ~NodeCompliance() = default;
-  [[nodiscard]] virtual VectorXd displacements(const VectorXd& forces) const = 0;
-  [[nodiscard]] virtual VectorXd about_forces(const VectorXd& displacements) const = 0;
-};
+/// Nodes in contact up to which a matrix displaces them in less time than the tables do.
+constexpr std::size_t kMostDense = 150;
 
-/// By a matrix, and the factor of that of an earlier contact.
-class DenseCompliance final : public NodeCompliance {
- public:
-  DenseCompliance(const StepOperator& surface, const std::vector<Index>& nodes, ContactInverse& inverse)
-      : matrix_(surface.normal_compliance(nodes)), inverse_(inverse) {
-    inverse_.follow(nodes, matrix_);
-  }
-
-  [[nodiscard]] VectorXd displacements(const VectorXd& forces) const override {
-    return matrix_.selfadjointView<Eigen::Lower>() * forces;
-  }
-  [[nodiscard]] VectorXd about_forces(const VectorXd& displacements) const override {
-    return inverse_.times(displacements);
-  }
-
- private:
-  Eigen::MatrixXd matrix_;
-  ContactInverse& inverse_;
-};
-
-/// By products with the tables: the forces of each node alone tell its displacement well enough for some tens of them,
-/// as thin layers do.
-class ComplianceByProducts final : public NodeCompliance {
- public:
-  ComplianceByProducts(const ElasticContactProblem& problem, const std::vector<Index>& nodes)
-      : problem_(problem), nodes_(nodes) {}
-
-  [[nodiscard]] VectorXd displacements(const VectorXd& forces) const override {
-    const Index half_nodes = problem_.gap.rows();
-    HalfField pressing = HalfField::Zero(half_nodes, problem_.gap.cols());
-    pressing.reshaped()(nodes_) = forces;
-    const HalfField displaced =
-        problem_.surface.normal_displacement(pressing, nodes_.front() / half_nodes, nodes_.back() / half_nodes);
-    return displaced.reshaped()(nodes_);
-  }
-  [[nodiscard]] VectorXd about_forces(const VectorXd& displacements) const override {
-    return displacements / problem_.surface.own_compliance();
-  }
-
- private:
-  const ElasticContactProblem& problem_;
-  const std::vector<Index>& nodes_;
-};
+constexpr int kFewProducts = 12;  // of a pass with an inverse of this compliance; with more it is of another one
 
 /// A coating over the plane: conjugate gradients solve the systems.
 class CoatingSurface : public PressedSurface {
@@ -82,112 +33,91 @@ class CoatingSurface : public PressedSurface {
   CoatingSurface(const ElasticContactProblem& problem, ContactInverse& inverse)
       : problem_(problem), inverse_(inverse), weights_(problem.weights.reshaped()) {}
 
-  /// The preconditioner keeps the sum of forces as it is.
+  /// Begins with what the preconditioner says, which keeps the sum of forces as it is.
   void press(PressedNodes& contact, double tolerance) override {
     const auto& nodes = contact.nodes;
-    const std::unique_ptr<const NodeCompliance> compliance = compliance_of(nodes);
+    is_kept_ = nodes.size() <= kMostKept;
+    if (is_kept_) inverse_.follow(problem_.surface, nodes);
+    matrix_.resize(0, 0);
+    if (nodes.size() <= kMostDense) matrix_ = problem_.surface.normal_compliance(nodes, nodes);
     const VectorXd weight = weights_(nodes);
-    const VectorXd by_weight = compliance->about_forces(weight);  // forces that displace all nodes alike
-    VectorXd forces = contact.pressing(nodes);
-    forces += by_weight * ((problem_.load - weight.dot(forces)) / weight.dot(by_weight));
-    VectorXd residual = -(compliance->displacements(forces) + problem_.gap.reshaped()(nodes));
-    VectorXd direction;
-    double penetration = 0.0;
-    double product = 0.0;
-    for (int i = 0; i < kMostProducts; ++i) {
-      VectorXd step = compliance->about_forces(residual);
-      penetration = -weight.dot(step) / weight.dot(by_weight);
+    const VectorXd gap = problem_.gap.reshaped()(nodes);
+    const VectorXd by_weight = about_forces(weight);  // forces that displace all nodes alike
+    VectorXd forces = is_kept_ ? about_forces(-gap) : VectorXd(contact.pressing(nodes));
+    double penetration = (problem_.load - weight.dot(forces)) / weight.dot(by_weight);
+    forces += penetration * by_weight;
+    VectorXd residual = -(displacements(nodes, forces) + gap);
+    const auto is_solved = [&] {
       const VectorXd violation = residual + penetration * weight;
-      if (violation.norm() <= tolerance * std::abs(penetration) * weight.norm()) break;
+      return violation.norm() <= tolerance * std::abs(penetration) * weight.norm();
+    };
+    VectorXd direction;
+    double product = 0.0;
+    int products = 0;
+    for (; products < kMostProducts && !is_solved(); ++products) {
+      VectorXd step = about_forces(residual);
+      penetration = -weight.dot(step) / weight.dot(by_weight);
+      if (is_solved()) break;
       step += penetration * by_weight;
-      const double next = violation.dot(step);
-      direction = i == 0 ? step : VectorXd(step + next / product * direction);
+      const double next = step.dot(residual + penetration * weight);
+      direction = products == 0 ? step : VectorXd(step + next / product * direction);
       product = next;
-      const VectorXd change = compliance->displacements(direction);
+      const VectorXd change = displacements(nodes, direction);
       const double length = product / direction.dot(change);
       forces += length * direction;
       residual -= length * change;
     }
+    if (products > kFewProducts) inverse_.forget();
     contact.penetration = penetration;
     contact.pressing.setZero();
     contact.pressing(nodes) = forces.array();
   }
 
   [[nodiscard]] ArrayXd height(const PressedNodes& contact) override {
-    const Index half_nodes = problem_.gap.rows();
-    const Index first = contact.nodes.front() / half_nodes;
-    const Index last = contact.nodes.back() / half_nodes;
-    const HalfField pressing = contact.pressing.matrix().reshaped(half_nodes, problem_.gap.cols());
-    return (problem_.gap + problem_.surface.normal_displacement(pressing, first, last)).reshaped();
+    const bool is_known = pressing_.size() == contact.pressing.size() && (pressing_ == contact.pressing).all();
+    if (!is_known) {
+      const Index half_nodes = problem_.gap.rows();
+      displace(contact.pressing, contact.nodes.front() / half_nodes, contact.nodes.back() / half_nodes);
+    }
+    return (problem_.gap + displaced_).reshaped();
   }
 
   [[nodiscard]] const ArrayXd& weights() const override { return weights_; }
   [[nodiscard]] double stiffness() const override { return 1.0 / problem_.surface.own_compliance(); }
 
  private:
-  [[nodiscard]] std::unique_ptr<const NodeCompliance> compliance_of(const std::vector<Index>& nodes) {
-    if (nodes.size() > kMostDense) return std::make_unique<ComplianceByProducts>(problem_, nodes);
-    return std::make_unique<DenseCompliance>(problem_.surface, nodes, inverse_);
+  /// Of many nodes the forces of each alone tell its displacement well enough for some tens of products, as thin layers
+  /// do.
+  [[nodiscard]] VectorXd about_forces(const VectorXd& displacements) const {
+    return is_kept_ ? inverse_.times(displacements) : VectorXd(displacements / problem_.surface.own_compliance());
+  }
+
+  /// Of the nodes in contact, by a matrix or by a product with the tables, which tells those of the others, too.
+  [[nodiscard]] VectorXd displacements(const std::vector<Index>& nodes, const VectorXd& forces) {
+    if (matrix_.rows() > 0) return matrix_ * forces;
+    ArrayXd pressing = ArrayXd::Zero(problem_.gap.size());
+    pressing(nodes) = forces.array();
+    displace(pressing, nodes.front() / problem_.gap.rows(), nodes.back() / problem_.gap.rows());
+    return displaced_.reshaped()(nodes);
+  }
+
+  /// @param[in] first,last rows that bear forces
+  void displace(const ArrayXd& pressing, Index first, Index last) {
+    pressing_ = pressing;
+    displaced_ = problem_.surface.normal_displacement(
+        pressing.matrix().reshaped(problem_.gap.rows(), problem_.gap.cols()), first, last);
   }
 
   const ElasticContactProblem& problem_;
   ContactInverse& inverse_;
   ArrayXd weights_;
+  bool is_kept_ = false;    // the inverse, of the present contact
+  Eigen::MatrixXd matrix_;  // compliance of few nodes
+  ArrayXd pressing_;        // forces of the last product, ...
+  HalfField displaced_;     // ... and what they displace
 };
 
 }  // namespace
-
-void ContactInverse::follow(const std::vector<Index>& nodes, const Eigen::MatrixXd& compliance) {
-  constexpr std::size_t kChanged = 3;  // one node in so many
-  if (factor_) {
-    std::vector<Index> common;
-    std::ranges::set_intersection(nodes, factor_->nodes, std::back_inserter(common));
-    const std::size_t changed = nodes.size() + factor_->nodes.size() - 2 * common.size();
-    if (kChanged * changed > nodes.size()) factor_.reset();
-  }
-  if (!factor_) {
-    factor_ = std::make_shared<const Factor>(nodes, compliance.selfadjointView<Eigen::Lower>().llt().matrixL(),
-                                             compliance(0, 0));
-  }
-  places_.clear();
-  for (const Index node : nodes) {
-    const auto place = std::ranges::lower_bound(factor_->nodes, node);
-    const bool found = place != factor_->nodes.end() && *place == node;
-    places_.push_back(found ? place - factor_->nodes.begin() : -1);
-  }
-}
-
-VectorXd ContactInverse::times(const VectorXd& displacement) const {
-  VectorXd known = VectorXd::Zero(static_cast<Index>(factor_->nodes.size()));
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i] >= 0) known[places_[i]] = displacement[static_cast<Index>(i)];
-  }
-  factor_->lower.triangularView<Eigen::Lower>().solveInPlace(known);
-  factor_->lower.transpose().triangularView<Eigen::Upper>().solveInPlace(known);
-  VectorXd forces(displacement.size());
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto node = static_cast<Index>(i);
-    forces[node] = places_[i] >= 0 ? known[places_[i]] : displacement[node] / factor_->own_compliance;
-  }
-  return forces;
-}
-
-void ContactInverse::write(NumberWriter& numbers) const {
-  numbers.put(factor_ ? factor_->nodes : std::vector<Index>{});
-  if (!factor_) return;
-  numbers.put(factor_->lower);
-  numbers.put(factor_->own_compliance);
-}
-
-void ContactInverse::read(NumberReader& numbers, Index last) {
-  factor_.reset();
-  std::vector<Index> nodes = numbers.indices(last);
-  if (nodes.empty()) return;
-  const auto size = static_cast<Index>(nodes.size());
-  Eigen::MatrixXd lower = numbers.matrix();
-  NumberReader::require(lower.rows() == size && lower.cols() == size && std::ranges::is_sorted(nodes));
-  factor_ = std::make_shared<const Factor>(std::move(nodes), std::move(lower), numbers.get());
-}
 
 PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const ArrayXd& guess,
                                    ContactInverse& inverse) {
@@ -196,9 +126,11 @@ PressedNodes solve_elastic_contact(const ElasticContactProblem& problem, const A
   for (Index node = 0; node < guess.size(); ++node) {
     if (start.pressing[node] > 0.0) start.nodes.push_back(node);
   }
+  // By an inverse the last digits cost nothing.
+  const double first_tolerance = start.nodes.size() <= kMostKept ? kTolerance : kFirstTolerance;
   PressedNodes contact = find_contact(
       surface, std::move(start),
-      {.most_passes = kMostPasses, .first_tolerance = kFirstTolerance, .tightening = 0.0, .tolerance = kTolerance});
+      {.most_passes = kMostPasses, .first_tolerance = first_tolerance, .tightening = 0.0, .tolerance = kTolerance});
   if (!contact.converged) throw ConvergenceError("the nodes in contact did not settle", kMostPasses, 1.0);
   return contact;
 }

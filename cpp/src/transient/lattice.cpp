@@ -41,7 +41,7 @@ Yielding Lattice::yielding(const Parts& parts_in, const Checkpoint& checkpoint) 
     std::vector<double> parts = parts_in(b);
     if (tables.count() == 1 || !are_same(parts, last_[b].parts)) {
       last_[b] = tables.yielding(std::move(parts), checkpoint);
-      if (tables.count() > 1) stiffness_ = {};
+      if (tables.count() > 1) forget_contact();
     }
     yielding.sum += last_[b].share;
   }
@@ -139,8 +139,8 @@ bool Lattice::fits(const Touch& touch, double load) {
 }
 
 void Lattice::forget_contact() {
-  inverse_ = {};
-  stiffness_ = {};
+  inverse_.forget();
+  stiffness_.forget();
 }
 
 void Lattice::take(const Touch& touch, const StepEnd& end) {

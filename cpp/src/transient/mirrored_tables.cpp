@@ -159,29 +159,41 @@ Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced,
   return matrix;
 }
 
-Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& nodes,
+Eigen::MatrixXd MirroredTables::compliance(const std::vector<Index>& displaced, const std::vector<Index>& loaded,
                                            const std::array<HalfField, 3>& direction) const {
-  const auto count = static_cast<Index>(nodes.size());
-  Eigen::MatrixXd matrix(count, count);
+  Eigen::MatrixXd matrix(displaced.size(), loaded.size());
   if (components() == 1) {
-    const Eigen::Map<const Eigen::ArrayX<Index>> numbers(nodes.data(), count);
-    const Eigen::ArrayX<Index> row = numbers / half_nodes();
-    const Eigen::ArrayX<Index> place = row * height() + numbers - row * half_nodes();  // in a column of the table
-    for (Index j = 0; j < count; ++j) {
-      const auto column = ahead_.col(numbers[j] - row[j] * half_nodes());
-      for (Index i = j; i < count; ++i)
-        matrix(i, j) = row[i] - row[j] > extent_.reach ? 0.0 : column[place[i] - row[j] * height()];
+    struct Place {
+      Index row;
+      Index node;
+    };
+    const auto place_of = [&](Index node) { return Place{.row = node / half_nodes(), .node = node % half_nodes()}; };
+    std::vector<Place> places(displaced.size());
+    std::ranges::transform(displaced, places.begin(), place_of);
+    for (Index j = 0; j < matrix.cols(); ++j) {
+      const auto [row, node] = place_of(loaded[static_cast<std::size_t>(j)]);
+      const auto column = ahead_.col(node);
+      for (Index i = 0; i < matrix.rows(); ++i) {
+        const Place& place = places[static_cast<std::size_t>(i)];
+        const Index offset = std::abs(place.row - row);
+        matrix(i, j) = offset > extent_.reach ? 0.0 : column[offset * height() + place.node];
+      }
     }
     return matrix;
   }
-  Eigen::Matrix3Xd along(3, count);
-  for (Index p = 0; p < 3; ++p) {
-    along.row(p) = direction[static_cast<std::size_t>(p)].reshaped()(nodes).transpose();
-  }
-  for (Index j = 0; j < count; ++j) {
-    for (Index i = j; i < count; ++i) {
-      const auto node = [&](Index at) { return nodes[static_cast<std::size_t>(at)]; };
-      matrix(i, j) = along.col(i).dot(influence(node(i), node(j)) * along.col(j));
+  const auto along = [&](const std::vector<Index>& nodes) {
+    Eigen::Matrix3Xd components(3, static_cast<Index>(nodes.size()));
+    for (Index p = 0; p < 3; ++p) {
+      components.row(p) = direction[static_cast<std::size_t>(p)].reshaped()(nodes).transpose();
+    }
+    return components;
+  };
+  const Eigen::Matrix3Xd moved = along(displaced);
+  const Eigen::Matrix3Xd pressed = along(loaded);
+  for (Index j = 0; j < matrix.cols(); ++j) {
+    for (Index i = 0; i < matrix.rows(); ++i) {
+      const auto between = influence(displaced[static_cast<std::size_t>(i)], loaded[static_cast<std::size_t>(j)]);
+      matrix(i, j) = moved.col(i).dot(between * pressed.col(j));
     }
   }
   return matrix;
@@ -235,7 +247,7 @@ void MirroredTables::add(const HalfField& loads, Index first, Index last, const 
 
 HalfField MirroredTables::displaced(const HalfField& loads, Index first, Index last, const Frame& frame,
                                     const std::function<void()>& checkpoint) const {
-  constexpr Index kTogether = 32;  // rows, for products to be quick and the fields between them not too large
+  constexpr Index kTogether = 64;  // rows, for products to be quick and the fields between them not too large
   const Index offsets = std::max<Index>(1, kAtOnce / (kTogether * height() * height()));
   HalfField result = HalfField::Zero(height(), loads.cols() + 2 * frame.shift);
   for (Index row = first; row <= last; row += kTogether) {

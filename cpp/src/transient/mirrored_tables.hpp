@@ -76,11 +76,12 @@ class MirroredTables {
   [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& displaced,
                                            const std::vector<Eigen::Index>& loaded) const;
 
-  /// @brief Compliance between some nodes, in one direction.
-  /// @param[in] nodes as above, ascending
+  /// @brief The same in one direction.
+  /// @param[in] displaced,loaded as above
   /// @param[in] direction its components at all nodes of the window; not looked at where there is r alone
-  /// @return symmetric matrix, whose lower half is set
-  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& nodes,
+  /// @return [displaced, loaded]
+  [[nodiscard]] Eigen::MatrixXd compliance(const std::vector<Eigen::Index>& displaced,
+                                           const std::vector<Eigen::Index>& loaded,
                                            const std::array<HalfField, 3>& direction) const;
 
   /// @brief Displacements of a window of rows by forces on it.

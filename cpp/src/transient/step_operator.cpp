@@ -77,13 +77,14 @@ double StepOperator::own_compliance() const {
 
 double StepOperator::compliance_along(Index node) const {
   double sum = 0.0;
-  for (const Part& part : parts_) sum += part.share * part.tables->compliance({node}, (*part.axes)[kForward])(0, 0);
+  for (const Part& part : parts_)
+    sum += part.share * part.tables->compliance({node}, {node}, (*part.axes)[kForward])(0, 0);
   return sum;
 }
 
-MatrixXd StepOperator::normal_compliance(const std::vector<Index>& nodes) const {
-  return summed<MatrixXd>(parts_,
-                          [&](const Part& part) { return part.tables->compliance(nodes, (*part.axes)[kDown]); });
+MatrixXd StepOperator::normal_compliance(const std::vector<Index>& displaced, const std::vector<Index>& loaded) const {
+  return summed<MatrixXd>(
+      parts_, [&](const Part& part) { return part.tables->compliance(displaced, loaded, (*part.axes)[kDown]); });
 }
 
 HalfField StepOperator::normal_displacement(const HalfField& pressing, Index first, Index last) const {
@@ -99,6 +100,12 @@ std::vector<double> StepOperator::shares() const {
   shares.reserve(parts_.size());
   for (const Part& part : parts_) shares.push_back(part.share);
   return shares;
+}
+
+StepOperator StepOperator::with_shares(const std::vector<double>& shares) const {
+  std::vector<Part> parts = parts_;
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].share = shares[i];
+  return {std::move(parts), checkpoint_};
 }
 
 Matrix3d StepOperator::to_frame(Index node) const {

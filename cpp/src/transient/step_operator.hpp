@@ -35,14 +35,17 @@ class StepOperator {
   /// @return and along the plane, of a node of the window
   [[nodiscard]] double compliance_along(Eigen::Index node) const;
 
-  /// @return upward displacements of some nodes by pressing forces on them: symmetric, the lower half is set
-  [[nodiscard]] Eigen::MatrixXd normal_compliance(const std::vector<Eigen::Index>& nodes) const;
+  /// @return upward displacements of some nodes by pressing forces on others
+  [[nodiscard]] Eigen::MatrixXd normal_compliance(const std::vector<Eigen::Index>& displaced,
+                                                  const std::vector<Eigen::Index>& loaded) const;
 
   /// @return upward displacements of a window by pressing forces on rows from the first to the last
   [[nodiscard]] HalfField normal_displacement(const HalfField& pressing, Eigen::Index first, Eigen::Index last) const;
 
   /// @return shares of the parts
   [[nodiscard]] std::vector<double> shares() const;
+  /// @return the same parts by other shares
+  [[nodiscard]] StepOperator with_shares(const std::vector<double>& shares) const;
   /// @brief Components of displacements along the axes, of a node, in a frame in which compliance knows offsets alone:
   /// r, phi and theta of a single body, which turn with it. Of several, whose frames turn against each other, it is the
   /// axes of the plane, and compliance that of nodes whose middle row is the lowest one: they turn less than half a

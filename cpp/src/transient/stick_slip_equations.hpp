@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dense_solvers.hpp"
-#include "transient/contact_stiffness.hpp"
+#include "transient/contact_inverse.hpp"
 #include "transient/stick_slip_problem.hpp"
 
 namespace viscoroll::detail {

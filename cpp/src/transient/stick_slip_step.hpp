@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "transient/contact_stiffness.hpp"
+#include "transient/contact_inverse.hpp"
 #include "transient/stick_slip_problem.hpp"
 
 namespace viscoroll::detail {

@@ -1,0 +1,25 @@
+#include "transient/bordered_inverse.hpp"
+
+#include "dense_products.hpp"
+#include "dense_solvers.hpp"
+
+namespace viscoroll::detail {
+
+Eigen::MatrixXd bordered_inverse(const Eigen::MatrixXd& inverse, const Eigen::MatrixXd& beside,
+                                 Eigen::MatrixXd corner) {
+  const Eigen::Index before = inverse.rows();
+  const Eigen::Index added = corner.rows();
+  const Eigen::MatrixXd moved = product(inverse, beside);
+  corner -= product(moved.transpose(), beside);
+  const Eigen::MatrixXd complement = dense_inverse(corner);
+  const Eigen::MatrixXd edge = product(moved, complement);
+  Eigen::MatrixXd wide(before + added, before + added);
+  wide.topLeftCorner(before, before) = inverse;
+  add_product(edge, moved.transpose(), wide.topLeftCorner(before, before));
+  wide.topRightCorner(before, added) = -edge;
+  wide.bottomLeftCorner(added, before) = -edge.transpose();
+  wide.bottomRightCorner(added, added) = complement;
+  return wide;
+}
+
+}  // namespace viscoroll::detail

@@ -1,0 +1,70 @@
+#include "transient/kept_inverse.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "transient/bordered_inverse.hpp"
+
+namespace viscoroll::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Nodes that may be in it, per node in contact: who comes and goes at the edge while a spacing passes stays in it.
+constexpr double kMostNodes = 1.5;
+
+/// Unknowns that are added at once, for products to be quick.
+constexpr Index kTogether = 48;
+
+}  // namespace
+
+bool KeptInverse::cover(const StepOperator& surface, const std::vector<Index>& contact) {
+  std::vector<Index> known;
+  if (inverse_) known = inverse_->nodes;
+  std::ranges::sort(known);
+  std::vector<Index> missing;
+  std::ranges::set_difference(contact, known, std::back_inserter(missing));
+  const auto count = static_cast<double>(known.size() + missing.size());
+  const bool is_wide = count > kMostNodes * static_cast<double>(contact.size());
+  if (missing.empty() && !is_wide) return false;
+  Inverse inverse{.nodes = {}, .matrix = {}, .shares = surface.shares()};
+  if (is_wide) {
+    missing = contact;
+  } else if (inverse_) {
+    inverse = *inverse_;
+  }
+  const StepOperator bordered = surface.with_shares(inverse.shares);
+  const auto together = static_cast<std::size_t>(kTogether / components_);
+  for (std::size_t first = 0; first < missing.size(); first += together) {
+    surface.checkpoint();
+    const std::size_t last = std::min(first + together, missing.size());
+    const std::vector<Index> added{missing.begin() + static_cast<Index>(first),
+                                   missing.begin() + static_cast<Index>(last)};
+    inverse.matrix = bordered_inverse(inverse.matrix, compliance_(bordered, inverse.nodes, added),
+                                      compliance_(bordered, added, added));
+    inverse.nodes.insert(inverse.nodes.end(), added.begin(), added.end());
+  }
+  inverse_ = std::make_shared<const Inverse>(std::move(inverse));
+  return true;
+}
+
+void KeptInverse::write(NumberWriter& numbers) const {
+  numbers.put(inverse_ ? inverse_->nodes : std::vector<Index>{});
+  if (!inverse_) return;
+  numbers.put(inverse_->matrix);
+  numbers.put(inverse_->shares);
+}
+
+void KeptInverse::read(NumberReader& numbers, Index last) {
+  inverse_.reset();
+  std::vector<Index> nodes = numbers.indices(last);
+  if (nodes.empty()) return;
+  const Index size = components_ * static_cast<Index>(nodes.size());
+  MatrixXd matrix = numbers.matrix();
+  NumberReader::require(matrix.rows() == size && matrix.cols() == size);
+  inverse_ = std::make_shared<const Inverse>(std::move(nodes), std::move(matrix), numbers.values());
+}
+
+}  // namespace viscoroll::detail
