@@ -1,7 +1,6 @@
 #include "modal/degree_compliance.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

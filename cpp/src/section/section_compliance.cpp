@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "dense_solvers.hpp"
+
 namespace viscoroll::detail {
 namespace {
 
@@ -50,7 +52,7 @@ MatrixXd condensed(const Triplets& lower, Index size, Index within) {
   return corner * factors.vectorD().tail(size - within).asDiagonal() * corner.transpose();
 }
 
-MatrixXd inverse(const MatrixXd& stiffness, double /*kind*/) { return stiffness.inverse(); }
+MatrixXd inverse(const MatrixXd& stiffness, double /*kind*/) { return dense_inverse(stiffness); }
 
 Eigen::MatrixXcd inverse(const MatrixXd& stiffness, cplx /*kind*/) {
   const Index size = stiffness.rows() / 2;
