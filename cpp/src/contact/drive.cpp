@@ -55,12 +55,10 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
   const double arm = arms.y.maxCoeff();  // any length turns the condition into one on a force
   if (surface.deforming() != Deforming::rolling) return row_of_pair(state, arm);
   const LeverArms at = displaced(arms, displacement, pressure_share_);
-  DriveRow row{.on_force = VectorField::Zero(force.rows(), 3),
+  DriveRow row{.on_force = moment_per_force(at) / arm,
                .on_displacement = VectorField::Zero(force.rows(), 3),
                .on_creepage = 0.0,
                .value = (moment_ + moment(added_arms(displacement, pressure_share_), force)) / arm};
-  row.on_force.col(kForward) = at.y / arm;
-  row.on_force.col(kDown) = -at.x / arm;
   row.on_displacement.col(kDown) = force.col(kForward) / arm;
   row.on_displacement.col(kForward) = -pressure_share_ * force.col(kDown) / arm;
   return with_pushback(std::move(row), state, arms.radius / arm);
@@ -68,12 +66,10 @@ DriveRow GivenMoment::row(const ContactState& state, double) const {
 
 /// The body's own displacement, of the lever arms, is taken as it is: it hardly changes in a step.
 DriveRow GivenMoment::row_of_pair(const ContactState& state, double arm) const {
-  DriveRow row{.on_force = VectorField::Zero(state.force.rows(), 3),
+  DriveRow row{.on_force = moment_per_force(displaced(state.arms, state.displacement, 0.0)) / arm,
                .on_displacement = {},
                .on_creepage = 0.0,
                .value = moment_ / arm};
-  row.on_force.col(kForward) = (state.arms.y + state.displacement.col(kDown)) / arm;
-  row.on_force.col(kDown) = -state.arms.x / arm;
   return with_pushback(std::move(row), state, state.arms.radius / arm);
 }
 

@@ -12,6 +12,13 @@ LeverArms displaced(LeverArms arms, const VectorField& displacement, double pres
   return arms;
 }
 
+VectorField moment_per_force(const LeverArms& arms) {
+  VectorField row = VectorField::Zero(arms.x.size(), 3);
+  row.col(kForward) = arms.y;
+  row.col(kDown) = -arms.x;
+  return row;
+}
+
 double moment(const LeverArms& arms, const VectorField& force) {
   return (arms.y * force.col(kForward) - arms.x * force.col(kDown)).sum();
 }

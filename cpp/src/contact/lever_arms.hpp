@@ -25,7 +25,10 @@ struct LeverArms {
 /// @return arms of displaced points; the parameters as for `added_arms`
 [[nodiscard]] LeverArms displaced(LeverArms arms, const VectorField& displacement, double pressure_share);
 
-/// @return moment of forces [N], sum of y F_x - x F_y [N m]
+/// @return moment y F_x - x F_y of a unit of each force [m]
+[[nodiscard]] VectorField moment_per_force(const LeverArms& arms);
+
+/// @return moment of forces [N], their sum [N m]
 [[nodiscard]] double moment(const LeverArms& arms, const VectorField& force);
 
 }  // namespace viscoroll::detail

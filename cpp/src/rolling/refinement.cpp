@@ -12,6 +12,7 @@
 
 #include "rolling/contact_estimate.hpp"
 #include "rolling/drives.hpp"
+#include "rolling/result.hpp"
 #include "rolling/solve_load_case.hpp"
 #include "validate.hpp"
 #include "viscoroll/errors.hpp"

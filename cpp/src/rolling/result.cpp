@@ -103,11 +103,6 @@ class Summary {
     r.semi_axis_x = extent.semi_axis_x;
     r.semi_axis_z = extent.semi_axis_z;
     r.contact_width = extent.width;
-    const ContactReach reach = loaded_reach();
-    const double clear = 0.5 * width(given_.pair()) - reach.across;
-    // Patches end at the sides but for round-off.
-    if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
-    r.warnings = cautions(reach);
     if (!given_.approach_exists()) return;
     const double penetration = contact_.penetration - given_.model.centrifugal;
     r.penetration = penetration;
@@ -115,8 +110,6 @@ class Summary {
     // A half-space is strained as deep as the contact is wide.
     const double contact_size = std::sqrt(r.semi_axis_x * r.semi_axis_z.value_or(r.semi_axis_x));
     r.strain = penetration / (layer_thickness(given_.pair()) + half_space_share(given_.pair()) * contact_size);
-    const auto& [body, on] = given_.pair();
-    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body.further_error(reach) + on.further_error(reach);
   }
 
   void add_forces(Result& r) const {
@@ -196,6 +189,21 @@ class Summary {
     r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
 
+  /// What the way to the ends of the outermost patches says, of fields that are there.
+  void add_limits(Result& r) const {
+    const SurfaceGrid& grid = window_.grid();
+    ContactReach reach = contact_reach(r);
+    reach.along += 0.5 * grid.radius * grid.phi_spacing;
+    reach.across += 0.5 * grid.radius * grid.theta_spacing;
+    const double clear = 0.5 * width(given_.pair()) - reach.across;
+    // Patches end at the sides but for round-off.
+    if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
+    r.warnings = cautions(reach);
+    if (!r.strain) return;
+    const auto& [body, on] = given_.pair();
+    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body.further_error(reach) + on.further_error(reach);
+  }
+
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
 
@@ -209,18 +217,6 @@ class Summary {
       }
     }
     return warnings;
-  }
-
-  /// Up to the ends of the patches.
-  [[nodiscard]] ContactReach loaded_reach() const {
-    ContactReach reach{.along = 0.0, .across = 0.0};
-    for (const Index node : contact_.contact) {
-      reach.along = std::max(reach.along, std::abs(window_.x()[node]));
-      reach.across = std::max(reach.across, std::abs(window_.z()[node]));
-    }
-    const SurfaceGrid& grid = window_.grid();
-    return {.along = reach.along + 0.5 * grid.radius * grid.phi_spacing,
-            .across = reach.across + 0.5 * grid.radius * grid.theta_spacing};
   }
 
   /// Of the pressure on the body, backward: what the counterpart's surface, deformed and curved, makes of it.
@@ -272,6 +268,16 @@ class Summary {
 
 }  // namespace
 
+ContactReach contact_reach(const Result& result) {
+  ContactReach reach{.along = 0.0, .across = 0.0};
+  for (std::size_t node = 0; node < result.contact.size(); ++node) {
+    if (result.contact[node] == 0) continue;
+    reach.along = std::max(reach.along, std::abs(result.x[node]));
+    reach.across = std::max(reach.across, std::abs(result.z[node]));
+  }
+  return reach;
+}
+
 Result make_result(const Assembly& given, const HeldContact& held) {
   const Summary summary(given, held);
   Result r;
@@ -280,6 +286,7 @@ Result make_result(const Assembly& given, const HeldContact& held) {
   summary.add_forces(r);
   summary.add_powers(r);
   summary.add_fields(r);
+  summary.add_limits(r);
   r.error_estimate = r.power_balance_error;
   r.refinements = {{.mesh = given.model.mesh,
                     .contact_nodes = static_cast<int>(held.contact.contact.size()),

@@ -11,6 +11,9 @@ namespace viscoroll::detail {
 /// 1/84, 1/21 and 1/5, Poisson's ratio 0.3 and 1/2 (tests/reference/finite_strain_table.py finds 0.72).
 inline constexpr double kErrorPerStrain = 0.75;
 
+/// @return how far the nodes in contact reach
+[[nodiscard]] ContactReach contact_reach(const Result& result);
+
 /// @brief Torques, powers and fields of a solved contact.
 [[nodiscard]] Result make_result(const Assembly& given, const HeldContact& held);
 

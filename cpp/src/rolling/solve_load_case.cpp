@@ -1,7 +1,5 @@
 #include "rolling/solve_load_case.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -58,16 +56,6 @@ ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, d
 }
 
 }  // namespace
-
-ContactReach contact_reach(const Result& result) {
-  ContactReach reach{.along = 0.0, .across = 0.0};
-  for (std::size_t node = 0; node < result.contact.size(); ++node) {
-    if (result.contact[node] == 0) continue;
-    reach.along = std::max(reach.along, std::abs(result.x[node]));
-    reach.across = std::max(reach.across, std::abs(result.z[node]));
-  }
-  return reach;
-}
 
 Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch,
                        const std::optional<ContactReach>& seen) {

@@ -13,9 +13,6 @@
 
 namespace viscoroll::detail {
 
-/// @return reach of the contact of a result
-[[nodiscard]] ContactReach contact_reach(const Result& result);
-
 /// @brief Solve one load case: tables, contact, powers. A window whose edge is touched grows.
 /// @param[in] model of both bodies at the load case's speed, on a mesh
 /// @param[in] load_case load, friction and drive

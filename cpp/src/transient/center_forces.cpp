@@ -1,5 +1,6 @@
 #include "transient/center_forces.hpp"
 
+#include "contact/lever_arms.hpp"
 #include "surface/patch_slope.hpp"
 
 namespace viscoroll::detail {
@@ -49,12 +50,14 @@ VectorField force_on_center(const ActingPlaces& at) {
 
 VectorField moment_about_center(const ActingPlaces& at) {
   const double radius = at.pair.nodes.grid.radius;
-  VectorField row = VectorField::Zero(at.place.lever.size(), 3);
-  row.col(kDown) = radius * (pushing_slope(at) - at.place.lever / relative_radius(at.pair.pair));
-  if (at.pair.coating().components() == 1) return row;
-  row.col(kForward) = depth_below_center(at);
-  if (at.pair.compliance == Compliance::vertical) row.col(kDown) += displaced(at, 0, kForward);
-  return row;
+  LeverArms arms{.x = radius * (at.place.lever / relative_radius(at.pair.pair) - pushing_slope(at)),
+                 .y = ArrayXd::Zero(at.place.lever.size()),
+                 .radius = radius};
+  if (at.pair.coating().components() > 1) {
+    arms.y = depth_below_center(at);
+    if (at.pair.compliance == Compliance::vertical) arms.x -= displaced(at, 0, kForward);
+  }
+  return moment_per_force(arms);
 }
 
 VectorField force_along_track(const ActingPlaces& at, double penetration) {
