@@ -13,7 +13,9 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr Index kSmallWindow = 4096;            // nodes
+constexpr Index kSmallWindow = 4096;            // nodes, of which no part is taken for the contact alone
+constexpr Index kFewNodes = 600;                // of a window: a contact comes from any guess as quickly
+constexpr int kFewAcross = 16;                  // likewise, of its shorter side
 constexpr Index kSmallFrictionalWindow = 2500;  // where forces along the plane come on top
 constexpr double kCoarseTolerance = 1e-4;       // of a contact that is to be interpolated
 // Forces along the plane may be a small part of the load, and what levels leave of them adds up.
@@ -39,7 +41,7 @@ NormalContactGuess guess_within(const ContactProblem& problem, double depth) {
 
 NormalContactGuess prolonged_guess(const LocatedContact& coarse, const Window& fine) {
   return {.contact = prolonged_contact(coarse, fine),
-          .pressing = -prolonged_force(coarse, fine).col(kDown),
+          .pressing = prolonged_pressing(coarse, fine),
           .penetration = coarse.contact.penetration};
 }
 
@@ -62,15 +64,22 @@ Window joined(const Window& one, const Window& other) {
   return {join(one.phi, other.phi), join(one.theta, other.theta)};
 }
 
+/// Whether a contact of every other node is a start worth its price: where there are enough of them either way.
+bool is_worth_coarsening(const Window& window) {
+  const auto [rows, columns] = window.shape();
+  return rows * columns > kFewNodes && rows >= kFewAcross && (window.is_line() || columns >= kFewAcross);
+}
+
 LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, const ContactOptions& options) {
   ContactSolution contact = solve_normal_contact(problem, guess, options);
   return {.problem = std::move(problem), .contact = std::move(contact)};
 }
 
 LocatedContact press_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
-  if (problem.initial_gap.size() <= kSmallWindow) return press(problem, guess_within(problem, likely_depth), options);
-  const LocatedContact coarse = press_multilevel(coarsened(problem), likely_depth, rough(options));
   const Window& limits = problem.surface->window();
+  if (!is_worth_coarsening(limits)) return press(problem, guess_within(problem, likely_depth), options);
+  const LocatedContact coarse = press_multilevel(coarsened(problem), likely_depth, rough(options));
+  if (limits.shape().size() <= kSmallWindow) return press(problem, prolonged_guess(coarse, limits), options);
   Window box = box_around(coarse, 2, limits);
   NormalContactGuess guess = prolonged_guess(coarse, box);
   for (;;) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <numbers>
 #include <optional>
@@ -298,7 +299,7 @@ class Synthesis {
     for (const InterpolatedOrders::Range& range : sampled_->ranges()) {
       if (!range.is_interpolated) continue;
       const auto largest = [&](Entry entry) {
-        return values.has(entry) ? values[entry].segment(range.first, range.count).abs().maxCoeff() : 0.0;
+        return values.has(entry) ? std::sqrt(values[entry].segment(range.first, range.count).abs2().maxCoeff()) : 0.0;
       };
       const auto sizes = entry_sizes(largest(Entry::rr), largest(Entry::phiphi), 1.0, 1.0);
       for (int e = 0; e < kEntries; ++e) {
@@ -306,7 +307,7 @@ class Synthesis {
         if (!values.has(entry)) continue;
         const Eigen::Vector2cd last = range.last_terms * values[entry].segment(range.first, range.count).matrix();
         const double size = std::max(sizes[static_cast<std::size_t>(e)], largest(entry));
-        if (last.cwiseAbs().maxCoeff() > kUnresolved * size) return false;
+        if (last.cwiseAbs2().maxCoeff() > std::pow(kUnresolved * size, 2)) return false;
       }
     }
     return true;
