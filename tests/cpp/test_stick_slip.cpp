@@ -66,12 +66,13 @@ class StickSlipTest : public testing::TestWithParam<std::tuple<Compliance, Patch
     return {.surface = surface_,
             .initial_gap = nodes_.height(),
             .normal_force = 100.0,
-            .friction = Friction{.coefficient = 0.3,
-                                 .rigid_slip = std::move(rigid_slip),
-                                 .counterpart_way = std::move(counterpart_way),
-                                 .step = step,
-                                 .arms = {.x = nodes_.x(), .y = nodes_.y(), .radius = nodes_.grid().radius},
-                                 .drive = drive()}};
+            .friction =
+                Friction{.coefficient = 0.3,
+                         .rigid_slip = std::move(rigid_slip),
+                         .counterpart_way = std::move(counterpart_way),
+                         .step = step,
+                         .arms = {.x = nodes_.x(), .y = nodes_.points().y().values(), .radius = nodes_.grid().radius},
+                         .drive = drive()}};
   }
 
   Formulation formulation_{.compliance = std::get<Compliance>(GetParam()),

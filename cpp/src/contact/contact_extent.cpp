@@ -14,26 +14,25 @@ double semi_axis(const Eigen::ArrayXd& coordinate, const Eigen::ArrayXd& weights
   return 2.0 * std::sqrt(((coordinate - middle).square() * weights).sum() / sum);
 }
 
-/// From one of the outermost patches to the other.
-double width(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching) {
-  constexpr double kNowhere = std::numeric_limits<double>::infinity();
-  const double first = (touching > 0.0).select(nodes.z(), kNowhere).minCoeff();
-  const double last = (touching > 0.0).select(nodes.z(), -kNowhere).maxCoeff();
-  return last - first + nodes.grid().radius * nodes.grid().theta_spacing;
+/// From one of the outermost patches to the other; of no contact 0.
+double width(const SurfaceGrid& grid, const Eigen::ArrayXd& z) {
+  if (z.size() == 0) return 0.0;
+  return z.maxCoeff() - z.minCoeff() + grid.radius * grid.theta_spacing;
 }
 
 }  // namespace
 
-ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching,
-                             std::optional<double> center_z) {
+ContactExtent contact_extent(const SurfaceWindow& nodes, const std::vector<Eigen::Index>& contact,
+                             const Eigen::ArrayXd& touching, std::optional<double> center_z) {
   const double area = touching.sum();
   if (nodes.window().is_line()) {
     return {.area = area, .semi_axis_x = 0.5 * area, .semi_axis_z = std::nullopt, .width = std::nullopt};
   }
+  const Eigen::ArrayXd z = nodes.z()(contact);
   return {.area = area,
-          .semi_axis_x = semi_axis(nodes.x(), touching, std::nullopt),
-          .semi_axis_z = semi_axis(nodes.z(), touching, center_z),
-          .width = width(nodes, touching)};
+          .semi_axis_x = semi_axis(nodes.x()(contact), touching, std::nullopt),
+          .semi_axis_z = semi_axis(z, touching, center_z),
+          .width = width(nodes.grid(), z)};
 }
 
 }  // namespace viscoroll::detail

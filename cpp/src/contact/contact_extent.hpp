@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "surface/surface_window.hpp"
 
@@ -17,9 +18,11 @@ struct ContactExtent {
 };
 
 /// @param[in] nodes of a window
-/// @param[in] touching area in contact around every node [m^2]
+/// @param[in] contact those of them that touch
+/// @param[in] touching area in contact around each of these [m^2]
 /// @param[in] center_z where the contact's center is across the path, if the nodes are of one side alone [m]
-[[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const Eigen::ArrayXd& touching,
+[[nodiscard]] ContactExtent contact_extent(const SurfaceWindow& nodes, const std::vector<Eigen::Index>& contact,
+                                           const Eigen::ArrayXd& touching,
                                            std::optional<double> center_z = std::nullopt);
 
 }  // namespace viscoroll::detail

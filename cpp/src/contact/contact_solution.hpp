@@ -40,8 +40,8 @@ struct ContactSolution {
 /// @brief Note what the forces of a state do.
 inline void find_displacements(const SurfaceOperator& surface, ContactSolution& state) {
   Displacements moved = surface.displacements(state.force);
-  state.displacement = moved.relative();
-  state.counterpart_displacement = std::move(moved.counterpart);
+  state.counterpart_displacement = moved.counterpart;
+  state.displacement = std::move(moved).relative();
 }
 
 /// @return displacement of every node of what rolls by itself [m]

@@ -18,8 +18,9 @@ constexpr double kStagnation = 0.5;     // of the residual over a restart
 /// Orthonormal directions of a Krylov space, with the least residual over it.
 class Arnoldi {
  public:
-  explicit Arnoldi(const VectorXd& residual) : right_side_{residual.norm()} {
-    directions_.emplace_back(residual / right_side_.front());
+  explicit Arnoldi(VectorXd residual) : right_side_{residual.norm()} {
+    residual /= right_side_.front();
+    directions_.push_back(std::move(residual));
   }
 
   [[nodiscard]] const VectorXd& last() const { return directions_.back(); }
@@ -50,7 +51,8 @@ class Arnoldi {
     rotations_.back().apply(right_side_[static_cast<std::size_t>(n)], right_side_[static_cast<std::size_t>(n + 1)]);
     columns_.emplace_back(column.head(n + 1));
     const bool adds = rest > 1e-15 * before;
-    if (adds) directions_.emplace_back(image / rest);
+    image /= rest;
+    if (adds) directions_.push_back(std::move(image));
     return adds;
   }
 
@@ -96,14 +98,15 @@ KrylovSolution solve_krylov(const LinearOperator& matrix, const LinearOperator& 
   KrylovSolution solution{.unknowns = guess, .products = 0, .residual = 0.0};
   double small = tolerance.absolute;
   for (;;) {
-    const VectorXd residual = right - matrix(solution.unknowns);
+    VectorXd residual = matrix(solution.unknowns);
+    residual = right - residual;
     ++solution.products;
     const double before = solution.residual;
     solution.residual = residual.norm();
     if (solution.products == 1) small = std::max(small, tolerance.relative * solution.residual);
     const bool stagnates = solution.products > 1 && !(solution.residual < kStagnation * before);
     if (!(solution.residual > small) || stagnates || solution.products >= most_products) return solution;
-    Arnoldi space(residual);
+    Arnoldi space(std::move(residual));
     for (bool adds = true; adds && space.residual() > small && space.count() < most_directions;) {
       VectorXd step = preconditioner(space.last());
       VectorXd image = matrix(step);

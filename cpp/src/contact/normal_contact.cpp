@@ -81,9 +81,10 @@ class FlatEquations {
   }
 
   [[nodiscard]] VectorXd times(const VectorXd& unknowns) const {
+    scaled_ = unknowns.head(count_).cwiseQuotient(roots_);
+    scaled_ = problem_.surface->normal_displacement(rows_, scaled_);
     VectorXd result(count_ + 1);
-    result.head(count_) = roots_.cwiseProduct(
-        stiffness_ * problem_.surface->normal_displacement(rows_, unknowns.head(count_).cwiseQuotient(roots_)));
+    result.head(count_) = roots_.cwiseProduct(stiffness_ * scaled_);
     result.head(count_) -= unknowns[count_] * roots_;
     result[count_] = balance_ * sum(unknowns);
     return result;
@@ -107,10 +108,12 @@ class FlatEquations {
   /// Of the forces of all nodes.
   [[nodiscard]] double sum(const VectorXd& unknowns) const { return roots_.dot(unknowns.head(count_)); }
 
-  [[nodiscard]] VectorXd precondition_forces(const VectorXd& right) const {
+  [[nodiscard]] VectorXd precondition_forces(const Eigen::Ref<const VectorXd>& right) const {
     const Execution& execution = problem_.surface->execution();
-    return roots_.cwiseProduct(
-        inverse_.apply(rows_, right.cwiseQuotient(stiffness_ * roots_), execution.threads, execution.watch));
+    scaled_ = right.cwiseQuotient(stiffness_ * roots_);
+    VectorXd forces = inverse_.apply(rows_, scaled_, execution.threads, execution.watch);
+    forces = roots_.cwiseProduct(forces);
+    return forces;
   }
 
   const ContactProblem& problem_;
@@ -120,7 +123,8 @@ class FlatEquations {
   VectorXd roots_;  // of how many nodes one stands for
   double stiffness_;
   double balance_;
-  VectorXd uniform_;  // forces that lower all nodes alike
+  VectorXd uniform_;         // forces that lower all nodes alike
+  mutable VectorXd scaled_;  // what is multiplied: memory that is given back and taken anew costs more than the product
 };
 
 /// A surface whose compliance is known by its products: a Krylov method solves the systems.

@@ -7,6 +7,7 @@
 namespace viscoroll::detail {
 namespace {
 
+using Eigen::ArrayXd;
 using Eigen::Index;
 
 /// Nodes, along both directions, between which the contact lies.
@@ -59,6 +60,16 @@ void for_nearest(const Window& coarse, const Window& fine, const Function& funct
   }
 }
 
+/// @param[in] coarse forces of the nodes of one window
+/// @param[in,out] forces of another one, 0
+void prolong(const auto& coarse, const Window& window, const Window& fine, auto& forces) {
+  const double patches = fine.is_line() ? 2.0 : 4.0;  // that share a coarse node's force
+  for_nearest(window, fine, [&](Index node, const std::vector<Index>& nearest, int count) {
+    for (const Index coarse_node : nearest) forces.row(node) += coarse.row(coarse_node);
+    forces.row(node) /= patches * count;
+  });
+}
+
 }  // namespace
 
 Window box_around(const LocatedContact& located, int scale, const Window& limits) {
@@ -69,12 +80,14 @@ Window box_around(const LocatedContact& located, int scale, const Window& limits
 
 VectorField prolonged_force(const LocatedContact& coarse, const Window& fine) {
   VectorField force = VectorField::Zero(fine.shape().size(), 3);
-  const double patches = fine.is_line() ? 2.0 : 4.0;  // that share a coarse node's force
-  for_nearest(coarse.window(), fine, [&](Index node, const std::vector<Index>& nearest, int count) {
-    for (const Index coarse_node : nearest) force.row(node) += coarse.contact.force.row(coarse_node);
-    force.row(node) /= patches * count;
-  });
+  prolong(coarse.contact.force, coarse.window(), fine, force);
   return force;
+}
+
+ArrayXd prolonged_pressing(const LocatedContact& coarse, const Window& fine) {
+  ArrayXd pressing = ArrayXd::Zero(fine.shape().size());
+  prolong(-coarse.contact.force.col(kDown), coarse.window(), fine, pressing);
+  return pressing;
 }
 
 ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fine) {

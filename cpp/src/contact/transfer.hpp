@@ -26,6 +26,9 @@ struct LocatedContact {
 /// @brief Forces of a mesh of twice the spacing, interpolated on the nodes of a window [N].
 [[nodiscard]] VectorField prolonged_force(const LocatedContact& coarse, const Window& fine);
 
+/// @brief Those that press alone.
+[[nodiscard]] Eigen::ArrayXd prolonged_pressing(const LocatedContact& coarse, const Window& fine);
+
 /// @brief State with friction of a mesh of twice the spacing, on the window of a problem: forces, gap and slip, from
 /// which it is known who touches and who sticks. Displacements by the forces are rougher.
 [[nodiscard]] ContactSolution prolonged(const LocatedContact& coarse, const ContactProblem& fine);

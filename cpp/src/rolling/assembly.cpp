@@ -57,7 +57,8 @@ SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
 }
 
 LeverArms Assembly::lever_arms(const SurfaceWindow& window) const {
-  LeverArms arms{.x = swelling * window.x(), .y = swelling * window.y(), .radius = pair().body.radius};
+  LeverArms arms{
+      .x = swelling * window.x(), .y = swelling * window.points().y().values(), .radius = pair().body.radius};
   if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, pair());
   return arms;
 }

@@ -31,8 +31,20 @@ ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
   return relative_radius(pair) * slope;
 }
 
+ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Eigen::Index>& nodes) {
+  ArrayXd slope = points.x()(nodes) / points.grid().radius;
+  const ArrayXd tilt = pair.on.profile(points).slope;
+  if (tilt.size() > 0) slope += tilt(nodes);
+  return relative_radius(pair) * slope;
+}
+
 ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair) {
   return -pair.on.curvatures.along * pressure_lever(points, pair);
+}
+
+ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair,
+                          const std::vector<Eigen::Index>& nodes) {
+  return -pair.on.curvatures.along * pressure_lever(points, pair, nodes);
 }
 
 }  // namespace viscoroll::detail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
@@ -27,9 +28,15 @@ namespace viscoroll::detail {
 /// @param[in] pair both bodies
 /// @return at every node [m]
 [[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair);
+/// @return the same of some nodes
+[[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair,
+                                            const std::vector<Eigen::Index>& nodes);
 
 /// @return slope of what a body rolls on where it touches it, undeformed, downwards along the way of the material, at
 /// every node [-]
 [[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair);
+/// @return the same of some nodes
+[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair,
+                                               const std::vector<Eigen::Index>& nodes);
 
 }  // namespace viscoroll::detail

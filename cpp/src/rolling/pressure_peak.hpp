@@ -14,7 +14,7 @@ namespace viscoroll::detail {
 /// @param[in] contact nodes in contact
 /// @param[in] stride nodes of a row, which follow one another downstream
 /// @return how far the largest of those lies above the largest pressure of a node, relative to it [-], >= 0
-[[nodiscard]] double unseen_peak(const Eigen::ArrayXd& pressure, const std::vector<Eigen::Index>& contact,
-                                 Eigen::Index stride);
+[[nodiscard]] double unseen_peak(const Eigen::Ref<const Eigen::ArrayXd>& pressure,
+                                 const std::vector<Eigen::Index>& contact, Eigen::Index stride);
 
 }  // namespace viscoroll::detail

@@ -35,12 +35,16 @@ std::vector<double> columns(Index rows, const Function& function) {
   return result;
 }
 
-/// Arms of the nodes where what rolls is displaced to, by itself.
+/// Arms of the nodes in contact where what rolls is displaced to, by itself.
 LeverArms displaced_arms(const Assembly& given, const HeldContact& held) {
   const double share = given.pressure_share();
-  LeverArms arms = displaced(given.lever_arms(held.nodes), held.contact.displacement, share);
+  const std::vector<Index>& contact = held.contact.contact;
+  const LeverArms arms = displaced({.x = given.swelling * held.nodes.x()(contact),
+                                    .y = given.swelling * held.nodes.points().y().at(contact),
+                                    .radius = given.pair().body.radius},
+                                   held.contact.displacement(contact, Eigen::all), share);
   const VectorField& counterpart = held.contact.counterpart_displacement;
-  return counterpart.rows() == 0 ? arms : displaced(std::move(arms), -counterpart, share);
+  return counterpart.rows() == 0 ? arms : displaced(arms, -counterpart(contact, Eigen::all), share);
 }
 
 std::vector<unsigned char> mask(const std::vector<Index>& nodes, Index size) {
@@ -63,10 +67,12 @@ double deformed_pushback(const Assembly& given, const HeldContact& held) {
   switch (held.problem.surface->deforming()) {
     case Deforming::rolling:
       return 0.0;
-    case Deforming::counterpart:
-      return (pressing_force(held.contact) *
-              (held.nodes.x() / held.nodes.grid().radius - counterpart_slope(held.nodes, given.pair())))
-          .sum();
+    case Deforming::counterpart: {
+      const std::vector<Index>& contact = held.contact.contact;
+      const ArrayXd slope = counterpart_slope(held.nodes, given.pair(), contact);
+      return -(held.contact.force.col(kDown)(contact) * (held.nodes.x()(contact) / held.nodes.grid().radius - slope))
+                  .sum();
+    }
     default:
       return held.problem.surface->pushback(held.contact.force);
   }
@@ -80,12 +86,12 @@ class Summary {
         contact_(held.contact),
         losses_(held.losses),
         size_(window_.shape().size()),
-        pressing_(pressing_force(contact_)),
+        force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, held)),
         curvature_(given.pair().on.curvatures.along),
         pushback_(deformed_pushback(given, held)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
-        area_(window_.patch_area()) {}
+        area_(window_.patch_area(contact_.contact)) {}
 
   void add_status(Result& r) const {
     r.status = contact_.converged ? Status::converged : Status::max_iterations;
@@ -95,10 +101,8 @@ class Summary {
   }
 
   void add_shape(Result& r) const {
-    ArrayXd touching = ArrayXd::Zero(size_);
-    touching(contact_.contact) = area_(contact_.contact);
     r.centrifugal_displacement = given_.model.centrifugal;
-    const ContactExtent extent = contact_extent(window_, touching);
+    const ContactExtent extent = contact_extent(window_, contact_.contact, area_);
     r.contact_area = extent.area;
     r.semi_axis_x = extent.semi_axis_x;
     r.semi_axis_z = extent.semi_axis_z;
@@ -113,18 +117,19 @@ class Summary {
   }
 
   void add_forces(Result& r) const {
-    const auto forward = contact_.force.col(kForward);
-    r.resisting_torque = (pressure_lever(window_, given_.pair()) * pressing_).sum();
+    const auto forward = force_.col(kForward);
+    const std::vector<Index>& contact = contact_.contact;
+    r.resisting_torque = -(pressure_lever(window_, given_.pair(), contact) * force_.col(kDown)).sum();
     const double load = given_.load_case.load;
     const GivenMotion motion = given_motion(given_.load_case.drive);
     r.driving_force = settled(-forward.sum() + counterpart_force(r), load, motion.force);
-    const auto sideways = contact_.force.col(kSideways);
+    const auto sideways = force_.col(kSideways);
     r.lateral_force = settled(sideways.sum(), load);
-    r.spin_moment = settled((window_.z() * forward - window_.x() * sideways).sum(), load * r.semi_axis_x);
+    r.spin_moment =
+        settled((window_.z()(contact) * forward - window_.x()(contact) * sideways).sum(), load * r.semi_axis_x);
 
     // A counterpart that slopes down ahead of the pressure takes that share of it off the moment.
-    r.driving_torque =
-        settled(moment(arms_, contact_.force) - radius() * counterpart_force(r), load * radius(), motion.torque);
+    r.driving_torque = settled(moment(arms_, force_) - radius() * counterpart_force(r), load * radius(), motion.torque);
   }
 
   void add_powers(Result& r) const {
@@ -156,23 +161,18 @@ class Summary {
   void add_fields(Result& r) const {
     // The paper's flat patch has the size of those on the equator.
     const bool flat = given_.options.patch_load == PatchLoad::flat && given_.model.curvature != Curvature::exact;
-    const auto put_per_area = [&](const auto& force, auto&& traction) {
-      if (flat) {
-        traction = force / flat_area_;
-      } else {
-        traction = force / area_;
-      }
-    };
-    ArrayXd pressure(size_);
-    put_per_area(pressing_, pressure);
+    const ArrayXd area = flat ? ArrayXd(ArrayXd::Constant(area_.size(), flat_area_)) : area_;
+    const ArrayXd pressure = -force_.col(kDown) / area;
+    r.pressure.assign(static_cast<std::size_t>(size_), 0.0);
+    const Eigen::Map<ArrayXd> pressures(r.pressure.data(), size_);
+    put(pressure, pressures);
     r.max_pressure = pressure.maxCoeff();
-    r.max_pressure_error = unseen_peak(pressure, contact_.contact, window_.shape().theta_nodes);
+    r.max_pressure_error = unseen_peak(pressures, contact_.contact, window_.shape().theta_nodes);
     r.mesh = given_.model.mesh;
     r.phi_nodes = window_.shape().phi_nodes;
     r.theta_nodes = window_.shape().theta_nodes;
     r.x = to_vector(window_.x());
     r.z = to_vector(window_.z());
-    r.pressure = to_vector(pressure);
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
     ArrayXd rise = initial_gap(given_.displaced_points(window_), 1.0, given_.pair());
@@ -183,8 +183,8 @@ class Summary {
     r.slip = r.contact;
     for (const Index node : contact_.stick) r.slip[static_cast<std::size_t>(node)] = 0;
     r.shear_traction = columns(size_, [&](auto& shear) {
-      put_per_area(contact_.force.col(kForward), shear.col(0));
-      put_per_area(contact_.force.col(kSideways), shear.col(1));
+      put(force_.col(kForward) / area, shear.col(0));
+      put(force_.col(kSideways) / area, shear.col(1));
     });
     r.slip_velocity = columns(size_, [&](auto& velocity) { add_slip_velocity(velocity); });
   }
@@ -207,6 +207,13 @@ class Summary {
  private:
   [[nodiscard]] double radius() const { return window_.grid().radius; }
 
+  /// Numbers of the nodes in contact where those of all nodes are.
+  template <class Values, class Field>
+  void put(const Values& values, Field field) const {
+    Index i = 0;
+    for (const Index node : contact_.contact) field[node] = values[i++];
+  }
+
   /// Of both bodies, each kind once.
   [[nodiscard]] std::vector<Warning> cautions(const ContactReach& reach) const {
     const auto& [body, on] = given_.pair();
@@ -227,7 +234,7 @@ class Summary {
   [[nodiscard]] double force_of_turning_counterpart(const Result& r) const {
     if (curvature_ == 0.0) return 0.0;
     double moment = r.resisting_torque;
-    if (r.center_height) moment += ((arms_.y - *r.center_height) * contact_.force.col(kForward)).sum();
+    if (r.center_height) moment += ((arms_.y - *r.center_height) * force_.col(kForward)).sum();
     return curvature_ * moment;
   }
 
@@ -258,12 +265,12 @@ class Summary {
   const ContactSolution& contact_;
   const Losses& losses_;
   Index size_;
-  ArrayXd pressing_;
-  LeverArms arms_;    // of the displaced nodes
-  double curvature_;  // of the counterpart along the path [1/m]
-  double pushback_;   // of the pressure along the deformed surface of the counterpart, D_2 [N]
-  double flat_area_;  // of a patch [m^2]
-  ArrayXd area_;
+  VectorField force_;  // on the nodes in contact
+  LeverArms arms_;     // of these, displaced
+  double curvature_;   // of the counterpart along the path [1/m]
+  double pushback_;    // of the pressure along the deformed surface of the counterpart, D_2 [N]
+  double flat_area_;   // of a patch [m^2]
+  ArrayXd area_;       // of those in contact
 };
 
 }  // namespace

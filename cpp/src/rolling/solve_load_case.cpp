@@ -43,13 +43,13 @@ ContactSolution start_of(const KeptContact& state, const SurfaceWindow& nodes, d
   start.contact = marked(state.contact);
   if (start.contact.empty()) reject("state.contact", "at least one node", "none");
   start.stick = marked(state.stick);
-  const Eigen::ArrayXd area = nodes.patch_area();
+  const Eigen::ArrayXd area = nodes.patch_area(start.contact);
   const Eigen::Map<const Eigen::ArrayXd> pressure(state.pressure.data(), size);
   const Eigen::Map<const Eigen::ArrayX2d> shear(state.shear_traction.data(), size, 2);
   start.force = VectorField::Zero(size, 3);
-  start.force.col(kDown) = -pressure * area;
-  start.force.col(kForward) = shear.col(0) * area;
-  start.force.col(kSideways) = shear.col(1) * area;
+  start.force.col(kDown)(start.contact) = -pressure(start.contact) * area;
+  start.force.col(kForward)(start.contact) = shear.col(0)(start.contact) * area;
+  start.force.col(kSideways)(start.contact) = shear.col(1)(start.contact) * area;
   start.penetration = state.penetration + centrifugal;
   start.creepage = state.creepage;
   return start;

@@ -68,14 +68,20 @@ VectorField LocalCompliance::displacements(const Eigen::ArrayXXd& components) co
 
 VectorField LocalCompliance::forces(const Eigen::ArrayXXd& loads) const { return along_axes(directions, loads); }
 
-Eigen::ArrayXd SurfaceOperator::normal_displacement(const Eigen::ArrayXd& pressing, bool mirrored) const {
+const NodeRows& SurfaceOperator::every_node(bool mirrored) const {
+  std::optional<NodeRows>& nodes = every_node_[mirrored ? 1 : 0];
+  if (nodes) return *nodes;
   const auto [rows, columns] = shape();
   std::vector<Eigen::Index> every;
   every.reserve(static_cast<std::size_t>(mirrored ? rows * (columns / 2 + 1) : rows * columns));
-  for (Eigen::Index start = 0; start < pressing.size(); start += columns) {
+  for (Eigen::Index start = 0; start < shape().size(); start += columns) {
     for (Eigen::Index k = mirrored ? columns / 2 : 0; k < columns; ++k) every.push_back(start + k);
   }
-  const NodeRows nodes(shape(), every, mirrored);
+  return nodes.emplace(shape(), every, mirrored);
+}
+
+Eigen::ArrayXd SurfaceOperator::normal_displacement(const Eigen::ArrayXd& pressing, bool mirrored) const {
+  const NodeRows& nodes = every_node(mirrored);
   Eigen::VectorXd forces(nodes.count());
   for (Eigen::Index i = 0; i < forces.size(); ++i) forces[i] = pressing[nodes.node(i)];
   const Eigen::VectorXd moved = normal_displacement(nodes, forces);

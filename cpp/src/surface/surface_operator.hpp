@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "influence/node_rows.hpp"
@@ -32,9 +33,12 @@ struct Displacements {
   VectorField rolling;      ///< no rows where it is rigid
   VectorField counterpart;  ///< no rows where it is rigid
 
-  [[nodiscard]] VectorField relative() const {
-    if (counterpart.rows() == 0) return rolling;
-    return rolling.rows() == 0 ? counterpart : VectorField(rolling + counterpart);
+  [[nodiscard]] VectorField relative() const& { return Displacements(*this).relative(); }
+  [[nodiscard]] VectorField relative() && {
+    if (counterpart.rows() == 0) return std::move(rolling);
+    if (rolling.rows() == 0) return std::move(counterpart);
+    rolling += counterpart;
+    return std::move(rolling);
   }
 };
 
@@ -153,6 +157,11 @@ class SurfaceOperator {
  protected:
   /// @param[in] lost by the one body that this is the surface of [N m]
   [[nodiscard]] Losses losses(double lost) const;
+
+ private:
+  [[nodiscard]] const NodeRows& every_node(bool mirrored) const;
+
+  mutable std::array<std::optional<NodeRows>, 2> every_node_;  // without mirror images and with them
 };
 
 }  // namespace viscoroll::detail

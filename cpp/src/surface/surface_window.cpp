@@ -1,5 +1,6 @@
 #include "surface/surface_window.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -65,7 +66,7 @@ SurfaceWindow::SurfaceWindow(const SurfaceGrid& grid, const Window& window, doub
 SurfaceWindow::Positions SurfaceWindow::on_sphere() const {
   const auto& [phi, theta] = window_;
   const Eigen::Index count = shape().size();
-  Positions nodes{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
+  Positions nodes{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
   std::vector<Circle> circles;
   for (int k = theta.first; k <= theta.last; ++k) circles.push_back(circle_at(grid_, k));
   Eigen::Index node = 0;
@@ -73,7 +74,6 @@ SurfaceWindow::Positions SurfaceWindow::on_sphere() const {
     const Angle forward(-(i + shift_) * grid_.phi_spacing);  // pi/2 - phi
     for (const Circle& circle : circles) {
       nodes.x[node] = circle.radius * forward.sine;
-      nodes.y[node] = circle.radius * forward.cosine;
       nodes.z[node] = circle.z;
       nodes.height[node] = circle.drop + circle.radius * forward.versine;
       ++node;
@@ -84,9 +84,8 @@ SurfaceWindow::Positions SurfaceWindow::on_sphere() const {
 
 SurfaceWindow::Positions SurfaceWindow::on_paraboloid() const {
   const double r = grid_.radius;
-  Positions nodes{.x = points().x().values(), .y = {}, .z = points().z().values(), .height = {}};
+  Positions nodes{.x = points().x().values(), .z = points().z().values(), .height = {}};
   nodes.height = (nodes.x.square() + nodes.z.square()) / (2.0 * r);
-  nodes.y = r - nodes.height;
   return nodes;
 }
 
@@ -116,12 +115,14 @@ Eigen::ArrayXd SurfaceWindow::rolled() const {
   return x() * (1.0 - (x().square() / 3.0 + z().square()) / (2.0 * std::pow(grid_.radius, 2)));
 }
 
-Eigen::ArrayXd SurfaceWindow::patch_area() const {
+Eigen::ArrayXd SurfaceWindow::patch_area(const std::vector<Eigen::Index>& nodes) const {
   const double equatorial = std::pow(grid_.radius, 2) * grid_.phi_spacing * grid_.theta_spacing;
-  if (grid_.is_paraboloid || grid_.crown_radius) return Eigen::ArrayXd::Constant(shape().size(), equatorial);
-  const Eigen::ArrayXd areas =
-      over_columns(window_, [&](int column) { return equatorial * std::cos(column * grid_.theta_spacing); });
-  return areas.replicate(shape().phi_nodes, 1);
+  const bool is_level = grid_.is_paraboloid || grid_.crown_radius;
+  const Eigen::ArrayXd areas = over_columns(
+      window_, [&](int column) { return is_level ? equatorial : equatorial * std::cos(column * grid_.theta_spacing); });
+  Eigen::ArrayXd picked(static_cast<Eigen::Index>(nodes.size()));
+  std::ranges::transform(nodes, picked.begin(), [&](Eigen::Index node) { return areas[node % areas.size()]; });
+  return picked;
 }
 
 Eigen::ArrayXd SurfaceWindow::phi() const {
@@ -143,6 +144,15 @@ WindowField SurfacePoints::x() const {
   const Eigen::ArrayXd forward = row_angles(*this);
   if (grid.is_paraboloid) return {grid.radius * forward, Eigen::ArrayXd::Ones(window.theta.count()), {}};
   return {forward.sin(), over_columns(window, [&](int column) { return circle_at(grid, column).radius; }), {}};
+}
+
+WindowField SurfacePoints::y() const {
+  const Eigen::ArrayXd forward = row_angles(*this);
+  if (grid.is_paraboloid) {
+    return {grid.radius * (1.0 - 0.5 * forward.square()), Eigen::ArrayXd::Ones(window.theta.count()),
+            z().columns.square() / (-2.0 * grid.radius)};
+  }
+  return {forward.cos(), over_columns(window, [&](int column) { return circle_at(grid, column).radius; }), {}};
 }
 
 WindowField SurfacePoints::z() const {

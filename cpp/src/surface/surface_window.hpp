@@ -7,6 +7,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "surface/window.hpp"
 
@@ -46,6 +47,13 @@ struct WindowField {
     const double product = rows[row] * columns[column];
     return added.size() == 0 ? product : product + added[column];
   }
+  /// @return the number at some nodes
+  [[nodiscard]] Eigen::ArrayXd at(const std::vector<Eigen::Index>& nodes) const {
+    return Eigen::ArrayXd::NullaryExpr(static_cast<Eigen::Index>(nodes.size()), [&](Eigen::Index i) {
+      const Eigen::Index node = nodes[static_cast<std::size_t>(i)];
+      return (*this)(node / columns.size(), node % columns.size());
+    });
+  }
   /// @return the number at every node
   [[nodiscard]] Eigen::ArrayXd values() const {
     return Eigen::ArrayXd::NullaryExpr(rows.size() * columns.size(), [&](Eigen::Index node) {
@@ -63,6 +71,8 @@ struct SurfacePoints {
   /// @return undeformed positions forward and sideways [m]
   [[nodiscard]] WindowField x() const;
   [[nodiscard]] WindowField z() const;
+  /// @return undeformed positions downward [m]
+  [[nodiscard]] WindowField y() const;
 
   /// @return directions x (forward), y (down) and z (sideways), each by its components (r, phi, theta) at every point:
   /// the rows of the rotation Q of paper equation (40), where U = -x, V = -z and W = y; on a wheel theta is along the
@@ -84,9 +94,8 @@ class SurfaceWindow {
   /// @return how far downstream of the nodes the points are [spacings]
   [[nodiscard]] double shift() const { return shift_; }
 
-  /// Undeformed positions [m]: x forward, y down, z sideways.
+  /// Undeformed positions [m]: x forward, z sideways.
   [[nodiscard]] const Eigen::ArrayXd& x() const { return positions_->x; }
-  [[nodiscard]] const Eigen::ArrayXd& y() const { return positions_->y; }
   [[nodiscard]] const Eigen::ArrayXd& z() const { return positions_->z; }
   /// @return height of every undeformed node above the lowest point, r_o - y without its round-off [m]
   [[nodiscard]] const Eigen::ArrayXd& height() const { return positions_->height; }
@@ -96,8 +105,8 @@ class SurfaceWindow {
   /// @return x of the undeformed points as turning alone changes it: on a paraboloid, which lies at height h above the
   /// lowest point and moves at Omega (r_o - h), the integral of that [m]
   [[nodiscard]] Eigen::ArrayXd rolled() const;
-  /// @return area of every node's patch [m^2]
-  [[nodiscard]] Eigen::ArrayXd patch_area() const;
+  /// @return area of the patch of each of some nodes [m^2]
+  [[nodiscard]] Eigen::ArrayXd patch_area(const std::vector<Eigen::Index>& nodes) const;
   /// @return phi of every node [rad]
   [[nodiscard]] Eigen::ArrayXd phi() const;
   /// @return theta of every node of a sphere [rad]
@@ -107,7 +116,7 @@ class SurfaceWindow {
 
  private:
   struct Positions {
-    Eigen::ArrayXd x, y, z, height;
+    Eigen::ArrayXd x, z, height;
   };
   [[nodiscard]] Positions on_sphere() const;
   [[nodiscard]] Positions on_paraboloid() const;

@@ -35,8 +35,8 @@ ArrayXd pushing_slope(const ActingPlaces& at) {
 
 /// How deep below the center forces along the plane act.
 ArrayXd depth_below_center(const ActingPlaces& at) {
-  if (!at.pair.bodies.front().rolls) return at.place.nodes.y();
-  return at.place.nodes.y() - displaced(at, 0, kDown);
+  if (!at.pair.bodies.front().rolls) return at.place.nodes.points().y().values();
+  return at.place.nodes.points().y().values() - displaced(at, 0, kDown);
 }
 
 }  // namespace

@@ -19,10 +19,9 @@ void tell_extent(const CreepingPair& pair, const Touch& touch, RollingInstant& n
   const ArrayXd forces = -touch.contact.force.col(kDown) / touch.yielding.sum;
   now.penetration = touch.contact.penetration;
   if (!std::isnan(now.penetration)) require_depth(pair.pair, now.load, now.penetration);
-  const ArrayXd patches = nodes.patch_area();
-  ArrayXd touching = ArrayXd::Zero(forces.size());
-  for (const Eigen::Index node : touch.contact.nodes) touching[node] = weights[node] * weights[node] * patches[node];
-  const ContactExtent extent = contact_extent(nodes, touching, 0.0);
+  const std::vector<Eigen::Index>& contact = touch.contact.nodes;
+  const ArrayXd touching = weights(contact).square() * nodes.patch_area(contact);
+  const ContactExtent extent = contact_extent(nodes, contact, touching, 0.0);
   now.contact_area = extent.area;
   now.semi_axis_x = extent.semi_axis_x;
   now.semi_axis_z = extent.semi_axis_z.value_or(std::numeric_limits<double>::quiet_NaN());
