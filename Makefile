@@ -9,7 +9,7 @@ SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohmann-json3-dev python3-dev python3-venv
 # The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
 CLANG ?= 16
-APT_BENCH := libbenchmark-dev
+APT_BENCH := libbenchmark-dev linux-perf
 APT_DOCS := doxygen
 DEPS ?= deps
 
@@ -192,6 +192,7 @@ bench: deps-bench build/headers $(VENV)/bench.stamp
 	cmake --preset bench-pocketfft
 	cmake --build --preset bench-pocketfft --parallel $(JOBS) --target bench_transforms
 	$(BIN)/python bench/run.py
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python bench/limit.py
 	$(BIN)/python docs/tables.py
 
 bench-compare:

@@ -127,7 +127,7 @@ void friction(benchmark::State& state, double coefficient, int nodes) {
     result = solve(sphere, {.load = 100.0, .angular_speed = 0.2, .friction = coefficient}, options);
   }
   state.counters["error"] = result.power_balance_error;
-  state.counters["contact_nodes"] = result.refinements.back().contact_nodes;
+  count(result, state);
 }
 
 /// A ball of which half the radius is coating, on the exact sphere or with what another curvature keeps of it; the
@@ -166,6 +166,9 @@ void speed_sweep(benchmark::State& state) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options{.compliance = Compliance::radial, .threads = 1};
   std::atomic<int> next{0};
+  std::atomic<int> contact_nodes{0};
+  std::atomic<int> iterations{0};
+  std::atomic<int> applications{0};
   double torque = 0.0;
   const auto work = [&] {
     for (int i = next++; i < 200; i = next++) {
@@ -174,6 +177,9 @@ void speed_sweep(benchmark::State& state) {
       for (int load = 10; load <= 100; load += 10) {
         const Result result = model.solve({.load = 1.0 * load, .angular_speed = speed}, options);
         if (i == kExample && load == 100) torque = result.resisting_torque;
+        contact_nodes += result.refinements.back().contact_nodes;
+        iterations += result.iterations;
+        applications += result.operator_applications;
       }
     }
   };
@@ -183,6 +189,9 @@ void speed_sweep(benchmark::State& state) {
     for (int i = 0; i < core_count(); ++i) threads.emplace_back(work);
   }
   state.counters["error"] = relative_error(torque, 11.348e-3);
+  state.counters["contact_nodes"] = contact_nodes / 2000.0;  // on average
+  state.counters["iterations"] = iterations;
+  state.counters["operator_applications"] = applications;
 }
 
 /// A crowned wheel to 1 %, of a tread that was not there before; the error is against the torque of fine meshes [N m],

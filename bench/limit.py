@@ -1,0 +1,257 @@
+"""How far five cases are from what the machine could do, phase by phase: python bench/limit.py.
+
+Writes the table of bench/README.md. Each phase of a case has work that must be done by the method, as counted below,
+and the time that it would take at the speed of one core (dense products of NumPy) or at the bandwidth of the memory
+(sums of large arrays), whichever is longer. Beside it stands the time that the phase took, by the stacks that `perf`
+samples.
+
+The counts are those of the method and not of the program: transforms of exactly twice the contact, every number read
+and written once. What is in the caches counts no bytes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from run import PROGRAM, cpu_name, git
+
+PAGE = Path(__file__).with_name("README.md")
+PLACE = ("<!-- limit: made by bench/limit.py -->\n", "<!-- end of limit -->")
+
+DOUBLE = 8.0
+#: Terms of a polynomial along one direction that tell a smooth function to thirteen digits, even and odd ones.
+TERMS = 2 * 24
+#: Sample frequency of the profiler [Hz].
+FREQUENCY = 997
+
+#: Phases by the functions that a stack passes, the first that is found; a library's name stands for its functions.
+PHASES: list[tuple[str, tuple[str, ...]]] = [
+    ("new pages of memory", ("asm_exc_page_fault", "do_syscall_64")),
+    ("tables", ("OrderSum::tables", "CoatingSum::CoatingSum", "make_model", "CreepingTables::CreepingTables")),
+    ("factorizations", ("factor<", "dense_inverse", "bordered_inverse", "SingleFactors", "DenseFactors")),
+    ("inverse of the contact", ("ContactInverse::times", "selfadjoint_matrix_vector_product", "KeptInverse")),
+    ("memory of the rows", ("RowMemory",)),
+    ("transforms", ("libfftw3", "RealFft", "SpectralProduct", "InverseConvolution")),
+    ("products without transforms", ("TableProduct", "normal_compliance", "general_matrix_vector", "MirroredTables")),
+    ("products without transforms", ("gebp_kernel", "gemm_pack")),
+    ("orthogonalization", ("solve_krylov", "Arnoldi")),
+    ("results", ("make_result", "SurfaceWindow", "extended")),
+]
+REST = "sets and all else"
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a phase must do."""
+
+    flop: float = 0.0
+    bytes: float = 0.0
+
+    def __add__(self, other: Work) -> Work:
+        """Return the work of both."""
+        return Work(self.flop + other.flop, self.bytes + other.bytes)
+
+    def __mul__(self, times: float) -> Work:
+        """Return the work of so many."""
+        return Work(times * self.flop, times * self.bytes)
+
+
+def width(contact_nodes: float) -> float:
+    """Return the nodes across a round contact."""
+    return math.sqrt(4.0 * contact_nodes / math.pi)
+
+
+def transforms_of_product(b: float, fields: int = 1, tables: int = 1) -> Work:
+    """Return a product on a contact of b by b nodes: fields there and back on twice as many, of which half are 0.
+
+    Lines of reals take 2.5 n log2(n) operations, of complex numbers twice that.
+    """
+    lines = 2.5 * 2.0 * b * math.log2(2.0 * b) * b
+    columns = 5.0 * 2.0 * b * math.log2(2.0 * b) * b
+    flop = 2.0 * fields * (lines + columns) + 8.0 * tables * 2.0 * b * b
+    between = 4.0 * 2.0 * DOUBLE * b * b  # lines written and read again, both ways
+    return Work(flop, fields * (2.0 * DOUBLE * b * b + between) + tables * 2.0 * DOUBLE * 2.0 * b * b)
+
+
+def transforms_of_preconditioner(b: float, fields: int = 1) -> Work:
+    """Return the same of a product that is periodic in the contact."""
+    flop = fields * (2.0 * 2.5 * b * b * math.log2(b * b)) + 8.0 * fields**2 * 0.5 * b * b
+    return Work(flop, fields * (2.0 + 4.0) * DOUBLE * b * b + fields**2 * DOUBLE * b * b)
+
+
+def orthogonalization(unknowns: float, steps: float) -> Work:
+    """Return two passes over all directions before, of which each is read and taken off."""
+    pairs = 0.5 * steps * (steps + 1.0) * 2.0
+    return Work(4.0 * unknowns * pairs, 3.0 * DOUBLE * unknowns * pairs)
+
+
+def tables(phi_reach: float, theta_reach: float, count: int = 1) -> Work:
+    """Return every entry, summed from few terms and written once."""
+    entries = count * (2.0 * phi_reach + 1.0) * (theta_reach + 1.0)
+    return Work(2.0 * TERMS * entries, DOUBLE * entries)
+
+
+def large_window(counters: Mapping[str, float]) -> dict[str, Work]:
+    """Return the work of pressing without friction: everything of one side of the path alone."""
+    nodes, window = counters["contact_nodes"], counters["window"]
+    products, passes = counters["operator_applications"], counters["iterations"]
+    b = width(nodes)
+    steps = (products - 2.0 * passes - 1.0) / passes
+    of_products = transforms_of_product(b) * products + transforms_of_preconditioner(b) * (products - 2.0 * passes)
+    return {
+        "tables": tables(window - 1.0, window - 1.0) + tables(b, b),
+        "transforms": of_products * 0.5,
+        "orthogonalization": orthogonalization(0.5 * nodes, steps) * passes,
+        "results": Work(0.0, (9.0 * DOUBLE + 3.0) * window**2),
+        REST: Work(0.0, 3.0 * DOUBLE * b * b * passes),
+    }
+
+
+def small_solves(counters: Mapping[str, float], solves: int = 2000, models: int = 200) -> dict[str, Work]:
+    """Return the work of contacts that a matrix solves, of which mirror images are one; all within the caches."""
+    half = 0.5 * counters["contact_nodes"]
+    window = 1.2 * width(counters["contact_nodes"])
+    every_node = 2.0 * half * window * window  # products that tell all gaps
+    return {
+        "tables": Work(2.0 * tables(window, window).flop * models),
+        "factorizations": Work(2.0 / 3.0 * half**3 * solves),
+        "products without transforms": Work(
+            2.0 * half * half * (counters["operator_applications"] - counters["iterations"])
+            + every_node * counters["iterations"]
+        ),
+    }
+
+
+def small_friction(counters: Mapping[str, float]) -> dict[str, Work]:
+    """Return the work of three components with friction; all within the caches."""
+    b = width(counters["contact_nodes"])
+    products = counters["operator_applications"]
+    return {
+        "tables": Work(tables(counters["window"], counters["window"], 12).flop),
+        "transforms": Work(
+            (transforms_of_product(b, 3, 9).flop + transforms_of_preconditioner(b, 3).flop) * products,
+        ),
+    }
+
+
+def instants(counters: Mapping[str, float]) -> dict[str, Work]:
+    """Return the work of steps in time: the inverse of half the contact, and one product with what is in reach."""
+    steps = counters["steps"]
+    half, rows, aside, reach = 620.0, 43.0, 22.0, 86.0  # of the example at 1000 nodes a revolution
+    return {
+        "inverse of the contact": Work(2.0 * half * half) * steps,
+        "products without transforms": Work(2.0 * rows * (2.0 * reach + rows) * aside * aside) * steps,
+        "memory of the rows": Work(0.0, 2.0 * DOUBLE * (2.0 * reach + rows) * aside * 2.0) * steps,
+    }
+
+
+@dataclass(frozen=True)
+class Case:
+    """A benchmark, and what it must do by what it counts."""
+
+    name: str
+    title: str
+    work: Callable[[Mapping[str, float]], dict[str, Work]]
+
+
+CASES = [
+    Case("speed_sweep", "2000 small solves", small_solves),
+    Case("fine_rolling/1024", "window of 1024²", large_window),
+    Case("fine_rolling/2048", "window of 2048²", large_window),
+    Case("friction/mu_03_pi_250", "friction at π/250", small_friction),
+    Case("revolution/1000_one_lattice", "4000 steps in time, 1000 nodes", instants),
+]
+
+
+def speed() -> float:
+    """Return the operations of one core in a second, in a product of dense matrices [flop/s]."""
+    a = np.random.default_rng(1).random((1500, 1500))
+    return 2.0 * 1500.0**3 / best_time(lambda: a @ a)
+
+
+def bandwidth() -> float:
+    """Return the bytes that one core reads and writes in a second, in sums of large arrays [B/s]."""
+    a, b = np.ones(20_000_000), np.ones(20_000_000)
+    c = np.zeros_like(a)
+    return 3.0 * a.nbytes / best_time(lambda: np.add(a, b, out=c))
+
+
+def best_time(work: Callable[[], object]) -> float:
+    """Return the shortest of seven times [s]."""
+    times = []
+    for _ in range(7):
+        before = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - before)
+    return min(times)
+
+
+def profile(case: str) -> tuple[dict[str, float], Counter[str], float]:
+    """Return what a benchmark counts, the samples of each phase of a run, and the seconds that it takes."""
+    chosen = [str(PROGRAM), f"--benchmark_filter=^{case}/", "--benchmark_format=json"]
+    with tempfile.NamedTemporaryFile() as data:
+        record = ["perf", "record", "--quiet", "-g", "-F", str(FREQUENCY), "-e", "cpu-clock", "-o", data.name]
+        output = subprocess.run([*record, *chosen], capture_output=True, text=True, check=True).stdout
+        script = ["perf", "script", "-i", data.name, "-F", "ip,sym,dso"]
+        stacks = subprocess.run(script, capture_output=True, text=True, check=True).stdout.split("\n\n")
+    (done,) = (run for run in json.loads(output)["benchmarks"] if run["run_type"] == "iteration")
+    counters = {key: float(value) for key, value in done.items() if isinstance(value, int | float)}
+    return counters, Counter(phase_of(stack) for stack in stacks if stack.strip()), done["real_time"] * 1e-3
+
+
+def phase_of(stack: str) -> str:
+    """Return the phase of a stack: that of the first rule that one of its functions meets."""
+    return next((phase for phase, names in PHASES if any(name in stack for name in names)), REST)
+
+
+def rows() -> Iterable[str]:
+    flops, bytes_per_second = speed(), bandwidth()
+    yield (
+        f"On {cpu_name()}, one core: {flops / 1e9:.1f} Gflop/s in dense products, "
+        f"{bytes_per_second / 1e9:.1f} GB/s in sums of large arrays; at {git('rev-parse', '--short', 'HEAD')}.\n"
+    )
+    yield "| case, phase | Gflop | GB | at least [ms] | took [ms] | times |"
+    yield "|---|---|---|---|---|---|"
+    for case in CASES:
+        counters, samples, seconds = profile(case.name)
+        works = case.work(counters)
+        least = {phase: max(work.flop / flops, work.bytes / bytes_per_second) for phase, work in works.items()}
+        total = sum(works.values(), Work())
+        yield row(f"**{case.title}**", total, sum(least.values()), seconds)
+        for phase, count in samples.most_common():
+            took = seconds * count / samples.total()
+            if took > 0.01 * seconds:
+                yield row(phase, works.get(phase, Work()), least.get(phase, 0.0), took)
+
+
+def row(name: str, work: Work, least: float, took: float) -> str:
+    known = least > 0.0
+    numbers = [f"{work.flop / 1e9:.3g}", f"{work.bytes / 1e9:.3g}", f"{1e3 * least:.3g}"] if known else ["", "", ""]
+    return " | ".join(["| " + name, *numbers, f"{1e3 * took:.3g}", (f"{took / least:.1f}" if known else "") + " |"])
+
+
+def main() -> None:
+    if shutil.which("perf") is None:
+        sys.exit("the limit is left as it was: no perf, which tells phases")
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    text = PAGE.read_text(encoding="utf-8")
+    before, rest = text.split(PLACE[0])
+    after = rest.split(PLACE[1])[1]
+    made = "\n".join(rows())
+    PAGE.write_text(f"{before}{PLACE[0]}{made}\n\n{PLACE[1]}{after}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
