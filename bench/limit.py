@@ -7,6 +7,9 @@ samples.
 
 The counts are those of the method and not of the program: transforms of exactly twice the contact, every number read
 and written once. What is in the caches counts no bytes.
+
+Last comes what of a phase one thread does alone where there are two, again by the samples: by Amdahl's law what more
+cores leave.
 """
 
 from __future__ import annotations
@@ -164,12 +167,13 @@ class Case:
     name: str
     title: str
     work: Callable[[Mapping[str, float]], dict[str, Work]]
+    is_parallel: bool = False
 
 
 CASES = [
     Case("speed_sweep", "2000 small solves", small_solves),
-    Case("fine_rolling/1024", "window of 1024²", large_window),
-    Case("fine_rolling/2048", "window of 2048²", large_window),
+    Case("fine_rolling/1024", "window of 1024²", large_window, is_parallel=True),
+    Case("fine_rolling/2048", "window of 2048²", large_window, is_parallel=True),
     Case("friction/mu_03_pi_250", "friction at π/250", small_friction),
     Case("revolution/1000_one_lattice", "4000 steps in time, 1000 nodes", instants),
 ]
@@ -198,17 +202,43 @@ def best_time(work: Callable[[], object]) -> float:
     return min(times)
 
 
-def profile(case: str) -> tuple[dict[str, float], Counter[str], float]:
-    """Return what a benchmark counts, the samples of each phase of a run, and the seconds that it takes."""
+@dataclass(frozen=True)
+class Profile:
+    """What a benchmark counts, the samples of each phase by the thread that did most and by all, and the seconds."""
+
+    counters: dict[str, float]
+    by_one: Counter[str]
+    by_all: Counter[str]
+    seconds: float
+
+
+def profile(case: str, cores: set[int]) -> Profile:
+    """Return a run of a benchmark on some cores."""
+    os.sched_setaffinity(0, cores)
     chosen = [str(PROGRAM), f"--benchmark_filter=^{case}/", "--benchmark_format=json"]
     with tempfile.NamedTemporaryFile() as data:
         record = ["perf", "record", "--quiet", "-g", "-F", str(FREQUENCY), "-e", "cpu-clock", "-o", data.name]
         output = subprocess.run([*record, *chosen], capture_output=True, text=True, check=True).stdout
-        script = ["perf", "script", "-i", data.name, "-F", "ip,sym,dso"]
+        script = ["perf", "script", "-i", data.name, "-F", "tid,ip,sym,dso"]
         stacks = subprocess.run(script, capture_output=True, text=True, check=True).stdout.split("\n\n")
     (done,) = (run for run in json.loads(output)["benchmarks"] if run["run_type"] == "iteration")
+    samples = Counter((stack.split(maxsplit=1)[0], phase_of(stack)) for stack in stacks if stack.strip())
+    threads: Counter[str] = Counter()
+    by_all: Counter[str] = Counter()
+    for (thread, phase), count in samples.items():
+        threads[thread] += count
+        by_all[phase] += count
+    busiest = max(threads, key=threads.__getitem__)
+    by_one = Counter({phase: count for (thread, phase), count in samples.items() if thread == busiest})
     counters = {key: float(value) for key, value in done.items() if isinstance(value, int | float)}
-    return counters, Counter(phase_of(stack) for stack in stacks if stack.strip()), done["real_time"] * 1e-3
+    return Profile(counters, by_one, by_all, done["real_time"] * 1e-3)
+
+
+def alone(two: Profile, phase: str | None = None) -> str:
+    """Return the share of a phase, or of all, that one of two threads does while the other one waits."""
+    one = two.by_one[phase] if phase else two.by_one.total()
+    others = (two.by_all[phase] if phase else two.by_all.total()) - one
+    return f"{100.0 * max(0.0, 1.0 - others / one):.0f} %" if one > 0 else ""
 
 
 def phase_of(stack: str) -> str:
@@ -217,35 +247,40 @@ def phase_of(stack: str) -> str:
 
 
 def rows() -> Iterable[str]:
+    """Return the lines of the table."""
+    cores = sorted(os.sched_getaffinity(0))
     flops, bytes_per_second = speed(), bandwidth()
     yield (
         f"On {cpu_name()}, one core: {flops / 1e9:.1f} Gflop/s in dense products, "
         f"{bytes_per_second / 1e9:.1f} GB/s in sums of large arrays; at {git('rev-parse', '--short', 'HEAD')}.\n"
     )
-    yield "| case, phase | Gflop | GB | at least [ms] | took [ms] | times |"
-    yield "|---|---|---|---|---|---|"
+    yield "| case, phase | Gflop | GB | at least [ms] | took [ms] | times | alone of two threads |"
+    yield "|---|---|---|---|---|---|---|"
     for case in CASES:
-        counters, samples, seconds = profile(case.name)
-        works = case.work(counters)
+        run = profile(case.name, {cores[0]})
+        two = profile(case.name, set(cores[:2])) if case.is_parallel and len(cores) > 1 else None
+        works = case.work(run.counters)
         least = {phase: max(work.flop / flops, work.bytes / bytes_per_second) for phase, work in works.items()}
         total = sum(works.values(), Work())
-        yield row(f"**{case.title}**", total, sum(least.values()), seconds)
-        for phase, count in samples.most_common():
-            took = seconds * count / samples.total()
-            if took > 0.01 * seconds:
-                yield row(phase, works.get(phase, Work()), least.get(phase, 0.0), took)
+        yield row(f"**{case.title}**", total, sum(least.values()), run.seconds, alone(two) if two else "")
+        for phase, count in run.by_all.most_common():
+            took = run.seconds * count / run.by_all.total()
+            if took > 0.01 * run.seconds:
+                share = alone(two, phase) if two else ""
+                yield row(phase, works.get(phase, Work()), least.get(phase, 0.0), took, share)
 
 
-def row(name: str, work: Work, least: float, took: float) -> str:
+def row(name: str, work: Work, least: float, took: float, share: str) -> str:
+    """Return a line of the table."""
     known = least > 0.0
     numbers = [f"{work.flop / 1e9:.3g}", f"{work.bytes / 1e9:.3g}", f"{1e3 * least:.3g}"] if known else ["", "", ""]
-    return " | ".join(["| " + name, *numbers, f"{1e3 * took:.3g}", (f"{took / least:.1f}" if known else "") + " |"])
+    times = f"{took / least:.1f}" if known else ""
+    return " | ".join(["| " + name, *numbers, f"{1e3 * took:.3g}", times, share + " |"])
 
 
 def main() -> None:
     if shutil.which("perf") is None:
         sys.exit("the limit is left as it was: no perf, which tells phases")
-    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     text = PAGE.read_text(encoding="utf-8")
     before, rest = text.split(PLACE[0])
     after = rest.split(PLACE[1])[1]
