@@ -67,7 +67,7 @@ Window joined(const Window& one, const Window& other) {
 /// Whether a contact of every other node is a start worth its price: where there are enough of them either way.
 bool is_worth_coarsening(const Window& window) {
   const auto [rows, columns] = window.shape();
-  return rows * columns > kFewNodes && rows >= kFewAcross && (window.is_line() || columns >= kFewAcross);
+  return window.shape().size() > kFewNodes && rows >= kFewAcross && (window.is_line() || columns >= kFewAcross);
 }
 
 LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, const ContactOptions& options) {

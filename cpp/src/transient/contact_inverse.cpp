@@ -1,7 +1,7 @@
 #include "transient/contact_inverse.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace viscoroll::detail {
@@ -13,10 +13,6 @@ using Eigen::VectorXd;
 
 /// By how much shares may differ from those of an inverse that steps correct.
 constexpr double kNearlySame = 1e-2;
-
-bool are_near(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kNearlySame * std::abs(y); });
-}
 
 double sum(const std::vector<double>& shares) { return std::accumulate(shares.begin(), shares.end(), 0.0); }
 
@@ -39,14 +35,9 @@ MatrixXd compliance(const StepOperator& surface, const std::vector<Index>& displ
 
 }  // namespace
 
-ContactStiffness::ContactStiffness() : KeptInverse(3, compliance) {}
+ContactStiffness::ContactStiffness() : KeptInverse(3, compliance, kNearlySame) {}
 
-bool ContactStiffness::cover(const StepOperator& surface, const std::vector<Index>& contact) {
-  if (!are_near(surface.shares(), shares())) forget();
-  return KeptInverse::cover(surface, contact);
-}
-
-ContactInverse::ContactInverse() : KeptInverse(1, normal_compliance) {}
+ContactInverse::ContactInverse() : KeptInverse(1, normal_compliance, std::numeric_limits<double>::infinity()) {}
 
 void ContactInverse::follow(const StepOperator& surface, const std::vector<Index>& contact) {
   cover(surface, contact);

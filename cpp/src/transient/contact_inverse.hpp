@@ -14,9 +14,6 @@ namespace viscoroll::detail {
 class ContactStiffness : public KeptInverse {
  public:
   ContactStiffness();
-
-  /// @brief The same, anew where shares have changed.
-  bool cover(const StepOperator& surface, const std::vector<Eigen::Index>& contact);
 };
 
 /// @brief Pressing forces on the nodes of a contact alone: those that are in the inverse and apart bear none by the

@@ -1,6 +1,7 @@
 #include "transient/kept_inverse.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -18,9 +19,14 @@ constexpr double kMostNodes = 1.5;
 /// Unknowns that are added at once, for products to be quick.
 constexpr Index kTogether = 48;
 
+bool are_near(const std::vector<double>& a, const std::vector<double>& b, double most_change) {
+  return std::ranges::equal(a, b, [&](double x, double y) { return std::abs(x - y) <= most_change * std::abs(y); });
+}
+
 }  // namespace
 
 bool KeptInverse::cover(const StepOperator& surface, const std::vector<Index>& contact) {
+  if (inverse_ && !are_near(surface.shares(), inverse_->shares, most_change_)) inverse_.reset();
   std::vector<Index> known;
   if (inverse_) known = inverse_->nodes;
   std::ranges::sort(known);

@@ -23,7 +23,9 @@ class KeptInverse {
 
   /// @param[in] components of a node
   /// @param[in] compliance between two sets of nodes
-  KeptInverse(Eigen::Index components, Compliance compliance) : components_(components), compliance_(compliance) {}
+  /// @param[in] most_change of a surface's shares, relative, with which an inverse is kept
+  KeptInverse(Eigen::Index components, Compliance compliance, double most_change)
+      : components_(components), compliance_(compliance), most_change_(most_change) {}
 
   /// @brief Have all nodes of a contact in it, and few beside them.
   /// @param[in] surface of the parts that the inverse was begun with; it stays one by the shares of then
@@ -40,8 +42,8 @@ class KeptInverse {
   /// @return as `Compliance` has its rows and columns [N/m]
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return inverse_->matrix; }
 
-  /// @return of the surface that it is of; none where there is no inverse
-  [[nodiscard]] std::vector<double> shares() const { return inverse_ ? inverse_->shares : std::vector<double>{}; }
+  /// @return of the surface that it is of
+  [[nodiscard]] const std::vector<double>& shares() const { return inverse_->shares; }
 
   void write(NumberWriter& numbers) const;
   /// @param[in] numbers of what another one has written
@@ -57,6 +59,7 @@ class KeptInverse {
 
   Eigen::Index components_;
   Compliance compliance_;
+  double most_change_;
   std::shared_ptr<const Inverse> inverse_;
 };
 
