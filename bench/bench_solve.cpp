@@ -189,9 +189,9 @@ void speed_sweep(benchmark::State& state) {
     for (int i = 0; i < core_count(); ++i) threads.emplace_back(work);
   }
   state.counters["error"] = relative_error(torque, 11.348e-3);
-  state.counters["contact_nodes"] = contact_nodes / 2000.0;  // on average
-  state.counters["iterations"] = iterations;
-  state.counters["operator_applications"] = applications;
+  state.counters["contact_nodes"] = contact_nodes.load() / 2000.0;  // on average
+  state.counters["iterations"] = iterations.load();
+  state.counters["operator_applications"] = applications.load();
 }
 
 /// A crowned wheel to 1 %, of a tread that was not there before; the error is against the torque of fine meshes [N m],

@@ -36,13 +36,26 @@ PLACE = ("<!-- limit: made by bench/limit.py -->\n", "<!-- end of limit -->")
 DOUBLE = 8.0
 #: Terms of a polynomial along one direction that tell a smooth function to thirteen digits, even and odd ones.
 TERMS = 2 * 24
+#: Orders m that are summed, and orders n that tell each of them: of a window, whatever its mesh.
+ORDERS, SAMPLED = 250, 96
 #: Sample frequency of the profiler [Hz].
 FREQUENCY = 997
 
 #: Phases by the functions that a stack passes, the first that is found; a library's name stands for its functions.
 PHASES: list[tuple[str, tuple[str, ...]]] = [
     ("new pages of memory", ("asm_exc_page_fault", "do_syscall_64")),
-    ("tables", ("OrderSum::tables", "CoatingSum::CoatingSum", "make_model", "CreepingTables::CreepingTables")),
+    (
+        "tables",
+        (
+            "OrderSum",
+            "Synthesis",
+            "BandWaves",
+            "CoatingSum",
+            "SelfSimilar",
+            "make_model",
+            "CreepingTables::CreepingTables",
+        ),
+    ),
     ("factorizations", ("factor<", "dense_inverse", "bordered_inverse", "SingleFactors", "DenseFactors")),
     ("inverse of the contact", ("ContactInverse::times", "selfadjoint_matrix_vector_product", "KeptInverse")),
     ("memory of the rows", ("RowMemory",)),
@@ -101,9 +114,15 @@ def orthogonalization(unknowns: float, steps: float) -> Work:
 
 
 def tables(phi_reach: float, theta_reach: float, count: int = 1) -> Work:
-    """Return every entry, summed from few terms and written once."""
+    """Return compliances of the orders, their sums along both directions, and every entry, written once.
+
+    A compliance is a series of some two dozen complex terms; sums take multiplications of real and imaginary parts.
+    """
     entries = count * (2.0 * phi_reach + 1.0) * (theta_reach + 1.0)
-    return Work(2.0 * TERMS * entries, DOUBLE * entries)
+    compliances = ORDERS * SAMPLED * 4.0 * 24.0
+    along_theta = 4.0 * ORDERS * SAMPLED * TERMS
+    along_phi = 4.0 * ORDERS * TERMS * (theta_reach + 1.0)
+    return Work(count * (compliances + along_theta + along_phi) + 2.0 * TERMS * entries, DOUBLE * entries)
 
 
 def large_window(counters: Mapping[str, float]) -> dict[str, Work]:
