@@ -22,7 +22,7 @@ class ContactInverse : public KeptInverse {
  public:
   ContactInverse();
 
-  /// @brief Cover the nodes of a contact, and no others.
+  /// @brief Cover the nodes of a contact, and note which of the inverse's are apart.
   /// @param[in] surface whose compliance it is
   /// @param[in] contact numbers in a window, ascending
   void follow(const StepOperator& surface, const std::vector<Eigen::Index>& contact);
