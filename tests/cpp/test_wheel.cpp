@@ -283,7 +283,7 @@ TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
   const Nodes nodes = pair.body.nodes({.nodes_per_revolution = 2000}, pair.on);
   const SurfaceWindow window(nodes.grid, {{-1, 1}, {-60, 60}});
-  const RigidWays ways = rigid_slip(window, 1.0, SlipKinematics::exact, pair, {});
+  const RigidWays ways = rigid_slip(window, {}, SlipKinematics::exact, pair, {});
   const double step = window.grid().radius * window.grid().phi_spacing;
   const Window& range = window.window();
   for (const int k : {-60, -7, 0, 31}) {

@@ -34,7 +34,7 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
 
 Friction make_friction(const SurfaceWindow& window, const Assembly& given) {
   const LoadCase& load_case = given.load_case;
-  RigidWays ways = rigid_slip(given.displaced_points(window), given.swelling, given.options.slip_kinematics,
+  RigidWays ways = rigid_slip(given.displaced_points(window), given.model.swelling, given.options.slip_kinematics,
                               given.pair(), given_motion(load_case.drive));
   return {.coefficient = load_case.friction,
           .rigid_slip = std::move(ways.slip),
@@ -57,15 +57,21 @@ SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
 }
 
 LeverArms Assembly::lever_arms(const SurfaceWindow& window) const {
+  const double swelling = model.swelling.own;
   LeverArms arms{
       .x = swelling * window.x(), .y = swelling * window.points().y().values(), .radius = pair().body.radius};
   if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, pair());
   return arms;
 }
 
+LeverArms Assembly::lever_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const {
+  const double swelling = model.swelling.own;
+  return {.x = swelling * window.x()(at), .y = swelling * window.points().y().at(at), .radius = pair().body.radius};
+}
+
 ContactProblem Assembly::problem(const SurfaceWindow& window) const {
   ContactProblem problem{.surface = surface_on(window, *this),
-                         .initial_gap = initial_gap(displaced_points(window), swelling, pair()),
+                         .initial_gap = initial_gap(displaced_points(window), model.swelling, pair()),
                          .normal_force = load_case.load,
                          .friction = std::nullopt,
                          .ends_at_sides = has_sides() && window.window().theta == nodes.widest.theta};
@@ -88,7 +94,6 @@ Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Optio
                           .tangential = load_case.friction > 0.0,
                           .collocation = model.collocation},
           .nodes = nodes_of(model.pair, model.mesh),
-          .swelling = 1.0 + model.centrifugal / radius,
           .contact = contact,
           .estimated_depth = radius - std::sqrt(std::max(std::pow(radius, 2) - std::pow(half_chord, 2), 0.0))};
 }

@@ -2,6 +2,8 @@
 /// @brief The contact problem of a load case: what presses, slides and turns on the nodes of a window.
 #pragma once
 
+#include <vector>
+
 #include "contact/contact_problem.hpp"
 #include "rolling/mesh_model.hpp"
 #include "viscoroll/load_case.hpp"
@@ -18,13 +20,12 @@ struct Assembly {
   ContactOptions limits;
   Formulation formulation;
   Nodes nodes;
-  double swelling;         ///< of the free surface, by the turning
   ContactReach contact;    ///< estimated, rather from above
   double estimated_depth;  ///< initial gap up to which nodes are likely to touch, by the estimated contact [m]
 
   [[nodiscard]] const RollingPair& pair() const { return model.pair; }
   /// @return `estimated_depth` of the free surface [m]
-  [[nodiscard]] double likely_depth() const { return swelling * estimated_depth; }
+  [[nodiscard]] double likely_depth() const { return model.swelling.own * estimated_depth; }
   /// @brief With the radial compliance pressure does no work along the plane.
   [[nodiscard]] double pressure_share() const { return options.compliance == Compliance::vertical ? 1.0 : 0.0; }
   /// @return whether one of the two ends beside the path
@@ -35,6 +36,8 @@ struct Assembly {
   /// @return where displacements are taken
   [[nodiscard]] SurfaceWindow displaced_points(const SurfaceWindow& window) const;
   [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& window) const;
+  /// @return those of some nodes, without the slope of what is rolled on
+  [[nodiscard]] LeverArms lever_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const;
   [[nodiscard]] ContactProblem problem(const SurfaceWindow& window) const;
 };
 

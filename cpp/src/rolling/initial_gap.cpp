@@ -1,50 +1,61 @@
 #include "rolling/initial_gap.hpp"
 
+#include <cmath>
+
 namespace viscoroll::detail {
 
 using Eigen::ArrayXd;
+using Eigen::Index;
 
 namespace {
 
-/// Of a profile, which has no numbers where it is flat.
-void add(const ArrayXd& numbers, ArrayXd& sum) {
-  if (numbers.size() > 0) sum += numbers;
-}
+auto all_of(const SurfaceWindow& points) { return Eigen::seqN(Index{0}, points.shape().size()); }
 
-}  // namespace
-
-ArrayXd initial_gap(const SurfaceWindow& points, double swelling, const RollingPair& pair) {
-  ArrayXd gap = swelling * points.height();
-  add(pair.on.profile(points).drop, gap);
-  return gap;
-}
-
-ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair) {
-  ArrayXd drop = ArrayXd::Zero(points.shape().size());
-  add(pair.on.profile(points).drop, drop);
-  return pair.on.curvatures.along * drop;
-}
-
-ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
-  ArrayXd slope = points.x() / points.grid().radius;
-  add(pair.on.profile(points).slope, slope);
-  return relative_radius(pair) * slope;
-}
-
-ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Eigen::Index>& nodes) {
+/// @param[in] nodes numbers of some, or all of them
+template <class Nodes>
+ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
   ArrayXd slope = points.x()(nodes) / points.grid().radius;
   const ArrayXd tilt = pair.on.profile(points).slope;
   if (tilt.size() > 0) slope += tilt(nodes);
   return relative_radius(pair) * slope;
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair) {
-  return -pair.on.curvatures.along * pressure_lever(points, pair);
+template <class Nodes>
+ArrayXd slope_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
+  return -pair.on.curvatures.along * lever_at(points, pair, nodes);
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair,
-                          const std::vector<Eigen::Index>& nodes) {
-  return -pair.on.curvatures.along * pressure_lever(points, pair, nodes);
+}  // namespace
+
+/// Below a node that has moved out along x and z, what it touches is that much further down, of a larger radius less
+/// so.
+ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
+  ArrayXd gap = swelling.own * points.height();
+  const ArrayXd drop = pair.on.profile(points).drop;
+  if (drop.size() > 0) gap += std::pow(swelling.own, 2) / swelling.counterpart * drop;
+  return gap;
+}
+
+ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair) {
+  const ArrayXd drop = pair.on.profile(points).drop;
+  if (drop.size() == 0) return ArrayXd::Zero(points.shape().size());
+  return pair.on.curvatures.along * drop;
+}
+
+ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
+  return lever_at(points, pair, all_of(points));
+}
+
+ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Index>& nodes) {
+  return lever_at(points, pair, nodes);
+}
+
+ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair) {
+  return slope_at(points, pair, all_of(points));
+}
+
+ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Index>& nodes) {
+  return slope_at(points, pair, nodes);
 }
 
 }  // namespace viscoroll::detail

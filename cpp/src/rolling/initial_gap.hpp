@@ -6,16 +6,18 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "rolling/mesh_model.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
 
 namespace viscoroll::detail {
 
 /// @param[in] points nodes of what rolls
-/// @param[in] swelling of its free surface, by the turning
+/// @param[in] swelling of the free surfaces, by the turning
 /// @param[in] pair both bodies
 /// @return at every node, 0 where the lowest one is [m]
-[[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, double swelling, const RollingPair& pair);
+[[nodiscard]] Eigen::ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling,
+                                         const RollingPair& pair);
 
 /// @brief By which share of the speed the surface that a body rolls on lags, where it turns too and is nearer to its
 /// own axis: 0 of a straight one.

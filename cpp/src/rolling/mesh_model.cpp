@@ -40,6 +40,8 @@ MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& 
           .counterpart = std::move(counterpart.tables),
           .stiffest_modulus = std::max(own.stiffest_modulus, counterpart.stiffest_modulus),
           .centrifugal = own.centrifugal + counterpart.centrifugal,
+          .swelling = {.own = 1.0 + own.centrifugal * pair.body.curvatures.along,
+                       .counterpart = 1.0 + counterpart.centrifugal * pair.on.curvatures.along},
           .collocation = stable_collocation(own.normal + counterpart.normal, own.along + counterpart.along)};
 }
 

@@ -11,6 +11,12 @@
 
 namespace viscoroll::detail {
 
+/// @brief Radii of the free surfaces of two that turn, per those at rest.
+struct Swelling {
+  double own = 1.0;  ///< of what rolls
+  double counterpart = 1.0;
+};
+
 /// @brief Two bodies at a speed on a mesh. Threads may share it.
 struct MeshModel {
   RollingPair pair;
@@ -20,7 +26,8 @@ struct MeshModel {
   std::unique_ptr<const SurfaceTables> own;          ///< of what rolls, none where that is rigid
   std::unique_ptr<const SurfaceTables> counterpart;  ///< of what it rolls on, likewise
   double stiffest_modulus;  ///< the largest shear modulus of a layer at the highest harmonic [Pa]
-  double centrifugal;       ///< d_R^(c) [m]
+  double centrifugal;       ///< d_R^(c) of both [m]
+  Swelling swelling;        ///< that makes of their radii
   double collocation;       ///< where displacements are taken, see `SurfaceOperator::collocation` [spacings]
   std::shared_ptr<SharedStarts> starts = std::make_shared<SharedStarts>();  ///< of its load cases with friction
 };

@@ -39,10 +39,8 @@ std::vector<double> columns(Index rows, const Function& function) {
 LeverArms displaced_arms(const Assembly& given, const HeldContact& held) {
   const double share = given.pressure_share();
   const std::vector<Index>& contact = held.contact.contact;
-  const LeverArms arms = displaced({.x = given.swelling * held.nodes.x()(contact),
-                                    .y = given.swelling * held.nodes.points().y().at(contact),
-                                    .radius = given.pair().body.radius},
-                                   held.contact.displacement(contact, Eigen::all), share);
+  const LeverArms arms =
+      displaced(given.lever_arms(held.nodes, contact), held.contact.displacement(contact, Eigen::all), share);
   const VectorField& counterpart = held.contact.counterpart_displacement;
   return counterpart.rows() == 0 ? arms : displaced(arms, -counterpart(contact, Eigen::all), share);
 }
@@ -175,7 +173,7 @@ class Summary {
     r.z = to_vector(window_.z());
     r.gap = to_vector(contact_.gap);
     // The gap is H - y - u_y, so the upward displacement -u_y is gap + y - H, and H = r_o - penetration.
-    ArrayXd rise = initial_gap(given_.displaced_points(window_), 1.0, given_.pair());
+    ArrayXd rise = initial_gap(given_.displaced_points(window_), {}, given_.pair());
     rise = contact_.gap - rise;
     r.displacement = to_vector(rise + r.penetration.value_or(-rise[window_.window().number_of(0, 0)]));
     r.contact = mask(contact_.contact, size_);

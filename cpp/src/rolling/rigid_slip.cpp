@@ -4,8 +4,8 @@
 
 namespace viscoroll::detail {
 
-RigidWays rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics, const RollingPair& pair,
-                     const GivenMotion& given) {
+RigidWays rigid_slip(const SurfaceWindow& points, const Swelling& swelling, SlipKinematics kinematics,
+                     const RollingPair& pair, const GivenMotion& given) {
   using Eigen::ArrayX2d;
   using Eigen::ArrayXd;
   const double step = points.grid().radius * points.grid().phi_spacing;
@@ -16,7 +16,7 @@ RigidWays rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematic
   RigidWays ways{.slip = ArrayX2d::Zero(nodes, 2), .counterpart_way = ArrayX2d::Zero(nodes, 2)};
   ways.counterpart_way.col(0).tail(rest) = step - lag;
   if (kinematics == SlipKinematics::exact) {
-    ways.slip.col(0).tail(rest) = (1.0 - swelling) * step + swelling * points.lag().tail(rest);
+    ways.slip.col(0).tail(rest) = (swelling.counterpart - swelling.own) * step + swelling.own * points.lag().tail(rest);
   }
   ways.slip.col(0).tail(rest) += given.spin * step * points.z().tail(rest) - lag;
   ways.slip.col(1).tail(rest) = given.lateral_creepage * step - given.spin * step * points.x().tail(rest);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "rolling/drives.hpp"
+#include "rolling/mesh_model.hpp"
 #include "rolling/rolling_pair.hpp"
 #include "surface/surface_window.hpp"
 #include "viscoroll/formulation.hpp"
@@ -20,11 +21,11 @@ struct RigidWays {
 };
 
 /// @param[in] points where displacements are taken
-/// @param[in] swelling of the free surface, by the turning
+/// @param[in] swelling of the free surfaces, by the turning
 /// @param[in] kinematics with Heathcote slip or without
 /// @param[in] pair both bodies
 /// @param[in] given lateral creepage and spin
-[[nodiscard]] RigidWays rigid_slip(const SurfaceWindow& points, double swelling, SlipKinematics kinematics,
+[[nodiscard]] RigidWays rigid_slip(const SurfaceWindow& points, const Swelling& swelling, SlipKinematics kinematics,
                                    const RollingPair& pair, const GivenMotion& given);
 
 }  // namespace viscoroll::detail

@@ -62,7 +62,7 @@ ContactPlace place_at(const CreepingPair& pair, double shift, Index half_rows, d
 }
 
 ContactPlace place_of(const CreepingPair& pair, Index first, SurfaceWindow nodes) {
-  Eigen::ArrayXd gap = initial_gap(nodes, 1.0, pair.pair);
+  Eigen::ArrayXd gap = initial_gap(nodes, {}, pair.pair);
   Eigen::ArrayXd lever = pressure_lever(nodes, pair.pair);
   std::vector<Axes> axes = axes_at(pair, nodes);
   return {.first = first,

@@ -159,6 +159,34 @@ def test_centrifugal_displacement_enters_the_contact():
     assert fast.displacement[0, 0] == pytest.approx(-fast.centrifugal_displacement * depth[0, 0], abs=2e-5)
 
 
+def test_swollen_balls_roll_on_one_another_alike():
+    """Two alike pass without a force, and of two unlike either may be the first: speeds are those at rest."""
+    rubber = vr.StandardLinearSolid(instantaneous_modulus=2e6, relaxed_modulus=1e6, relaxation_time=1e-2)
+
+    def force(radius, other, density):
+        layer = vr.Layer(thickness=5e-3, shear_modulus=rubber, poisson_ratio=0.45, density=density)
+        ball, on = (vr.CoatedSphere(core_radius=r - 5e-3, layers=[layer]) for r in (radius, other))
+        mesh = vr.Mesh(nodes_per_revolution=round(2 * math.pi * radius / 0.25e-3))
+        given = {"load": 5.0, "angular_speed": 150.0 * 25e-3 / radius, "friction": 0.5, "mesh": mesh}
+        return vr.solve(ball, on=on, drive=vr.Drive(creepage=0.0), **given).driving_force
+
+    still, fast = ([force(25e-3, 25e-3, rho), force(25e-3, 45e-3, rho) + force(45e-3, 25e-3, rho)] for rho in (0, 1200))
+    # What is left is the mesh's; all swelling on one side alone, 2e-5 of the radius, makes 2e-3 N and more of it.
+    assert fast == pytest.approx(still, abs=3e-4)
+
+
+def test_a_rigid_ball_does_not_swell_with_what_it_rolls_on():
+    """Its lever is its own: the force that was given to drive it is the one that it is driven by."""
+    soft = vr.StandardLinearSolid(instantaneous_modulus=2800.0, relaxed_modulus=64.0, relaxation_time=233.0)
+    layer = vr.Layer(thickness=0.6, shear_modulus=soft, poisson_ratio=-0.25, density=1720.0)
+    on = vr.CoatedSphere(layers=[layer], inner_boundary="SOLID")
+    mesh = vr.Mesh(nodes_per_revolution=400)
+    given = {"load": 0.5, "angular_speed": 0.02, "friction": 0.003, "drive": vr.Drive(force=1.5e-5), "mesh": mesh}
+    r = vr.solve(vr.CoatedSphere(core_radius=0.43, layers=[]), on=on, **given)
+    assert r.centrifugal_displacement > 1e-4 * 0.43
+    assert r.driving_force == pytest.approx(1.5e-5, rel=1e-9, abs=0.0)
+
+
 def test_incompressible_layers_do_not_swell(paper_ball):
     assert vr.centrifugal_displacement(paper_ball, 1000.0) == 0.0
 
