@@ -93,7 +93,7 @@ TEST(MultilevelContact, EndsWhereItsWindowCutsItOff) {
   const Eigen::ArrayXd x = model.nodes.x();
   problem.initial_gap += x.maxCoeff() / 23e-3 * x;  // the lowest point lies at an edge
   const LocatedContact located = solve_multilevel(problem, 1e-5, {.max_iterations = 100});
-  EXPECT_TRUE(touches_edge(located));
+  EXPECT_TRUE(touches_edge(located, located.window()));
   EXPECT_NE(located.window(), model.nodes.window());
 }
 

@@ -87,7 +87,7 @@ LocatedContact press_multilevel(const ContactProblem& problem, double likely_dep
   for (;;) {
     LocatedContact located = press(within(problem, box), guess, options);
     const Window wider = joined(box, box_around(located, 1, limits));
-    if (wider == box || !touches_edge(located)) return located;
+    if (wider == box || !touches_edge(located, box)) return located;
     box = wider;
     guess = guess_from(located, box);
   }

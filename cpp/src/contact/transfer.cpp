@@ -116,12 +116,13 @@ std::vector<Index> prolonged_contact(const LocatedContact& coarse, const Window&
   return contact;
 }
 
-bool touches_edge(const LocatedContact& located) {
-  const WindowShape shape = located.window().shape();
-  const bool goes_on = !located.window().is_line() && !located.problem.ends_at_sides;
+bool touches_edge(const LocatedContact& located, const Window& window) {
+  const WindowShape shape = window.shape();
+  const bool goes_on = !window.is_line() && !located.problem.ends_at_sides;
   return std::ranges::any_of(located.contact.contact, [&](Index node) {
-    const Index i = node / shape.theta_nodes;
-    const Index k = node % shape.theta_nodes;
+    const Index number = window.number_of(located.window(), node);
+    const Index i = number / shape.theta_nodes;
+    const Index k = number % shape.theta_nodes;
     return i <= 1 || i == shape.phi_nodes - 1 || (goes_on && (k == 0 || k == shape.theta_nodes - 1));
   });
 }

@@ -37,8 +37,8 @@ struct LocatedContact {
 /// nearest coarse nodes are in contact.
 [[nodiscard]] std::vector<Eigen::Index> prolonged_contact(const LocatedContact& coarse, const Window& fine);
 
-/// @brief Whether the contact reaches the rim of its window, or its upstream nodes do.
-[[nodiscard]] bool touches_edge(const LocatedContact& located);
+/// @brief Whether the contact reaches the rim of a window that encloses its own, or its upstream nodes do.
+[[nodiscard]] bool touches_edge(const LocatedContact& located, const Window& window);
 
 /// @brief The same contact on the window of a problem that encloses its own, with displacements and gaps everywhere.
 [[nodiscard]] ContactSolution extended(const LocatedContact& located, const ContactProblem& whole);

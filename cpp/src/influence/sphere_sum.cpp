@@ -78,9 +78,15 @@ SphereSum::SphereSum(LayeredBody sphere, double angular_speed, const MeshOnBody&
       exact_degree_(mesh.rounded().max_order ? std::numeric_limits<double>::infinity() : exact_degree),
       highest_degree_(mesh.rounded().max_order.value_or(static_cast<int>(std::ceil(exact_end(exact_degree))))) {}
 
-double SphereSum::values(const SphereRequest& request, int half_theta) const {
+double SphereSum::values(const SphereRequest& request, int phi_reach, int half_theta) const {
   const double degrees = 0.5 * (highest_degree_ + 1.0) * (highest_degree_ + 2.0);
-  return 2.0 * (request.tangential ? 3.0 : 1.0) * degrees * (half_theta + 1.0);
+  const double harmonics = 2.0 * (request.tangential ? 3.0 : 1.0) * degrees * (half_theta + 1.0);
+  if (!std::isfinite(exact_degree_)) return harmonics;
+  constexpr double kPerNode = 2.0 + 4.0;  // a table of both signs of phi, and the spectrum that it is padded to
+  constexpr double kRequests = 2.0;       // of what displaces, and of what it dissipates
+  const double nodes = (phi_reach + 1.0) * (2.0 * half_theta + 1.0);
+  const auto powers = static_cast<double>(sampled_metrics(std::cos(mesh_.theta_spacing() * half_theta)).size());
+  return harmonics + kRequests * kPerNode * nodes * powers * static_cast<double>(flat_requests(request).size());
 }
 
 std::vector<SphereInfluence> SphereSum::influences(const std::vector<SphereRequest>& requests, int phi_reach,

@@ -43,8 +43,8 @@ struct SphereInfluence {
 /// @return as if it depended on the offset in theta alone, as it does close to the equator: r by r, or all [Entry]
 [[nodiscard]] std::vector<Table> tables_around_equator(const SphereInfluence& influence);
 
-/// @brief Values of harmonics at the nodes of a window, beyond which it is refused: 4 GB.
-constexpr double kMostHarmonicValues = 5e8;
+/// @brief Values of harmonics and tables for the nodes of a window, beyond which it is refused: 4 GB.
+constexpr double kMostSphereValues = 5e8;
 
 /// @brief Which tables.
 struct SphereRequest {
@@ -82,8 +82,8 @@ class SphereSum {
   [[nodiscard]] std::vector<SphereInfluence> influences(const std::vector<SphereRequest>& requests, int phi_reach,
                                                         int half_theta, int threads, Watch& watch) const;
 
-  /// @return number of values of harmonics that serve nodes up to half_theta from the equator
-  [[nodiscard]] double values(const SphereRequest& request, int half_theta) const;
+  /// @return number of values of harmonics and tables that serve nodes as in `influences`
+  [[nodiscard]] double values(const SphereRequest& request, int phi_reach, int half_theta) const;
 
   static constexpr double kExactDegree = 64.0;
 

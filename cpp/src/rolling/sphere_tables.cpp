@@ -17,7 +17,7 @@ std::shared_ptr<const SurfaceOperator> SphereTables::operator_on(const SurfaceWi
                         .patch_load = formulation.patch_load,
                         .collocation = formulation.collocation};
   const auto& [phi, theta] = nodes.window();
-  require_few_values(request, theta.last);
+  require_few_values(request, phi.count() - 1, theta.last);
   auto influence = this->influence(request, phi.count() - 1, theta.last, execution);
   Formulation flat = formulation;
   flat.patch_load = PatchLoad::flat;
@@ -31,10 +31,10 @@ std::shared_ptr<const SurfaceOperator> SphereTables::operator_on(const SurfaceWi
                                           });
 }
 
-void SphereTables::require_few_values(const SphereRequest& request, int half_theta) const {
-  const double values = sum_.values(request, half_theta);
-  if (values <= kMostHarmonicValues) return;
-  const std::string most = text(kMostHarmonicValues) + " values of harmonics";
+void SphereTables::require_few_values(const SphereRequest& request, int phi_reach, int half_theta) const {
+  const double values = sum_.values(request, phi_reach, half_theta);
+  if (values <= kMostSphereValues) return;
+  const std::string most = text(kMostSphereValues) + " values of harmonics and tables";
   const std::string made = text(values) + " with curvature EXACT";
   if (mesh_.max_order) {
     reject("mesh.max_order", "small enough for " + most, std::to_string(*mesh_.max_order) + " (it makes " + made + ")");

@@ -19,14 +19,14 @@ class SphereTables final : public SurfaceTables {
   /// @param[in] mesh that it is made on
   SphereTables(SphereSum sum, const Mesh& mesh) : sum_(std::move(sum)), mesh_(mesh) {}
 
-  /// @throws MeshTooFine where harmonics have more values than can be held
+  /// @throws MeshTooFine where harmonics and tables have more values than can be held
   [[nodiscard]] std::shared_ptr<const SurfaceOperator> operator_on(const SurfaceWindow& nodes,
                                                                    const Formulation& formulation,
                                                                    const Execution& execution) const override;
 
  private:
   /// @throws MeshTooFine where they are too many
-  void require_few_values(const SphereRequest& request, int half_theta) const;
+  void require_few_values(const SphereRequest& request, int phi_reach, int half_theta) const;
   /// @param[in] request which one
   /// @param[in] phi_reach,half_theta offsets and thetas that it reaches at least
   /// @param[in] execution of the sum

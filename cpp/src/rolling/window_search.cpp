@@ -18,11 +18,15 @@ constexpr double kOverclosure = 1e-8;
 constexpr double kMarginOfEstimate = 1.1;  // of windows around a contact that was estimated, rather from above ...
 constexpr double kMarginOfSeen = 1.2;      // ... and around one that was seen on a coarser mesh
 
+constexpr double kRoundOff = 1e-9;  // in nodes: contacts that were seen are whole numbers of them, times the margin
+
 constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window, on a mesh that is to show its size
 
 constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
 
-constexpr Eigen::Index kFewNodes = 1024;  // that show whether a window holds a contact
+// That show whether a window holds a contact, and whether the widest does: the limit of 60 degrees to a degree.
+constexpr Eigen::Index kFewNodes = 1024;
+constexpr Eigen::Index kManyNodes = 16384;
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -55,7 +59,7 @@ bool holds_pressed_contact(const Assembly& assembly, ContactProblem problem, Eig
   problem.friction.reset();
   while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
   const LocatedContact pressed = solve_multilevel(problem, assembly.estimated_depth, assembly.limits);
-  if (pressed.window() == problem.surface->window() && touches_edge(pressed)) return false;
+  if (touches_edge(pressed, problem.surface->window())) return false;
   require_contact(assembly, 0.0, pressed.contact.penetration);
   return true;
 }
@@ -79,14 +83,14 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
   ContactProblem problem = assembly.problem(nodes);
   const bool is_known = is_seen || (problem.friction && problem.friction->shared->pressed());
   if (!is_known && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
-      !(is_widest && holds_pressed_contact(assembly, problem, problem.initial_gap.size()))) {
+      !(is_widest && holds_pressed_contact(assembly, problem, kManyNodes))) {
     return std::nullopt;
   }
   LocatedContact located = solve_contact(assembly, problem);
   for (;;) {
+    if (touches_edge(located, window)) return std::nullopt;
     const bool boxed = located.window() != window;
-    const bool at_edge = touches_edge(located);
-    if (!boxed && at_edge) return std::nullopt;
+    const bool at_edge = touches_edge(located, located.window());
     ContactSolution whole = extended(located, problem);
     const bool overclosed = least_gap_outside(located.window(), whole.gap, window) < -kOverclosure * whole.penetration;
     if (!boxed || !(at_edge || overclosed)) {
@@ -156,7 +160,7 @@ HeldContact find_held_contact(const Assembly& assembly, const std::optional<Cont
   const ContactReach likely = seen.value_or(assembly.contact);
   const double margin = seen ? kMarginOfSeen : kMarginOfEstimate;
   const auto half_width = [&](double reach, double spacing) {
-    return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing))) + 2;
+    return static_cast<int>(std::ceil(margin * reach / (grid.radius * spacing) - kRoundOff)) + 2;
   };
   const Window& widest = assembly.nodes.widest;
   const auto at_most_widest = [&widest](int phi, int theta) {
