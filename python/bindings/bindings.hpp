@@ -20,7 +20,7 @@ void bind_roll(py::module_& m);
 void bind_rolling_resistance(py::module_& m);
 void bind_solve(py::module_& m);
 
-/// One-dimensional C-contiguous array; other types and layouts are refused, not copied.
+/// C-contiguous array; other types and layouts are refused, not copied.
 template <class T>
 using InputArray = py::array_t<T, py::array::c_style>;
 

@@ -222,7 +222,7 @@ class ResultScalars:
     @property
     def center_height(self) -> float | None:
         """
-        height of the center H [m]. Above the plane. As determined as the penetration.
+        height of the center H [m]. Above what it rolls on. As determined as the penetration.
         """
     @property
     def centrifugal_displacement(self) -> float:
@@ -257,12 +257,12 @@ class ResultScalars:
     @property
     def driving_force(self) -> float:
         """
-        driving force Q [N]. Force on the center, Q = -Σ t_x.
+        driving force Q [N]. Force on the center: on a rigid straight plane Q = -Σ t_x; a counterpart that deforms or curves adds what its slope makes of the pressure.
         """
     @property
     def driving_torque(self) -> float:
         """
-        driving torque T [N m]. Moment of the contact forces about the center: what turns the ball, and does the work of the model. With the radial compliance Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one, whose pressure does work along the plane too, Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
+        driving torque T [N m]. Moment of the contact forces about the center: what turns the ball, and does the work of the model. On a rigid straight plane, with the radial compliance, Σ x p + Σ (y + u_y) t_x = T_r - Q H; with the vertical one, whose pressure does work along the plane too, Σ (x + u_x) p + Σ (y + u_y) t_x, which differs from it by a share of the order of the strain.
         """
     @property
     def error_estimate(self) -> float:
@@ -352,7 +352,7 @@ class ResultScalars:
     @property
     def slip_power(self) -> float:
         """
-        power lost by slip [W]. On the plane.
+        power lost by slip [W]. Of both surfaces on one another.
         """
     @property
     def spin_moment(self) -> float:

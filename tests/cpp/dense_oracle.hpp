@@ -2,11 +2,12 @@
 /// @brief Contact equations with their matrices, made of unit forces: what iterative solutions are compared with.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "contact/contact_problem.hpp"
 #include "contact/stick_slip_system.hpp"
+#include "dense_solvers.hpp"
 #include "surface/surface_operator.hpp"
 
 namespace viscoroll::oracle {
@@ -39,7 +40,7 @@ inline Eigen::VectorXd press_flat(const detail::ContactProblem& problem, const E
   matrix.row(count).head(count).setOnes();
   Eigen::VectorXd right(count + 1);
   right << -problem.initial_gap(contact).matrix(), problem.normal_force;
-  return matrix.partialPivLu().solve(right);
+  return detail::dense_inverse(matrix) * right;
 }
 
 /// One Newton step with all forces of all nodes as unknowns: column-wise, then penetration and creepage.
@@ -114,7 +115,7 @@ inline Eigen::VectorXd newton_step(const detail::ContactProblem& problem, const 
     matrix.row(row) /= size;
     right[row] /= size;
   }
-  return matrix.partialPivLu().solve(right);
+  return detail::dense_inverse(matrix) * right;
 }
 
 }  // namespace viscoroll::oracle

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "dense_solvers.hpp"
 #include "influence/coating_sum.hpp"
 #include "influence/line_sum.hpp"
 #include "modal/layered_body.hpp"
@@ -130,15 +131,15 @@ Modes modes_of(const std::vector<Material>& materials, double k) {
   for (std::size_t i = 0; i < columns.size(); ++i) internal.col(static_cast<Eigen::Index>(i)) = columns[i];
   const Eigen::VectorXd slowness =
       Eigen::Map<const Eigen::VectorXd>(times.data(), internal.cols()).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd moved = at_once.ldlt().solve(internal);
+  const Eigen::MatrixXd yielding = dense_inverse(at_once);
+  const Eigen::MatrixXd moved = yielding * internal;
   const Eigen::MatrixXd stiff =
       Eigen::MatrixXd::Identity(internal.cols(), internal.cols()) - internal.transpose() * moved;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> roots(slowness.asDiagonal() * stiff * slowness.asDiagonal());
   const Eigen::VectorXd amplitudes =
       roots.eigenvectors().transpose() * (slowness.asDiagonal() * moved.row(size - 2).transpose());
-  Modes modes{.instantaneous = at_once.ldlt().solve(Eigen::VectorXd::Unit(size, size - 2))[size - 2],
-              .times = roots.eigenvalues().cwiseInverse(),
-              .weights = {}};
+  Modes modes{
+      .instantaneous = yielding(size - 2, size - 2), .times = roots.eigenvalues().cwiseInverse(), .weights = {}};
   modes.weights = modes.times.cwiseProduct(amplitudes.cwiseAbs2());
   return modes;
 }

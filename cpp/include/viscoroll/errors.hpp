@@ -18,7 +18,7 @@ class ConvergenceError : public std::runtime_error {
   /// @return iterations spent before giving up
   [[nodiscard]] int iterations() const noexcept { return iterations_; }
 
-  /// @return residual of the last iterate [-], relative to the penetration
+  /// @return residual of the last iterate [-], relative to what the message says
   [[nodiscard]] double residual() const noexcept { return residual_; }
 
  private:

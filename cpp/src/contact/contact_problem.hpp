@@ -45,6 +45,7 @@ struct ContactOptions {
   int max_iterations;        ///< linear systems
   double tolerance = 1e-11;  ///< relative residual of the last systems, and of friction per normal force
   double unsettled = 0.0;    ///< share of nodes that may be about to leave or join without friction
+  bool is_start = false;     ///< whether what is found is where another one starts: creep need not come to rest
 };
 
 /// @return the problem with every other node

@@ -44,13 +44,13 @@ class StateSearch {
         problem_(problem),
         start_(start),
         limits_(limits_of(problem, start, options)),
-        is_for_finer_mesh_(options.tolerance == limits_.tolerance),
+        is_start_(options.is_start),
         system_(problem_),
         newton_(system_, limits_) {}
 
   [[nodiscard]] ContactSolution solve() {
     const bool is_finite = std::isfinite(wanted_.coefficient);
-    const bool is_found = (start_.creepage && from_coarser_mesh()) || (is_finite ? find() : find_full_stick());
+    const bool is_found = (start_.creepage && from_state_with_friction()) || (is_finite ? find() : find_full_stick());
     if (is_found) return finished();
     const int iterations = this->iterations();
     throw ConvergenceError((is_finite ? "no state of stick and slip" : "no full stick without tension") +
@@ -80,8 +80,8 @@ class StateSearch {
     return is_found;
   }
 
-  /// From a state on a coarser mesh, with care where rough steps fail.
-  bool from_coarser_mesh() {
+  /// From one of a coarser mesh or of a smaller box, with care where rough steps fail.
+  bool from_state_with_friction() {
     start_from(start_);
     if (iterate({.patience = kSettings.patience_nearby})) return true;
     start_from(start_);
@@ -201,7 +201,7 @@ class StateSearch {
   [[nodiscard]] ContactSolution finished() {
     ContactSolution state = newton_.state();
     ContactSets sets = newton_.sets();
-    const int most = is_for_finer_mesh_ ? 0 : kSettings.steps_of_rest;
+    const int most = is_start_ ? 0 : kSettings.steps_of_rest;
     for (int step = 0; step < most && system_.creep(state, sets) > kSettings.largest_creep; ++step) {
       newton_.take_step(wanted_.coefficient, sets, kSettings.exact_step);
       if (!(newton_.state().residual < state.residual)) break;
@@ -223,7 +223,7 @@ class StateSearch {
   ContactProblem problem_;  // whose drive is another one on the way
   ContactSolution start_;
   SearchLimits limits_;
-  bool is_for_finer_mesh_;  // where creep need not come to rest
+  bool is_start_;  // of another one, where creep need not come to rest
   StickSlipByProducts system_;
   SemismoothNewton newton_;
   int shared_systems_ = 0;   // of the way to full stick

@@ -27,6 +27,7 @@ constexpr double kCoarseUnsettled = 0.001;  // of its nodes
 ContactOptions rough(ContactOptions options) {
   options.tolerance = kCoarseTolerance;
   options.unsettled = kCoarseUnsettled;
+  options.is_start = true;
   return options;
 }
 
@@ -78,15 +79,15 @@ LocatedContact press(ContactProblem problem, const NormalContactGuess& guess, co
 }
 
 LocatedContact press_multilevel(const ContactProblem& problem, double likely_depth, const ContactOptions& options) {
-  const Window& limits = problem.surface->window();
-  if (!is_worth_coarsening(limits)) return press(problem, guess_within(problem, likely_depth), options);
+  const Window& window = problem.surface->window();
+  if (!is_worth_coarsening(window)) return press(problem, guess_within(problem, likely_depth), options);
   const LocatedContact coarse = press_multilevel(coarsened(problem), likely_depth, rough(options));
-  if (limits.shape().size() <= kSmallWindow) return press(problem, prolonged_guess(coarse, limits), options);
-  Window box = box_around(coarse, 2, limits);
+  if (window.shape().size() <= kSmallWindow) return press(problem, prolonged_guess(coarse, window), options);
+  Window box = box_around(coarse, 2, window);
   NormalContactGuess guess = prolonged_guess(coarse, box);
   for (;;) {
     LocatedContact located = press(within(problem, box), guess, options);
-    const Window wider = joined(box, box_around(located, 1, limits));
+    const Window wider = joined(box, box_around(located, 1, window));
     if (wider == box || !touches_edge(located, box)) return located;
     box = wider;
     guess = guess_from(located, box);

@@ -1,6 +1,6 @@
 #include "influence/side_sum.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "dense_solvers.hpp"
 #include "influence/patch.hpp"
 #include "influence/table.hpp"
 #include "influence/waves.hpp"
@@ -31,7 +32,7 @@ MatrixXd spline_bends(Index knots, double distance) {
   smooth.row(0).head(3) << 1.0, -2.0, 1.0;
   smooth.row(knots - 1).tail(2) << 1.0, 2.0;
   bends.row(knots - 1).tail(2) << 6.0, -6.0 * (1.0 + distance);
-  return smooth.partialPivLu().solve(bends) / (distance * distance);
+  return dense_inverse(smooth) * bends / (distance * distance);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ LeverArms Assembly::lever_arms(const SurfaceWindow& window) const {
   const double swelling = model.swelling.own;
   LeverArms arms{
       .x = swelling * window.x(), .y = swelling * window.points().y().values(), .radius = pair().body.radius};
-  if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, pair());
+  if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, model.swelling, pair());
   return arms;
 }
 

@@ -1,6 +1,6 @@
 /// @file
 /// @brief What rolls, and what it rolls on, as the contact between them sees it. A kind of body is a file with its
-/// `make_body`, and nothing else asks which one it is.
+/// `make_body`, and nothing else in the steady solver asks which one it is.
 #pragma once
 
 #include <Eigen/Core>

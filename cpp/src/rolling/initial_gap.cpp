@@ -21,25 +21,34 @@ ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nod
 }
 
 template <class Nodes>
-ArrayXd slope_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
-  return -pair.on.curvatures.along * lever_at(points, pair, nodes);
+ArrayXd slope_at(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair, const Nodes& nodes) {
+  return -swelling.met() * pair.on.curvatures.along * lever_at(points, pair, nodes);
+}
+
+/// As if what swells did so in all directions.
+ArrayXd swollen_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
+  ArrayXd gap = swelling.own * points.height();
+  const ArrayXd drop = pair.on.profile(points).drop;
+  if (drop.size() > 0) gap += swelling.met() * drop;
+  return gap;
 }
 
 }  // namespace
 
-/// Below a node that has moved out along x and z, what it touches is that much further down, of a larger radius less
-/// so.
 ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
-  ArrayXd gap = swelling.own * points.height();
-  const ArrayXd drop = pair.on.profile(points).drop;
-  if (drop.size() > 0) gap += std::pow(swelling.own, 2) / swelling.counterpart * drop;
+  ArrayXd gap = swollen_gap(points, swelling, pair);
+  if (swelling == Swelling{} || !std::isfinite(width(pair))) return gap;
+  // A tread does not swell along its axis, nor does its crown.
+  const SurfaceWindow across(points.grid(), {{0, 0}, points.window().theta});
+  const ArrayXd grown = swollen_gap(across, swelling, pair) - swollen_gap(across, {}, pair);
+  gap -= grown.replicate(points.shape().phi_nodes, 1);
   return gap;
 }
 
-ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair) {
+ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
   const ArrayXd drop = pair.on.profile(points).drop;
   if (drop.size() == 0) return ArrayXd::Zero(points.shape().size());
-  return pair.on.curvatures.along * drop;
+  return swelling.met() * pair.on.curvatures.along * drop;
 }
 
 ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {
@@ -50,12 +59,13 @@ ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair, con
   return lever_at(points, pair, nodes);
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair) {
-  return slope_at(points, pair, all_of(points));
+ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
+  return slope_at(points, swelling, pair, all_of(points));
 }
 
-ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair, const std::vector<Index>& nodes) {
-  return slope_at(points, pair, nodes);
+ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair,
+                          const std::vector<Index>& nodes) {
+  return slope_at(points, swelling, pair, nodes);
 }
 
 }  // namespace viscoroll::detail

@@ -22,7 +22,8 @@ namespace viscoroll::detail {
 /// @brief By which share of the speed the surface that a body rolls on lags, where it turns too and is nearer to its
 /// own axis: 0 of a straight one.
 /// @return at every node [-]
-[[nodiscard]] Eigen::ArrayXd counterpart_delay(const SurfaceWindow& points, const RollingPair& pair);
+[[nodiscard]] Eigen::ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling,
+                                               const RollingPair& pair);
 
 /// @brief What the moment of the pressure is made of: the relative radius times the slope of the undeformed gap along
 /// the nodes.
@@ -34,11 +35,12 @@ namespace viscoroll::detail {
 [[nodiscard]] Eigen::ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair,
                                             const std::vector<Eigen::Index>& nodes);
 
-/// @return slope of what a body rolls on where it touches it, undeformed, downwards along the way of the material, at
-/// every node [-]
-[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair);
+/// @return slope of what a body rolls on where it touches it, swollen but not deformed, downwards along the way of the
+/// material, at every node [-]
+[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
+                                               const RollingPair& pair);
 /// @return the same of some nodes
-[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const RollingPair& pair,
-                                               const std::vector<Eigen::Index>& nodes);
+[[nodiscard]] Eigen::ArrayXd counterpart_slope(const SurfaceWindow& points, const Swelling& swelling,
+                                               const RollingPair& pair, const std::vector<Eigen::Index>& nodes);
 
 }  // namespace viscoroll::detail

@@ -15,6 +15,11 @@ namespace viscoroll::detail {
 struct Swelling {
   double own = 1.0;  ///< of what rolls
   double counterpart = 1.0;
+
+  /// @return drop and slope of the counterpart where a node of what rolls meets it, per those where it would at rest:
+  /// the node has moved out along the surface, which bends less (theory.md section 7)
+  [[nodiscard]] double met() const { return own * own / counterpart; }
+  friend bool operator==(const Swelling&, const Swelling&) = default;
 };
 
 /// @brief Two bodies at a speed on a mesh. Threads may share it.

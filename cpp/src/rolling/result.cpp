@@ -67,7 +67,7 @@ double deformed_pushback(const Assembly& given, const HeldContact& held) {
       return 0.0;
     case Deforming::counterpart: {
       const std::vector<Index>& contact = held.contact.contact;
-      const ArrayXd slope = counterpart_slope(held.nodes, given.pair(), contact);
+      const ArrayXd slope = counterpart_slope(held.nodes, given.model.swelling, given.pair(), contact);
       return -(held.contact.force.col(kDown)(contact) * (held.nodes.x()(contact) / held.nodes.grid().radius - slope))
                   .sum();
     }
@@ -86,7 +86,7 @@ class Summary {
         size_(window_.shape().size()),
         force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, held)),
-        curvature_(given.pair().on.curvatures.along),
+        curvature_(given.model.swelling.met() * given.pair().on.curvatures.along),
         pushback_(deformed_pushback(given, held)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area(contact_.contact)) {}
@@ -265,7 +265,7 @@ class Summary {
   Index size_;
   VectorField force_;  // on the nodes in contact
   LeverArms arms_;     // of these, displaced
-  double curvature_;   // of the counterpart along the path [1/m]
+  double curvature_;   // of the counterpart along the path, as it is met [1/m]
   double pushback_;    // of the pressure along the deformed surface of the counterpart, D_2 [N]
   double flat_area_;   // of a patch [m^2]
   ArrayXd area_;       // of those in contact

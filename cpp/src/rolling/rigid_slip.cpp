@@ -11,10 +11,10 @@ RigidWays rigid_slip(const SurfaceWindow& points, const Swelling& swelling, Slip
   const double step = points.grid().radius * points.grid().phi_spacing;
   const Eigen::Index nodes = points.shape().size();
   const Eigen::Index rest = nodes - points.shape().theta_nodes;
-  const ArrayXd delay = counterpart_delay(points, pair);
+  const ArrayXd delay = counterpart_delay(points, swelling, pair);
   const ArrayXd lag = 0.5 * step * (delay.tail(rest) + delay.head(rest));
   RigidWays ways{.slip = ArrayX2d::Zero(nodes, 2), .counterpart_way = ArrayX2d::Zero(nodes, 2)};
-  ways.counterpart_way.col(0).tail(rest) = step - lag;
+  ways.counterpart_way.col(0).tail(rest) = swelling.counterpart * step - lag;
   if (kinematics == SlipKinematics::exact) {
     ways.slip.col(0).tail(rest) = (swelling.counterpart - swelling.own) * step + swelling.own * points.lag().tail(rest);
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <variant>
+#include <optional>
+
+#include "rolling/drives.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -10,21 +12,19 @@ namespace {
 /// As many as a study takes turns with: loads, and drives.
 constexpr std::size_t kKept = 16;
 
-std::vector<double> numbers_of(const Drive& drive) {
-  struct Numbers {
-    std::vector<double> operator()(const DriveForce& given) const { return {0.0, given.force}; }
-    std::vector<double> operator()(const DriveTorque& given) const { return {1.0, given.torque}; }
-    std::vector<double> operator()(const DriveCreepage& given) const {
-      return {2.0, given.creepage, given.lateral_creepage, given.spin};
-    }
-  };
-  return std::visit(Numbers{}, drive);
+std::vector<double> numbers_of(const GivenMotion& motion) {
+  std::vector<double> numbers{motion.lateral_creepage, motion.spin};
+  for (const std::optional<double>& given : {motion.force, motion.torque, motion.creepage}) {
+    numbers.push_back(given.has_value() ? 1.0 : 0.0);
+    numbers.push_back(given.value_or(0.0));
+  }
+  return numbers;
 }
 
 }  // namespace
 
 std::shared_ptr<SharedStart> SharedStarts::of(const LoadCase& load_case, const Options& options, const Window& window) {
-  Key key = numbers_of(load_case.drive);
+  Key key = numbers_of(given_motion(load_case.drive));
   for (const double number :
        {load_case.load, static_cast<double>(options.compliance), static_cast<double>(options.patch_load),
         static_cast<double>(options.slip_kinematics), static_cast<double>(options.max_iterations),

@@ -19,7 +19,8 @@ namespace viscoroll::detail {
 /// @param[in] options how to solve; its mesh and accuracy are not looked at
 /// @param[in] watch progress and cancellation
 /// @param[in] seen reach of the contact on a coarser mesh, where there was one
-/// @throws std::invalid_argument where the load presses the plane to the core
+/// @throws std::invalid_argument where the load presses what rolls through its coating
+/// @throws ConvergenceError where no contact was found
 /// @throws MeshTooFine where the mesh needs too many nodes
 [[nodiscard]] Result solve_load_case(const MeshModel& model, const LoadCase& load_case, const Options& options,
                                      Watch& watch, const std::optional<ContactReach>& seen = std::nullopt);

@@ -24,9 +24,9 @@ constexpr int kRoughNodes = 16;  // from the lowest one to the edge of a window,
 
 constexpr double kPressedThrough = 10.0;  // depths in thicknesses that no coating bears
 
-// That show whether a window holds a contact, and whether the widest does: the limit of 60 degrees to a degree.
-constexpr Eigen::Index kFewNodes = 1024;
-constexpr Eigen::Index kManyNodes = 16384;
+constexpr Eigen::Index kFewNodes = 1024;    // that show whether a window holds a contact ...
+constexpr Eigen::Index kManyNodes = 16384;  // ... and whether it is far from holding it
+constexpr double kOverrun = 1.0 / 3.0;      // of a side, which a circle does that is a twentieth larger than the window
 
 /// Nodes to either side of the lowest one.
 struct HalfWidths {
@@ -52,16 +52,45 @@ double least_gap_outside(const Window& box, const Eigen::ArrayXd& gap, const Win
   return least;
 }
 
-/// Whether a window holds the contact without friction, before stick and slip are sought; loads that press through to
-/// the core are refused.
+/// The contact without friction, as a window cuts it off.
 /// @param[in] most_nodes up to which every other node is left out
-bool holds_pressed_contact(const Assembly& assembly, ContactProblem problem, Eigen::Index most_nodes) {
+LocatedContact press(const Assembly& assembly, ContactProblem problem, Eigen::Index most_nodes) {
   problem.friction.reset();
   while (problem.initial_gap.size() > most_nodes) problem = coarsened(problem);
-  const LocatedContact pressed = solve_multilevel(problem, assembly.estimated_depth, assembly.limits);
-  if (touches_edge(pressed, problem.surface->window())) return false;
-  require_contact(assembly, 0.0, pressed.contact.penetration);
-  return true;
+  LocatedContact pressed = solve_multilevel(problem, assembly.likely_depth(), assembly.limits);
+  pressed.contact = extended(pressed, problem);
+  pressed.problem = std::move(problem);
+  return pressed;
+}
+
+/// Whether much of one of the sides of its window lies within a contact: a mesh too coarse to tell who touches the rim
+/// is fine enough to tell that a wider window would not do either.
+bool is_cut_off(const LocatedContact& pressed) {
+  const WindowShape shape = pressed.window().shape();
+  Eigen::Array4d touching = Eigen::Array4d::Zero();
+  for (const Eigen::Index node : pressed.contact.contact) {
+    const Eigen::Index row = node / shape.theta_nodes;
+    const Eigen::Index column = node % shape.theta_nodes;
+    touching += Eigen::Array4d(row == 0, row == shape.phi_nodes - 1, column == 0, column == shape.theta_nodes - 1);
+  }
+  const bool goes_on = !pressed.window().is_line() && !pressed.problem.ends_at_sides;
+  const double along = touching.head<2>().maxCoeff() / static_cast<double>(shape.theta_nodes);
+  const double across = goes_on ? touching.tail<2>().maxCoeff() / static_cast<double>(shape.phi_nodes) : 0.0;
+  return std::max(along, across) > kOverrun;
+}
+
+/// Whether a window holds the contact without friction, before stick and slip are sought; loads that press through to
+/// the core are refused.
+bool holds_pressed_contact(const Assembly& assembly, const ContactProblem& problem, bool is_widest) {
+  const auto holds = [&](const LocatedContact& pressed) {
+    if (touches_edge(pressed, pressed.window())) return false;
+    require_contact(assembly, 0.0, pressed.contact.penetration);
+    return true;
+  };
+  const Eigen::Index nodes = problem.initial_gap.size();
+  if (holds(press(assembly, problem, kFewNodes))) return true;
+  if (!is_widest || (nodes > kManyNodes && is_cut_off(press(assembly, problem, kManyNodes)))) return false;
+  return nodes > kFewNodes && holds(press(assembly, problem, nodes));
 }
 
 LocatedContact solve_contact(const Assembly& assembly, const ContactProblem& problem) {
@@ -82,10 +111,7 @@ std::optional<HeldContact> solve_in_window(const Assembly& assembly, const Windo
   const SurfaceWindow nodes(assembly.nodes.grid, window);
   ContactProblem problem = assembly.problem(nodes);
   const bool is_known = is_seen || (problem.friction && problem.friction->shared->pressed());
-  if (!is_known && problem.friction && !holds_pressed_contact(assembly, problem, kFewNodes) &&
-      !(is_widest && holds_pressed_contact(assembly, problem, kManyNodes))) {
-    return std::nullopt;
-  }
+  if (!is_known && problem.friction && !holds_pressed_contact(assembly, problem, is_widest)) return std::nullopt;
   LocatedContact located = solve_contact(assembly, problem);
   for (;;) {
     if (touches_edge(located, window)) return std::nullopt;

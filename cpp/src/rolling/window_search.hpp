@@ -21,6 +21,7 @@ struct HeldContact {
 /// @param[in] assembly the load case
 /// @param[in] seen reach of the contact on a coarser mesh, where there was one
 /// @throws std::invalid_argument for loads under which no window does
+/// @throws ConvergenceError where no contact was found
 /// @throws MeshTooFine where the mesh needs too many nodes
 [[nodiscard]] HeldContact find_held_contact(const Assembly& assembly, const std::optional<ContactReach>& seen);
 

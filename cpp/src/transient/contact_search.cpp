@@ -30,8 +30,8 @@ StepOperator surface_of(const Touch& touch, const std::vector<Axes>& level_axes)
 ArrayXd mean_delay(const CreepingPair& pair, const SurfaceWindow& from, const SurfaceWindow& to) {
   if (pair.pair.on.curvatures.along == 0.0) return ArrayXd::Zero(to.shape().size());
   const SurfaceWindow between(to.grid(), to.window(), 0.5 * (from.shift() + to.shift()));
-  return (counterpart_delay(from, pair.pair) + 4.0 * counterpart_delay(between, pair.pair) +
-          counterpart_delay(to, pair.pair)) /
+  return (counterpart_delay(from, {}, pair.pair) + 4.0 * counterpart_delay(between, {}, pair.pair) +
+          counterpart_delay(to, {}, pair.pair)) /
          6.0;
 }
 
