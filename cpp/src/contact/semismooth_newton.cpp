@@ -9,8 +9,6 @@
 namespace viscoroll::detail {
 namespace {
 
-using Eigen::Index;
-
 constexpr const FrictionSettings& kSettings = kFrictionSettings;
 
 /// Whether the last residual is at most half of that so many steps ago.
@@ -79,9 +77,8 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
 }
 
 void SemismoothNewton::take_step(double friction, const ContactSets& sets, double tolerance) {
-  const bool is_small = static_cast<Index>(sets.contact.size()) <= kSettings.few_nodes;
   ++systems_;
-  system_.solve(friction, sets, is_small ? kSettings.exact_step : tolerance, state_);
+  system_.solve(friction, sets, tolerance, state_);
   find_sets(friction);
 }
 
