@@ -63,8 +63,8 @@ struct FrictionSettings {
   /// Beyond, what slides as a whole hardly changes, and steps lose themselves; where a drive is passed lies below.
   double most_creepage = 1.0;
   /// Residual of a step by products, what its change of sets is worth; a tenth of it after the free ones. Tried: 1e-3
-  /// to 0.1 within 6 % of the products. All steps careful, up to 300 nodes in contact, were a sixth fewer and cost a
-  /// fifth more products, in 657 cases of the campaign and 972 of the grid, each with a state.
+  /// to 0.1 within 6 % of the products. All steps careful, up to 300 nodes in contact, were a fifth fewer and cost a
+  /// fifth to a third more products, in 657 cases of the campaign and 972 of the grid, each with a state.
   double rough_step = 1e-2;
   /// Of a careful step: from 10 coarser meshes from which rough ones did not lead, these did 8 times.
   double exact_step = 1e-6;
