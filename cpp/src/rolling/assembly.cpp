@@ -27,7 +27,7 @@ std::shared_ptr<const SurfaceOperator> surface_on(const SurfaceWindow& window, c
   if (!model.counterpart) return own;
   Formulation formulation = given.formulation;
   formulation.is_counterpart = true;
-  formulation.counterpart_curvatures = given.pair().on.curvatures;
+  formulation.counterpart_curvatures = given.pair().on->curvatures();
   auto counterpart = model.counterpart->operator_on(window, formulation, given.execution);
   return own ? std::make_shared<SumOperator>(std::move(own), std::move(counterpart)) : counterpart;
 }
@@ -59,14 +59,14 @@ SurfaceWindow Assembly::displaced_points(const SurfaceWindow& window) const {
 LeverArms Assembly::lever_arms(const SurfaceWindow& window) const {
   const double swelling = model.swelling.own;
   LeverArms arms{
-      .x = swelling * window.x(), .y = swelling * window.points().y().values(), .radius = pair().body.radius};
-  if (pair().on.curvatures.along != 0.0) arms.slope = counterpart_slope(window, model.swelling, pair());
+      .x = swelling * window.x(), .y = swelling * window.points().y().values(), .radius = pair().body->radius()};
+  if (pair().on->curvatures().along != 0.0) arms.slope = counterpart_slope(window, model.swelling, pair());
   return arms;
 }
 
 LeverArms Assembly::lever_arms(const SurfaceWindow& window, const std::vector<Eigen::Index>& at) const {
   const double swelling = model.swelling.own;
-  return {.x = swelling * window.x()(at), .y = swelling * window.points().y().at(at), .radius = pair().body.radius};
+  return {.x = swelling * window.x()(at), .y = swelling * window.points().y().at(at), .radius = pair().body->radius()};
 }
 
 ContactProblem Assembly::problem(const SurfaceWindow& window) const {
@@ -80,8 +80,7 @@ ContactProblem Assembly::problem(const SurfaceWindow& window) const {
 }
 
 Assembly assemble(const MeshModel& model, const LoadCase& load_case, const Options& options, Watch& watch) {
-  const auto& [body, on] = model.pair;
-  const double radius = body.radius;
+  const double radius = model.pair.body->radius();
   const ContactReach contact = estimate_contact(model.pair, load_case.angular_speed, load_case.load);
   const double half_chord = kLikelyShare * contact.along;
   return {.model = model,

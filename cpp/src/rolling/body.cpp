@@ -20,17 +20,15 @@ std::vector<NamedLayer> named(const std::vector<Layer>& layers) {
   return named;
 }
 
-std::function<Profile(const SurfaceWindow&)> circles(const Curvatures& curvatures) {
-  return [curvatures](const SurfaceWindow& points) -> Profile {
-    const auto& [along, across] = curvatures;
-    if (along == 0.0 && across == 0.0) return {};
-    const Eigen::ArrayXd& x = points.x();
-    const Eigen::ArrayXd& z = points.z();
-    if (points.grid().is_paraboloid) {
-      return {.drop = 0.5 * (along * x.square() + across * z.square()), .slope = along * x};
-    }
-    return {.drop = drops(x, along) + drops(z, across), .slope = along * x};
-  };
+Profile circles(const Curvatures& curvatures, const SurfaceWindow& points) {
+  const auto& [along, across] = curvatures;
+  if (along == 0.0 && across == 0.0) return {};
+  const Eigen::ArrayXd& x = points.x();
+  const Eigen::ArrayXd& z = points.z();
+  if (points.grid().is_paraboloid) {
+    return {.drop = 0.5 * (along * x.square() + across * z.square()), .slope = along * x};
+  }
+  return {.drop = drops(x, along) + drops(z, across), .slope = along * x};
 }
 
 }  // namespace viscoroll::detail

@@ -1,16 +1,15 @@
 /// @file
-/// @brief What rolls, and what it rolls on, as the contact between them sees it. A kind of body is a file with its
-/// `make_body`, and nothing else in the steady solver asks which one it is.
+/// @brief The two sides of a contact, the rolling body and the counterbody, as the steady and the transient solver see
+/// them. Neither solver depends on the type of a body.
 #pragma once
 
 #include <Eigen/Core>
 #include <complex>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "influence/mesh_on_body.hpp"
@@ -77,56 +76,82 @@ struct BodySurface {
   double centrifugal = 0.0;                     ///< d_R^(c) [m]
 };
 
-/// @brief All that is asked of a body.
-struct Body {
-  std::string_view type;           ///< name of the struct that users give
-  std::vector<NamedLayer> layers;  ///< from within outwards; none of a rigid body
-  Curvatures curvatures;
-  /// Its tables and what else it does as material crosses the contact. Refuses meshes and curvatures that the body
-  /// knows nothing of, and critical speeds.
-  std::function<BodySurface(const Crossing&)> surface;
-  /// Its layers as they are in the contact, as if without sides. Not of a rigid body.
-  std::function<LayeredBody(const Crossing&)> layered;
-  /// The tread that ends at free faces, beside which influence is no function of offsets; none of other bodies.
-  std::optional<CoatedWheel> free_tread = {};
-  std::function<Profile(const SurfaceWindow&)> profile;
-  /// Refuses what has no room to roll on it.
-  std::function<void(const Body&)> require_room_for = [](const Body&) {};
-  /// Across, within which it bears pressure; infinite where it has no sides [m].
-  double width = std::numeric_limits<double>::infinity();
-  /// Relative error of the torque by what its equations leave out, beside strain, in a contact.
-  std::function<double(const ContactReach&)> further_error = [](const ContactReach&) { return 0.0; };
-  /// What a user should know of it in a contact with another body, which deforms or not.
-  std::function<std::vector<Warning>(const ContactReach&, bool)> cautions = [](const ContactReach&, bool) {
-    return std::vector<Warning>{};
-  };
+class RoundBody;
 
-  /// Refuses what its equations lift where it is pressed.
-  std::function<void()> require_stiffness = [] {};
-
-  // The rest of what rolls alone.
-  std::string_view name = {};                       ///< in messages
-  std::vector<std::string_view> counterparts = {};  ///< types of what it may roll on
-  double radius = 0.0;                              ///< [m]
-  ContactForm form = kSpotContact;
-  /// Of a mesh, given the counterpart, whose nodes they are, too, where it deforms.
-  std::function<Nodes(const Mesh&, const Body&)> nodes = {};
-  /// Refuses options that the body knows nothing of.
-  std::function<void(const Options&)> require = [](const Options&) {};
-
-  [[nodiscard]] bool is_rigid() const { return layers.empty(); }
+/// @brief Shape of one side of a contact.
+struct BodyShape {
+  std::vector<NamedLayer> layers = {};  ///< from the innermost outwards; none of a rigid body
+  Curvatures curvatures = {};
+  double radius = 0.0;                                     ///< of a body that turns; 0 of a plane or groove [m]
+  double width = std::numeric_limits<double>::infinity();  ///< that supports the load; infinite without faces [m]
 };
 
-[[nodiscard]] Body make_body(const CoatedSphere& sphere);
-[[nodiscard]] Body make_body(const CoatedCylinder& cylinder);
-[[nodiscard]] Body make_body(const CoatedWheel& wheel);
-[[nodiscard]] Body make_body(const CoatedPlane& plane);
-[[nodiscard]] Body make_body(const Groove& groove);
+/// @brief One side of a contact: the rolling body or the counterbody. Each type of body is a class in a file of its
+/// own.
+class Body {
+ public:
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+  virtual ~Body() = default;
+
+  [[nodiscard]] const std::vector<NamedLayer>& layers() const { return shape_.layers; }
+  [[nodiscard]] bool is_rigid() const { return shape_.layers.empty(); }
+  [[nodiscard]] const Curvatures& curvatures() const { return shape_.curvatures; }
+  [[nodiscard]] double radius() const { return shape_.radius; }
+  [[nodiscard]] double width() const { return shape_.width; }
+
+  /// @return influence tables, compliance and centrifugal displacement
+  /// @throws std::invalid_argument for meshes and curvatures that the type of body does not support, and critical
+  /// speeds
+  [[nodiscard]] virtual BodySurface surface(const Crossing& crossing) const = 0;
+  /// @return the layers in the contact, without free faces; not defined for a rigid body
+  [[nodiscard]] virtual LayeredBody layered(const Crossing& crossing) const = 0;
+  [[nodiscard]] virtual Profile profile(const SurfaceWindow& points) const = 0;
+  /// @return the tread that ends at free faces, where influence depends on more than offsets; null for other bodies
+  [[nodiscard]] virtual const CoatedWheel* free_tread() const { return nullptr; }
+  /// @throws std::invalid_argument if a rolling body does not fit into the curvature of this one
+  virtual void require_room_for(const RoundBody& /*rolling*/) const {}
+  /// @return relative error of the torque that the layer equations leave, besides that of the strain
+  [[nodiscard]] virtual double further_error(const ContactReach& /*contact*/) const { return 0.0; }
+  /// @return warnings about this body in a contact with another one, which is deformable or rigid
+  [[nodiscard]] virtual std::vector<Warning> warnings(const ContactReach& /*contact*/, bool /*other_deforms*/) const {
+    return {};
+  }
+  /// @throws std::invalid_argument if the layer equations lift the surface where it is pressed
+  virtual void require_stiffness() const {}
+
+ protected:
+  explicit Body(BodyShape shape) : shape_(std::move(shape)) {}
+
+ private:
+  BodyShape shape_;
+};
+
+/// @brief A body that can roll: a sphere, cylinder or wheel. It can also be the counterbody.
+class RoundBody : public Body {
+ public:
+  /// @return noun in messages
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual const ContactForm& form() const { return kSpotContact; }
+  /// @return nodes of a mesh; a counterbody that deforms shares them
+  [[nodiscard]] virtual Nodes nodes(const Mesh& mesh, const Body& on) const = 0;
+  /// @throws std::invalid_argument for options that the type of body does not support
+  virtual void require(const Options& /*options*/) const {}
+
+ protected:
+  using Body::Body;
+};
+
+[[nodiscard]] std::unique_ptr<const RoundBody> make_body(const CoatedSphere& sphere);
+[[nodiscard]] std::unique_ptr<const RoundBody> make_body(const CoatedCylinder& cylinder);
+[[nodiscard]] std::unique_ptr<const RoundBody> make_body(const CoatedWheel& wheel);
+[[nodiscard]] std::unique_ptr<const Body> make_body(const CoatedPlane& plane);
+[[nodiscard]] std::unique_ptr<const Body> make_body(const Groove& groove);
 
 /// @return layers[0], layers[1], ...
 [[nodiscard]] std::vector<NamedLayer> named(const std::vector<Layer>& layers);
 
 /// @return the profile of circles; over a plane that deforms, of parabolas
-[[nodiscard]] std::function<Profile(const SurfaceWindow&)> circles(const Curvatures& curvatures);
+[[nodiscard]] Profile circles(const Curvatures& curvatures, const SurfaceWindow& points);
 
 }  // namespace viscoroll::detail

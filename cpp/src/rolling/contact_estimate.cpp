@@ -46,8 +46,8 @@ std::vector<Part> parts_of(const RollingPair& pair, double frequency) {
   const auto append = [&](std::span<const NamedLayer> layers) {
     if (!layers.empty()) parts.push_back(part_of(layers, frequency));
   };
-  append(pair.body.layers);
-  const std::span<const NamedLayer> counterpart = pair.on.layers;
+  append(pair.body->layers());
+  const std::span<const NamedLayer> counterpart = pair.on->layers();
   const std::size_t base = !counterpart.empty() && std::isinf(counterpart.front().layer.thickness) ? 1 : 0;
   append(counterpart.first(base));
   append(counterpart.subspan(base));
@@ -66,17 +66,17 @@ double load_at(double a, double radius, const Part& part, const ContactForm& for
 
 /// Of a circle, or a line, with the mean of the curvatures.
 double mean_radius(const RollingPair& pair) {
-  const Curvatures& own = pair.body.curvatures;
-  const Curvatures& counterpart = pair.on.curvatures;
-  return pair.body.form.dimensions / (own.along + counterpart.along + own.across + counterpart.across);
+  const Curvatures& own = pair.body->curvatures();
+  const Curvatures& counterpart = pair.on->curvatures();
+  return pair.body->form().dimensions / (own.along + counterpart.along + own.across + counterpart.across);
 }
 
 /// Load of strips across, each of which is a roller's with the gap that the crown leaves it.
 /// @param[in] a half of the middle one's contact [m]
 double load_of_strips(double a, const RollingPair& pair, const Part& part) {
   constexpr int kStrips = 32;  // the load is smooth in a to half a percent
-  const double along = pair.body.curvatures.along + pair.on.curvatures.along;
-  const double across = pair.body.curvatures.across + pair.on.curvatures.across;
+  const double along = pair.body->curvatures().along + pair.on->curvatures().along;
+  const double across = pair.body->curvatures().across + pair.on->curvatures().across;
   const double half = std::min(0.5 * width(pair), a * std::sqrt(along / across));
   double load = 0.0;
   for (int i = 0; i < kStrips; ++i) {
@@ -90,7 +90,7 @@ double load_of_strips(double a, const RollingPair& pair, const Part& part) {
 double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, double load) {
   const double radius = mean_radius(pair);
   const auto load_of = [&](const Part& part, double a) {
-    return std::isfinite(width(pair)) ? load_of_strips(a, pair, part) : load_at(a, radius, part, pair.body.form);
+    return std::isfinite(width(pair)) ? load_of_strips(a, pair, part) : load_at(a, radius, part, pair.body->form());
   };
   const auto bears = [&](double a) {
     if (parts.size() == 1) return load_of(parts.front(), a) >= load;
@@ -112,8 +112,8 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
 /// Across, where a contact reaches so far along.
 double reach_across(const RollingPair& pair, double along) {
   if (std::isinf(width(pair))) return along;
-  const double curvature = pair.body.curvatures.across + pair.on.curvatures.across;
-  const double ratio = (pair.body.curvatures.along + pair.on.curvatures.along) / curvature;
+  const double curvature = pair.body->curvatures().across + pair.on->curvatures().across;
+  const double ratio = (pair.body->curvatures().along + pair.on->curvatures().along) / curvature;
   // Of ellipses: the power is 1/2 in thin layers, and about 2/3 of a half-space.
   const double across = along * std::pow(ratio, ratio > 1.0 ? 2.0 / 3.0 : 0.5);
   return std::min(across, 0.5 * width(pair));
@@ -125,19 +125,19 @@ ContactReach estimate_contact(const RollingPair& pair, double angular_speed, dou
   constexpr int kPasses = 3;  // a fixed number of them makes it a smooth function of the load
   double radius = contact_radius(pair, parts_of(pair, 0.0), load);
   for (int pass = 0; pass < kPasses; ++pass) {
-    const double frequency = angular_speed * std::max(1.0, pair.body.radius / radius);
+    const double frequency = angular_speed * std::max(1.0, pair.body->radius() / radius);
     radius = contact_radius(pair, parts_of(pair, frequency), load);
   }
   return {.along = radius, .across = reach_across(pair, radius)};
 }
 
 double unbearable_load(const RollingPair& pair, double stiffest_modulus) {
-  const double radius = pair.body.radius;
+  const double radius = pair.body->radius();
   const double hertz = 16.0 / 3.0 * stiffest_modulus * radius * radius;
   const double bonded =
       std::numbers::pi * stiffest_modulus * std::pow(radius, 5) / (32.0 * std::pow(thickness(pair), 3));
   const double wide = std::isfinite(width(pair)) ? std::max(1.0, width(pair) / radius) : 1.0;
-  return 1e3 * wide * (hertz + bonded) / std::pow(radius, 2 - pair.body.form.dimensions);
+  return 1e3 * wide * (hertz + bonded) / std::pow(radius, 2 - pair.body->form().dimensions);
 }
 
 }  // namespace viscoroll::detail

@@ -1,7 +1,7 @@
 // A roller, or another one that it rolls on, touching along a line: theory.md section 14.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -65,22 +65,31 @@ void require_flat_patches(const Options& options) {
   if (options.patch_load != PatchLoad::flat) reject("patch_load", "FLAT with a roller", "SPHERICAL");
 }
 
+BodyShape shape_of(const CoatedCylinder& cylinder) {
+  const double radius = outer_radius(cylinder);
+  return {.layers = named(cylinder.layers), .curvatures = {.along = 1.0 / radius}, .radius = radius};
+}
+
+class CylinderBody final : public RoundBody {
+ public:
+  explicit CylinderBody(const CoatedCylinder& cylinder) : RoundBody(shape_of(cylinder)), cylinder_(cylinder) {}
+
+  [[nodiscard]] std::string_view name() const override { return "roller"; }
+  [[nodiscard]] const ContactForm& form() const override { return kLineContact; }
+  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(cylinder_, crossing); }
+  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return layers_of(cylinder_, crossing); }
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
+  [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& /*on*/) const override { return nodes_of(radius(), mesh); }
+  void require(const Options& options) const override { require_flat_patches(options); }
+
+ private:
+  CoatedCylinder cylinder_;
+};
+
 }  // namespace
 
-Body make_body(const CoatedCylinder& cylinder) {
-  const double radius = outer_radius(cylinder);
-  return {.type = "CoatedCylinder",
-          .layers = named(cylinder.layers),
-          .curvatures = {.along = 1.0 / radius},
-          .surface = [cylinder](const Crossing& crossing) { return surface_of(cylinder, crossing); },
-          .layered = [cylinder](const Crossing& crossing) { return layers_of(cylinder, crossing); },
-          .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
-          .name = "roller",
-          .counterparts = {"CoatedPlane", "CoatedCylinder", "Groove"},
-          .radius = radius,
-          .form = kLineContact,
-          .nodes = [radius](const Mesh& mesh, const Body&) { return nodes_of(radius, mesh); },
-          .require = require_flat_patches};
+std::unique_ptr<const RoundBody> make_body(const CoatedCylinder& cylinder) {
+  return std::make_unique<CylinderBody>(cylinder);
 }
 
 }  // namespace viscoroll::detail

@@ -17,14 +17,14 @@ Condition condition(const DriveForce& drive, double /*pressure_share*/) {
   return std::make_shared<GivenForce>(drive.force);
 }
 
-void validate(const DriveForce& drive, const LoadCase& load_case, const Body& body) {
+void validate(const DriveForce& drive, const LoadCase& load_case, const RoundBody& body) {
   require_finite("drive.force", drive.force);
   if (drive.force == 0.0) return;
   const double largest = load_case.friction * load_case.load;
   if (std::abs(drive.force) < largest) return;
-  const string unit = " " + string(body.form.load_unit);
+  const string unit = " " + string(body.form().load_unit);
   reject("drive.force",
-         "smaller than friction * load = " + text(largest) + unit + " in magnitude, else the " + string(body.name) +
+         "smaller than friction * load = " + text(largest) + unit + " in magnitude, else the " + string(body.name()) +
              " slides without end",
          text(drive.force) + unit);
 }
@@ -35,11 +35,11 @@ Condition condition(const DriveTorque& drive, double pressure_share) {
   return std::make_shared<GivenMoment>(drive.torque, pressure_share);
 }
 
-void validate(const DriveTorque& drive, const LoadCase& load_case, const Body& body) {
+void validate(const DriveTorque& drive, const LoadCase& load_case, const RoundBody& body) {
   require_finite("drive.torque", drive.torque);
   if (load_case.friction > 0.0) return;
   reject("drive.torque", "left out without friction, where rolling itself fixes the torque",
-         text(drive.torque) + " " + string(body.form.torque_unit));
+         text(drive.torque) + " " + string(body.form().torque_unit));
 }
 
 GivenMotion given(const DriveCreepage& drive) {
@@ -54,7 +54,7 @@ Condition condition(const DriveCreepage& drive, double /*pressure_share*/) {
   return std::make_shared<GivenCreepage>(drive.creepage);
 }
 
-void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/, const Body& /*body*/) {
+void validate(const DriveCreepage& drive, const LoadCase& /*load_case*/, const RoundBody& /*body*/) {
   require_finite("drive.creepage", drive.creepage);
   require_finite("drive.lateral_creepage", drive.lateral_creepage);
   require_finite("drive.spin", drive.spin);
@@ -70,7 +70,7 @@ std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pr
   return std::visit([pressure_share](const auto& kind) { return condition(kind, pressure_share); }, drive);
 }
 
-void validate_drive(const LoadCase& load_case, const Body& body) {
+void validate_drive(const LoadCase& load_case, const RoundBody& body) {
   std::visit([&](const auto& kind) { validate(kind, load_case, body); }, load_case.drive);
 }
 

@@ -30,6 +30,6 @@ struct GivenMotion {
 [[nodiscard]] std::shared_ptr<const DriveCondition> condition_of(const Drive& drive, double pressure_share);
 
 /// @throws std::invalid_argument for numbers that are not finite, and those that no friction can hold
-void validate_drive(const LoadCase& load_case, const Body& body);
+void validate_drive(const LoadCase& load_case, const RoundBody& body);
 
 }  // namespace viscoroll::detail

@@ -15,20 +15,20 @@ auto all_of(const SurfaceWindow& points) { return Eigen::seqN(Index{0}, points.s
 template <class Nodes>
 ArrayXd lever_at(const SurfaceWindow& points, const RollingPair& pair, const Nodes& nodes) {
   ArrayXd slope = points.x()(nodes) / points.grid().radius;
-  const ArrayXd tilt = pair.on.profile(points).slope;
+  const ArrayXd tilt = pair.on->profile(points).slope;
   if (tilt.size() > 0) slope += tilt(nodes);
   return relative_radius(pair) * slope;
 }
 
 template <class Nodes>
 ArrayXd slope_at(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair, const Nodes& nodes) {
-  return -swelling.met() * pair.on.curvatures.along * lever_at(points, pair, nodes);
+  return -swelling.met() * pair.on->curvatures().along * lever_at(points, pair, nodes);
 }
 
 /// As if what swells did so in all directions.
 ArrayXd swollen_gap(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
   ArrayXd gap = swelling.own * points.height();
-  const ArrayXd drop = pair.on.profile(points).drop;
+  const ArrayXd drop = pair.on->profile(points).drop;
   if (drop.size() > 0) gap += swelling.met() * drop;
   return gap;
 }
@@ -46,9 +46,9 @@ ArrayXd initial_gap(const SurfaceWindow& points, const Swelling& swelling, const
 }
 
 ArrayXd counterpart_delay(const SurfaceWindow& points, const Swelling& swelling, const RollingPair& pair) {
-  const ArrayXd drop = pair.on.profile(points).drop;
+  const ArrayXd drop = pair.on->profile(points).drop;
   if (drop.size() == 0) return ArrayXd::Zero(points.shape().size());
-  return swelling.met() * pair.on.curvatures.along * drop;
+  return swelling.met() * pair.on->curvatures().along * drop;
 }
 
 ArrayXd pressure_lever(const SurfaceWindow& points, const RollingPair& pair) {

@@ -27,13 +27,14 @@ double stable_collocation(std::complex<double> normal, std::complex<double> alon
 
 /// @throws std::invalid_argument where what rolls would fill what it rolls in
 void require_room_to_swell(const RollingPair& pair, const Swelling& swelling, double angular_speed) {
-  const Curvatures& own = pair.body.curvatures;
-  const Curvatures& on = pair.on.curvatures;
+  const Curvatures& own = pair.body->curvatures();
+  const Curvatures& on = pair.on->curvatures();
   const bool is_tread = std::isfinite(width(pair));
   const double along = swelling.own * own.along + swelling.met() * on.along;
   const double across = is_tread ? 1.0 : swelling.own * own.across + swelling.met() * on.across;
-  if (along > 0.0 && (pair.body.form.is_line() || across > 0.0)) return;
-  reject("angular_speed", "so low that the " + std::string(pair.body.name) + " does not swell to fill what it rolls in",
+  if (along > 0.0 && (pair.body->form().is_line() || across > 0.0)) return;
+  reject("angular_speed",
+         "so low that the " + std::string(pair.body->name()) + " does not swell to fill what it rolls in",
          text(angular_speed) + " rad/s (its radius grows by " + rounded(swelling.own - 1.0) + " of itself)");
 }
 
@@ -42,10 +43,10 @@ void require_room_to_swell(const RollingPair& pair, const Swelling& swelling, do
 MeshModel make_model(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                      const Execution& execution, double inertia_tolerance) {
   const Crossing crossing = crossing_of(pair, angular_speed, mesh, curvature, execution, inertia_tolerance);
-  BodySurface own = pair.body.surface(crossing);
-  BodySurface counterpart = pair.on.surface(crossing);
-  const Swelling swelling{.own = 1.0 + own.centrifugal * pair.body.curvatures.along,
-                          .counterpart = 1.0 + counterpart.centrifugal * pair.on.curvatures.along};
+  BodySurface own = pair.body->surface(crossing);
+  BodySurface counterpart = pair.on->surface(crossing);
+  const Swelling swelling{.own = 1.0 + own.centrifugal * pair.body->curvatures().along,
+                          .counterpart = 1.0 + counterpart.centrifugal * pair.on->curvatures().along};
   require_room_to_swell(pair, swelling, angular_speed);
   return {.pair = pair,
           .angular_speed = angular_speed,

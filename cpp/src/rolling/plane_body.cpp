@@ -1,6 +1,8 @@
 // A plane, or a groove whose layers are a plane's, under a spot or a line: theory.md sections 14 and 15.
+#include <memory>
+#include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "rolling/body.hpp"
 #include "rolling/line_surface.hpp"
@@ -23,11 +25,11 @@ BodySurface surface_of(const CoatedPlane& plane, const Crossing& crossing) {
 double curvature(const std::optional<double>& hollow_radius) { return hollow_radius ? -1.0 / *hollow_radius : 0.0; }
 
 /// @param[in] own curvature of what rolls [1/m]
-void require_room(std::string_view name, double curvature, const Body& body, double own) {
+void require_room(std::string_view name, double curvature, const RoundBody& body, double own) {
   if (-curvature <= kClosestFit * own) return;
-  const std::string room = own > 0.0 ? "larger than that of the " + std::string(body.name) + ", " + text(1.0 / own) +
+  const std::string room = own > 0.0 ? "larger than that of the " + std::string(body.name()) + ", " + text(1.0 / own) +
                                            " m, by 2 % at the least"
-                                     : "left out under a flat " + std::string(body.name);
+                                     : "left out under a flat " + std::string(body.name());
   reject(name, room, text(-1.0 / curvature) + " m");
 }
 
@@ -37,38 +39,56 @@ Profile under_line(double curvature, const SurfaceWindow& points) {
 }
 
 /// Along a line only the path may be curved.
-void require_straight_across(const Body& body, const std::optional<double>& radius) {
-  if (!radius || !body.form.is_line()) return;
+void require_straight_across(const RoundBody& body, const std::optional<double>& radius) {
+  if (!radius || !body.form().is_line()) return;
   reject("on.radius", "left out under a roller, which touches along a line", text(*radius) + " m");
 }
 
-}  // namespace
-
-Body make_body(const CoatedPlane& plane) {
+std::vector<NamedLayer> layers_with_base(const CoatedPlane& plane) {
   std::vector<NamedLayer> layers = named(plane.layers);
   if (plane.base) layers.insert(layers.begin(), {.name = "base", .layer = layers_from_base(plane).front()});
-  return {.type = "CoatedPlane",
-          .layers = std::move(layers),
-          .curvatures = {},
-          .surface = [plane](const Crossing& crossing) { return surface_of(plane, crossing); },
-          .layered = [plane](const Crossing& crossing) { return layered_body(plane, crossing.radius); },
-          .profile = circles({})};
+  return layers;
 }
 
-Body make_body(const Groove& groove) {
-  Body body = make_body(groove.surface);
-  const Curvatures curvatures{.along = curvature(groove.path_radius), .across = curvature(groove.radius)};
-  body.type = "Groove";
-  body.curvatures = curvatures;
-  body.profile = [curvatures](const SurfaceWindow& points) {
-    return points.window().is_line() ? under_line(curvatures.along, points) : circles(curvatures)(points);
-  };
-  body.require_room_for = [curvatures, across = groove.radius](const Body& rolling) {
-    require_straight_across(rolling, across);
-    require_room("on.radius", curvatures.across, rolling, rolling.curvatures.across);
-    require_room("on.path_radius", curvatures.along, rolling, rolling.curvatures.along);
-  };
-  return body;
-}
+class PlaneBody : public Body {
+ public:
+  explicit PlaneBody(const CoatedPlane& plane, const Curvatures& curvatures = {})
+      : Body({.layers = layers_with_base(plane), .curvatures = curvatures}), plane_(plane) {}
+
+  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(plane_, crossing); }
+  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override {
+    return layered_body(plane_, crossing.radius);
+  }
+  [[nodiscard]] Profile profile(const SurfaceWindow& /*points*/) const override { return {}; }
+
+ private:
+  CoatedPlane plane_;
+};
+
+/// The layers of a plane under a surface that is curved along the path, across it, or both.
+class GrooveBody final : public PlaneBody {
+ public:
+  explicit GrooveBody(const Groove& groove)
+      : PlaneBody(groove.surface, {.along = curvature(groove.path_radius), .across = curvature(groove.radius)}),
+        radius_across_(groove.radius) {}
+
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override {
+    return points.window().is_line() ? under_line(curvatures().along, points) : circles(curvatures(), points);
+  }
+  void require_room_for(const RoundBody& rolling) const override {
+    require_straight_across(rolling, radius_across_);
+    require_room("on.radius", curvatures().across, rolling, rolling.curvatures().across);
+    require_room("on.path_radius", curvatures().along, rolling, rolling.curvatures().along);
+  }
+
+ private:
+  std::optional<double> radius_across_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Body> make_body(const CoatedPlane& plane) { return std::make_unique<PlaneBody>(plane); }
+
+std::unique_ptr<const Body> make_body(const Groove& groove) { return std::make_unique<GrooveBody>(groove); }
 
 }  // namespace viscoroll::detail

@@ -114,7 +114,7 @@ class Refiner {
     const ContactReach contact = estimate_contact(pair, load_case.angular_speed, load_case.load);
     if (std::isfinite(width(pair))) aspect_ = aspect_of(contact);
     // The first mesh is to show the error of the second, which should do.
-    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body.radius / contact.along;
+    const double nodes = std::numbers::pi * nodes_per_radius(options.accuracy) * pair.body->radius() / contact.along;
     mesh_ = make_mesh(nodes);
   }
 
@@ -211,7 +211,7 @@ class Refiner {
     }
     if (best_ && is_settled(*best_) && result.max_pressure_error > kFruitful * best_->max_pressure_error) ++fruitless_;
     Refinement& step = result.refinements.back();
-    std::vector<Answer> found = answers(result, load_case_, pair_.body.radius);
+    std::vector<Answer> found = answers(result, load_case_, pair_.body->radius());
     // There is nothing to compare the first mesh with.
     step.error_estimate = best_ ? std::max(step.power_balance_error, largest_change(found, answers_)) : 1.0;
     result.error_estimate = step.error_estimate;

@@ -56,13 +56,13 @@ std::array<Sliding, 2> sliding(const Assembly& assembly, ContactProblem problem)
 }
 
 /// @param[in] least,most between which something rolls without sliding for ever
-void require_between(const std::string& name, double given, double least, double most, const Body& body,
+void require_between(const std::string& name, double given, double least, double most, const RoundBody& body,
                      std::string_view unit) {
   if (given > least && given < most) return;
   const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
   reject(name,
          "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + ", else the " +
-             std::string(body.name) + " slides without end",
+             std::string(body.name()) + " slides without end",
          in_units(text(given)));
 }
 
@@ -70,7 +70,7 @@ void require_between(const std::string& name, double given, double least, double
 
 void reject_load(const RollingPair& pair, double load, const std::string& reason) {
   reject("load", "small enough for the coating",
-         text(load) + " " + std::string(pair.body.form.load_unit) + " (the " + std::string(pair.body.name) + " " +
+         text(load) + " " + std::string(pair.body->form().load_unit) + " (the " + std::string(pair.body->name()) + " " +
              reason + ")");
 }
 
@@ -86,7 +86,7 @@ void require_depth(const RollingPair& pair, double load, double depth) {
 }
 
 void require_formulation(const MeshModel& model, const Options& options) {
-  model.pair.body.require(options);
+  model.pair.body->require(options);
   if (!model.counterpart) return;
   const std::string why = " where the counterpart deforms";
   if (options.compliance == Compliance::vertical) reject("compliance", "RADIAL" + why, "VERTICAL");
@@ -120,13 +120,13 @@ void require_contact(const Assembly& assembly, double friction, double penetrati
   if (!std::isfinite(penetration)) throw ConvergenceError("the contact equations have no finite solution", 0, 1.0);
   if (assembly.approach_exists() && !(penetration > 0.0)) {
     if (friction == 0.0) {
-      assembly.pair().body.require_stiffness();
-      assembly.pair().on.require_stiffness();
+      assembly.pair().body->require_stiffness();
+      assembly.pair().on->require_stiffness();
       // Nothing else lifts it: equations of a contact as wide as these are not to be solved.
       reject_load(assembly.pair(), assembly.load_case.load, "would be pressed through it");
     }
     reject("friction",
-           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body.name) +
+           "so small that the forces along the plane do not lift the " + std::string(assembly.pair().body->name()) +
                " out of its own contact",
            text(friction));
   }
@@ -138,7 +138,7 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
   const LoadCase& load_case = assembly.load_case;
   const GivenMotion given = given_motion(load_case.drive);
   if (given.creepage) return;
-  const Body& body = assembly.pair().body;
+  const RoundBody& body = *assembly.pair().body;
   std::array<Sliding, 2> limits{};
   try {
     limits = sliding(assembly, problem);
@@ -146,16 +146,16 @@ void require_reachable_drive(const Assembly& assembly, const ContactProblem& pro
     // No lever of friction is longer than the radius, nor is that of the pressure about the center, nor the slope of a
     // counterpart times it.
     const double largest = (load_case.friction + 2.0) * load_case.load;
-    limits = {Sliding{-largest, -largest * body.radius}, Sliding{largest, largest * body.radius}};
+    limits = {Sliding{-largest, -largest * body.radius()}, Sliding{largest, largest * body.radius()}};
   }
   const auto& [skidding, spinning] = limits;
   if (given.force) {
     const auto [least, most] = std::minmax(skidding.force, spinning.force);
-    require_between("drive.force", *given.force, least, most, body, body.form.load_unit);
+    require_between("drive.force", *given.force, least, most, body, body.form().load_unit);
   }
   if (given.torque) {
     const auto [least, most] = std::minmax(skidding.moment, spinning.moment);
-    require_between("drive.torque", *given.torque, least, most, body, body.form.torque_unit);
+    require_between("drive.torque", *given.torque, least, most, body, body.form().torque_unit);
   }
 }
 

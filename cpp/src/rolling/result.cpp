@@ -86,7 +86,7 @@ class Summary {
         size_(window_.shape().size()),
         force_(contact_.force(contact_.contact, Eigen::all)),
         arms_(displaced_arms(given, held)),
-        curvature_(given.model.swelling.met() * given.pair().on.curvatures.along),
+        curvature_(given.model.swelling.met() * given.pair().on->curvatures().along),
         pushback_(deformed_pushback(given, held)),
         flat_area_(std::pow(radius(), 2) * window_.grid().phi_spacing * window_.grid().theta_spacing),
         area_(window_.patch_area(contact_.contact)) {}
@@ -196,10 +196,10 @@ class Summary {
     const double clear = 0.5 * width(given_.pair()) - reach.across;
     // Patches end at the sides but for round-off.
     if (std::isfinite(clear)) r.face_distance = clear > 1e-9 * reach.across ? clear : 0.0;
-    r.warnings = cautions(reach);
+    r.warnings = warnings_of_bodies(reach);
     if (!r.strain) return;
     const auto& [body, on] = given_.pair();
-    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body.further_error(reach) + on.further_error(reach);
+    r.model_error = kErrorPerStrain * std::abs(*r.strain) + body->further_error(reach) + on->further_error(reach);
   }
 
  private:
@@ -212,11 +212,11 @@ class Summary {
     for (const Index node : contact_.contact) field[node] = values[i++];
   }
 
-  /// Of both bodies, each kind once.
-  [[nodiscard]] std::vector<Warning> cautions(const ContactReach& reach) const {
+  /// Warnings about both bodies, each kind once.
+  [[nodiscard]] std::vector<Warning> warnings_of_bodies(const ContactReach& reach) const {
     const auto& [body, on] = given_.pair();
-    std::vector<Warning> warnings = body.cautions(reach, !on.is_rigid());
-    for (Warning& warning : on.cautions(reach, !body.is_rigid())) {
+    std::vector<Warning> warnings = body->warnings(reach, !on->is_rigid());
+    for (Warning& warning : on->warnings(reach, !body->is_rigid())) {
       if (std::ranges::find(warnings, warning.kind, &Warning::kind) == warnings.end()) {
         warnings.push_back(std::move(warning));
       }

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "validate.hpp"
@@ -13,23 +16,49 @@
 namespace viscoroll::detail {
 namespace {
 
-template <class... Shapes>
-Body checked_body(const std::variant<Shapes...>& any) {
-  return std::visit(
-      [](const auto& shape) {
-        validate(shape);
-        return make_body(shape);
-      },
-      any);
+/// Types of bodies, in the order in which messages list them.
+template <class... Types>
+struct Shapes {};
+
+template <class Shape>
+struct Traits;
+template <>
+struct Traits<CoatedSphere> {
+  static constexpr std::string_view name = "CoatedSphere";
+  using Counterbodies = Shapes<CoatedPlane, Groove, CoatedSphere>;
+};
+template <>
+struct Traits<CoatedCylinder> {
+  static constexpr std::string_view name = "CoatedCylinder";
+  using Counterbodies = Shapes<CoatedPlane, CoatedCylinder, Groove>;
+};
+template <>
+struct Traits<CoatedWheel> {
+  static constexpr std::string_view name = "CoatedWheel";
+  using Counterbodies = Shapes<CoatedPlane, Groove, CoatedCylinder, CoatedWheel>;
+};
+template <>
+struct Traits<CoatedPlane> {
+  static constexpr std::string_view name = "CoatedPlane";
+};
+template <>
+struct Traits<Groove> {
+  static constexpr std::string_view name = "Groove";
+};
+
+template <class Shape, class On, class... Possible>
+void require_counterbody(Shapes<Possible...> /*types*/) {
+  if constexpr (!(std::is_same_v<On, Possible> || ...)) {
+    std::string all;
+    ((all += (all.empty() ? "a " : " or a ") + std::string(Traits<Possible>::name)), ...);
+    reject("on", all + " for a " + std::string(Traits<Shape>::name), "a " + std::string(Traits<On>::name));
+  }
 }
 
-void require_counterpart(const Body& body, const Body& on) {
-  std::string all;
-  for (const std::string_view type : body.counterparts) {
-    if (type == on.type) return;
-    all += (all.empty() ? "a " : " or a ") + std::string(type);
-  }
-  reject("on", all + " for a " + std::string(body.type), "a " + std::string(on.type));
+template <class Shape>
+auto checked_body(const Shape& shape) {
+  validate(shape);
+  return make_body(shape);
 }
 
 /// Nodes from the lowest one to where a surface that bulges has turned by 60 degrees, too.
@@ -43,20 +72,26 @@ NodeRange within_60_degrees(const NodeRange& range, double curvature, double dis
 }  // namespace
 
 RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
-  RollingPair pair{.body = checked_body(body), .on = checked_body(on)};
-  require_counterpart(pair.body, pair.on);
-  if (pair.body.is_rigid() && pair.on.is_rigid()) {
+  RollingPair pair{
+      .body = std::visit([](const auto& shape) { return checked_body(shape); }, body),
+      .on = std::visit([](const auto& shape) { return std::unique_ptr<const Body>(checked_body(shape)); }, on)};
+  std::visit(
+      []<class Shape, class On>(const Shape& /*body*/, const On& /*on*/) {
+        require_counterbody<Shape, On>(typename Traits<Shape>::Counterbodies());
+      },
+      body, on);
+  if (pair.body->is_rigid() && pair.on->is_rigid()) {
     reject("layers", "a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base given",
            "none: two rigid bodies");
   }
-  pair.on.require_room_for(pair.body);
+  pair.on->require_room_for(*pair.body);
   return pair;
 }
 
 Nodes nodes_of(const RollingPair& pair, const Mesh& mesh) {
-  Nodes nodes = pair.body.nodes(mesh, pair.on);
+  Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const SurfaceGrid& grid = nodes.grid;
-  const Curvatures& counterpart = pair.on.curvatures;
+  const Curvatures& counterpart = pair.on->curvatures();
   auto& [phi, theta] = nodes.widest;
   phi = within_60_degrees(phi, counterpart.along, grid.radius * grid.phi_spacing);
   theta = within_60_degrees(theta, counterpart.across, grid.radius * grid.theta_spacing);
@@ -65,28 +100,28 @@ Nodes nodes_of(const RollingPair& pair, const Mesh& mesh) {
 
 Crossing crossing_of(const RollingPair& pair, double angular_speed, const Mesh& mesh, Curvature curvature,
                      const Execution& execution, double inertia_tolerance) {
-  const Nodes nodes = pair.body.nodes(mesh, pair.on);
+  const Nodes nodes = pair.body->nodes(mesh, *pair.on);
   const double theta_spacing = nodes.grid.theta_spacing;
   return {.angular_speed = angular_speed,
-          .radius = pair.body.radius,
+          .radius = pair.body->radius(),
           .mesh = mesh,
           .theta_spacing = theta_spacing,
           .widest = (nodes.widest.theta.count() - 1) * theta_spacing,
           .curvature = curvature,
           .inertia_tolerance = inertia_tolerance,
-          .form = pair.body.form,
+          .form = pair.body->form(),
           .execution = execution};
 }
 
 double relative_radius(const RollingPair& pair) {
-  return pair.body.radius / (1.0 + pair.body.radius * pair.on.curvatures.along);
+  return pair.body->radius() / (1.0 + pair.body->radius() * pair.on->curvatures().along);
 }
 
-double width(const RollingPair& pair) { return std::min(pair.body.width, pair.on.width); }
+double width(const RollingPair& pair) { return std::min(pair.body->width(), pair.on->width()); }
 
 std::vector<NamedLayer> layers(const RollingPair& pair) {
-  std::vector<NamedLayer> all = pair.body.layers;
-  for (const auto& [name, layer] : pair.on.layers) all.push_back({.name = "on." + name, .layer = layer});
+  std::vector<NamedLayer> all = pair.body->layers();
+  for (const auto& [name, layer] : pair.on->layers()) all.push_back({.name = "on." + name, .layer = layer});
   return all;
 }
 
@@ -97,7 +132,7 @@ double thickness(const RollingPair& pair) {
 }
 
 bool approach_exists(const RollingPair& pair) {
-  return pair.body.form.half_space_rests || std::isfinite(thickness(pair));
+  return pair.body->form().half_space_rests || std::isfinite(thickness(pair));
 }
 
 double layer_thickness(const RollingPair& pair) {

@@ -2,16 +2,17 @@
 /// @brief Two bodies that roll on one another, and what both together are.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "rolling/body.hpp"
 
 namespace viscoroll::detail {
 
-/// @brief What rolls, and what it rolls on.
+/// @brief The rolling body and the counterbody. Copies share them.
 struct RollingPair {
-  Body body;
-  Body on;
+  std::shared_ptr<const RoundBody> body;
+  std::shared_ptr<const Body> on;
 };
 
 /// @throws std::invalid_argument naming parameter, value, unit and range, where a body is none or the two cannot roll

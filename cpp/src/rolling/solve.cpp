@@ -18,8 +18,8 @@
 namespace viscoroll {
 namespace {
 
-void validate(const LoadCase& load_case, const detail::Body& body) {
-  detail::require_positive("load", load_case.load, body.form.load_unit);
+void validate(const LoadCase& load_case, const detail::RoundBody& body) {
+  detail::require_positive("load", load_case.load, body.form().load_unit);
   detail::require_positive("angular_speed", load_case.angular_speed, "rad/s");
   detail::require_friction(load_case.friction);
   detail::validate_drive(load_case, body);
@@ -47,7 +47,7 @@ Result solve(const RollingBody& body, const LoadCase& load_case, const Options& 
 
 Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, pair.body);
+  validate(load_case, *pair.body);
   validate(options);
   detail::Watch watch(options.observer);
   if (!options.mesh) {
@@ -61,7 +61,7 @@ Result solve(const RollingBody& body, const Counterpart& on, const LoadCase& loa
 Result solve_kept(const RollingBody& body, const Counterpart& on, const LoadCase& load_case, const KeptContact& state,
                   const Options& options) {
   const detail::RollingPair pair = detail::rolling_pair(body, on);
-  validate(load_case, pair.body);
+  validate(load_case, *pair.body);
   validate(options);
   if (!options.mesh) detail::reject("mesh", "that of the state", "none");
   detail::Watch watch(options.observer);
@@ -93,7 +93,7 @@ RollingModel::RollingModel(RollingModel&&) noexcept = default;
 RollingModel& RollingModel::operator=(RollingModel&&) noexcept = default;
 
 Result RollingModel::solve(const LoadCase& load_case, const Options& options) const {
-  validate(load_case, impl_->model.pair.body);
+  validate(load_case, *impl_->model.pair.body);
   validate(options);
   const double speed = impl_->model.angular_speed;
   if (load_case.angular_speed != speed) {

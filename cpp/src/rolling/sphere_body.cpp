@@ -65,21 +65,32 @@ Nodes nodes_of(double radius, const Mesh& mesh, bool counterpart_deforms) {
           .widest = {{-phi, phi}, {-theta, theta}}};
 }
 
+BodyShape shape_of(const CoatedSphere& sphere) {
+  const double radius = outer_radius(sphere);
+  return {
+      .layers = named(sphere.layers), .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius}, .radius = radius};
+}
+
+class SphereBody final : public RoundBody {
+ public:
+  explicit SphereBody(const CoatedSphere& sphere) : RoundBody(shape_of(sphere)), sphere_(sphere) {}
+
+  [[nodiscard]] std::string_view name() const override { return "ball"; }
+  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(sphere_, crossing); }
+  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override {
+    return layered_body(sphere_, crossing.curvature);
+  }
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(radius(), points); }
+  [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override {
+    return nodes_of(radius(), mesh, !on.is_rigid());
+  }
+
+ private:
+  CoatedSphere sphere_;
+};
+
 }  // namespace
 
-Body make_body(const CoatedSphere& sphere) {
-  const double radius = outer_radius(sphere);
-  return {.type = "CoatedSphere",
-          .layers = named(sphere.layers),
-          .curvatures = {.along = 1.0 / radius, .across = 1.0 / radius},
-          .surface = [sphere](const Crossing& crossing) { return surface_of(sphere, crossing); },
-          .layered = [sphere](const Crossing& crossing) { return layered_body(sphere, crossing.curvature); },
-          .profile = [radius](const SurfaceWindow& points) { return profile_of(radius, points); },
-          .name = "ball",
-          .counterparts = {"CoatedPlane", "Groove", "CoatedSphere"},
-          .radius = radius,
-          .form = kSpotContact,
-          .nodes = [radius](const Mesh& mesh, const Body& on) { return nodes_of(radius, mesh, !on.is_rigid()); }};
-}
+std::unique_ptr<const RoundBody> make_body(const CoatedSphere& sphere) { return std::make_unique<SphereBody>(sphere); }
 
 }  // namespace viscoroll::detail

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -58,7 +57,7 @@ Profile profile_of(const CoatedWheel& wheel, const SurfaceWindow& points) {
 /// Columns whose patches are of equal width, as near to the mesh's as lets an odd number of them end at the sides.
 Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
   const double radius = outer_radius(wheel);
-  const double width = std::min(wheel.width, on.width);
+  const double width = std::min(wheel.width, on.width());
   const double columns = width / (radius * theta_spacing(mesh));
   const int aside = std::max(kFewestColumns, static_cast<int>(std::lround(0.5 * (columns - 1.0))));
   const int phi = nodes_to_60_degrees(mesh.nodes_per_revolution);
@@ -105,10 +104,10 @@ std::string contact_near_sides(const CoatedWheel& wheel, double across) {
          rounded(error_of_sides(wheel, across)) + " of it";
 }
 
-std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& contact, bool other_deforms) {
-  std::vector<Warning> cautions;
-  const auto add = [&cautions](WarningKind kind, std::string message) {
-    cautions.push_back({kind, std::move(message)});
+std::vector<Warning> warnings_of(const CoatedWheel& wheel, const ContactReach& contact, bool other_deforms) {
+  std::vector<Warning> warnings;
+  const auto add = [&warnings](WarningKind kind, std::string message) {
+    warnings.push_back({kind, std::move(message)});
   };
   const double thickness = coating_thickness(wheel);
   const double clear = 0.5 * wheel.width - contact.across;
@@ -131,7 +130,7 @@ std::vector<Warning> cautions_of(const CoatedWheel& wheel, const ContactReach& c
                                       " m and " + rounded(thickness) +
                                       " m: good as long as the contact is small beside both");
   }
-  return cautions;
+  return warnings;
 }
 
 void require_gentle_crown(const CoatedWheel& wheel) {
@@ -144,27 +143,37 @@ void require_gentle_crown(const CoatedWheel& wheel) {
          text(wheel.crown_radius) + " m");
 }
 
+BodyShape shape_of(const CoatedWheel& wheel) {
+  const double radius = outer_radius(wheel);
+  return {.layers = named(wheel.layers),
+          .curvatures = {.along = 1.0 / radius, .across = 1.0 / wheel.crown_radius},
+          .radius = radius,
+          .width = wheel.width};
+}
+
+class WheelBody final : public RoundBody {
+ public:
+  explicit WheelBody(const CoatedWheel& wheel) : RoundBody(shape_of(wheel)), wheel_(wheel) {}
+
+  [[nodiscard]] std::string_view name() const override { return "wheel"; }
+  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return surface_of(wheel_, crossing); }
+  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return layers_of(wheel_, crossing); }
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return profile_of(wheel_, points); }
+  [[nodiscard]] const CoatedWheel* free_tread() const override { return has_free_sides(wheel_) ? &wheel_ : nullptr; }
+  [[nodiscard]] double further_error(const ContactReach& contact) const override { return error_of(wheel_, contact); }
+  [[nodiscard]] std::vector<Warning> warnings(const ContactReach& contact, bool other_deforms) const override {
+    return warnings_of(wheel_, contact, other_deforms);
+  }
+  void require_stiffness() const override { require_gentle_crown(wheel_); }
+  [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override { return nodes_of(wheel_, mesh, on); }
+  void require(const Options& options) const override { require_wheel_options(options); }
+
+ private:
+  CoatedWheel wheel_;
+};
+
 }  // namespace
 
-Body make_body(const CoatedWheel& wheel) {
-  return {.type = "CoatedWheel",
-          .layers = named(wheel.layers),
-          .curvatures = {.along = 1.0 / outer_radius(wheel), .across = 1.0 / wheel.crown_radius},
-          .surface = [wheel](const Crossing& crossing) { return surface_of(wheel, crossing); },
-          .layered = [wheel](const Crossing& crossing) { return layers_of(wheel, crossing); },
-          .free_tread = has_free_sides(wheel) ? std::optional(wheel) : std::nullopt,
-          .profile = [wheel](const SurfaceWindow& points) { return profile_of(wheel, points); },
-          .width = wheel.width,
-          .further_error = [wheel](const ContactReach& contact) { return error_of(wheel, contact); },
-          .cautions = [wheel](const ContactReach& contact,
-                              bool other_deforms) { return cautions_of(wheel, contact, other_deforms); },
-          .require_stiffness = [wheel] { require_gentle_crown(wheel); },
-          .name = "wheel",
-          .counterparts = {"CoatedPlane", "Groove", "CoatedCylinder", "CoatedWheel"},
-          .radius = outer_radius(wheel),
-          .form = kSpotContact,
-          .nodes = [wheel](const Mesh& mesh, const Body& on) { return nodes_of(wheel, mesh, on); },
-          .require = require_wheel_options};
-}
+std::unique_ptr<const RoundBody> make_body(const CoatedWheel& wheel) { return std::make_unique<WheelBody>(wheel); }
 
 }  // namespace viscoroll::detail

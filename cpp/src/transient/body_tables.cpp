@@ -30,10 +30,10 @@ CreepingTables tables_alike(const Body& at_rest, const Crossing& crossing, const
   const auto sum = crossing.form.is_line() ? sum_under_line(layers, crossing) : sum_under_spot(layers, crossing);
   std::vector<MirroredTables> tables;
   tables.emplace_back(*sum, shape, threads, watch);  // in place of a list, which copies
-  if (at_rest.free_tread) {
+  if (at_rest.free_tread() != nullptr) {
     const double radius = layers.metric.radius;
     const SideSum sides =
-        sum_of_sides(*at_rest.free_tread, layers,
+        sum_of_sides(*at_rest.free_tread(), layers,
                      {.mesh = crossing.mesh_at(radius), .angular_speed = crossing.angular_speed_at(radius)},
                      shape.components > 1, crossing.execution);
     add_sides({sides.difference().get(), 1}, sides, crossing, shape, tables);
@@ -48,8 +48,8 @@ CreepingTables tables_unlike(const Body& at_rest, const LayerSpectrum& layers, c
   const auto sums = crossing.form.is_line() ? weights_under_line(layers, mesh, threads, watch)
                                             : weights_under_spot(layers, mesh, threads, watch);
   std::vector<MirroredTables> tables = MirroredTables::of_all(sums, shape, threads, watch);
-  if (at_rest.free_tread) {
-    const auto weights = side_weights(layers, *at_rest.free_tread, shape.components > 1, threads, watch);
+  if (at_rest.free_tread() != nullptr) {
+    const auto weights = side_weights(layers, *at_rest.free_tread(), shape.components > 1, threads, watch);
     add_sides(*weights, sum_of_side_weights(weights, layers, mesh), crossing, shape, tables);
   }
   return CreepingTables(std::move(tables));

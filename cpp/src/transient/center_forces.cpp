@@ -44,7 +44,7 @@ ArrayXd depth_below_center(const ActingPlaces& at) {
 VectorField force_on_center(const ActingPlaces& at) {
   VectorField row = VectorField::Zero(at.place.lever.size(), 3);
   row.col(kForward).setConstant(-1.0);
-  row.col(kDown) = at.pair.pair.on.curvatures.along * at.place.lever - pushing_slope(at);
+  row.col(kDown) = at.pair.pair.on->curvatures().along * at.place.lever - pushing_slope(at);
   return row;
 }
 
@@ -61,7 +61,7 @@ VectorField moment_about_center(const ActingPlaces& at) {
 }
 
 VectorField force_along_track(const ActingPlaces& at, double penetration) {
-  const double turning = at.pair.pair.on.curvatures.along;
+  const double turning = at.pair.pair.on->curvatures().along;
   VectorField row = force_on_center(at);
   if (turning == 0.0) return row;
   row.col(kDown) -= turning * at.place.lever;

@@ -37,7 +37,7 @@ Axes axes_of_rolling(const CreepingPair& pair, const SurfaceWindow& nodes) {
 
 /// Its frame is the mirror image of that of what rolls, and its normals turn with its curvatures.
 Axes axes_of_counterpart(const CreepingPair& pair, const SurfaceWindow& nodes) {
-  const Curvatures& curvatures = pair.pair.on.curvatures;
+  const Curvatures& curvatures = pair.pair.on->curvatures();
   return level_axes(-curvatures.along * nodes.x(), -curvatures.across * nodes.z(), 1.0, pair.half_nodes());
 }
 

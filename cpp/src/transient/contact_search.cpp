@@ -28,7 +28,7 @@ StepOperator surface_of(const Touch& touch, const std::vector<Axes>& level_axes)
 /// By which share of its speed the counterpart's surface lags on the way from one place to another, by Simpson's rule:
 /// depths are squares of that.
 ArrayXd mean_delay(const CreepingPair& pair, const SurfaceWindow& from, const SurfaceWindow& to) {
-  if (pair.pair.on.curvatures.along == 0.0) return ArrayXd::Zero(to.shape().size());
+  if (pair.pair.on->curvatures().along == 0.0) return ArrayXd::Zero(to.shape().size());
   const SurfaceWindow between(to.grid(), to.window(), 0.5 * (from.shift() + to.shift()));
   return (counterpart_delay(from, {}, pair.pair) + 4.0 * counterpart_delay(between, {}, pair.pair) +
           counterpart_delay(to, {}, pair.pair)) /

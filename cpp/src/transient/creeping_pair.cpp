@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index;
 
 void require_yielding_at_once(const Body& body, std::string_view prefix, const TimeRange& range) {
-  for (const auto& [name, layer] : body.layers) {
+  for (const auto& [name, layer] : body.layers()) {
     if (std::isfinite(short_time_modulus(layer.shear_modulus, 1.0 / range.shortest))) continue;
     reject(std::string(prefix) + name + ".shear_modulus",
            "one that yields at once in transient rolling, where layers do not creep alike",
@@ -39,15 +39,15 @@ BodySpectrum checked_spectrum(const Body& body, std::string_view prefix, const C
                               const HistoryOptions& options) {
   const TimeRange range{.shortest = options.shortest_time, .longest = options.longest_time};
   BodySpectrum result;
-  if (creep_alike(body.layers, range)) {
-    result.spectrum = creep_spectrum(body.layers.back().layer.shear_modulus, range);
+  if (creep_alike(body.layers(), range)) {
+    result.spectrum = creep_spectrum(body.layers().back().layer.shear_modulus, range);
   } else {
     require_yielding_at_once(body, prefix, range);
     result = layer_spectrum(body.layered(crossing), options, range);
   }
   if (result.spectrum.error > options.spectrum_tolerance) {
     reject(
-        std::string(prefix) + body.layers.back().name + ".shear_modulus",
+        std::string(prefix) + body.layers().back().name + ".shear_modulus",
         "one that discrete retardation times stand for within spectrum_tolerance = " + text(options.spectrum_tolerance),
         "one that they miss by " + rounded(result.spectrum.error));
   }
@@ -63,9 +63,9 @@ Crossing crossing_at_rest(const RollingPair& pair, const HistoryOptions& options
 /// Rows around the one of two bodies; a body that turns beside another one need not have a whole number of them, and is
 /// taken to be that much larger or smaller.
 std::optional<Index> ring_of(const Body& body, const SurfaceGrid& grid) {
-  if (body.radius == 0.0) return std::nullopt;
+  if (body.radius() == 0.0) return std::nullopt;
   const double distance = grid.radius * grid.phi_spacing;
-  return std::lround(2.0 * std::numbers::pi * body.radius / distance);
+  return std::lround(2.0 * std::numbers::pi * body.radius() / distance);
 }
 
 /// Rows that tables may reach: the waves of some 500 low orders take 256 MB of them while they are summed.
@@ -96,7 +96,7 @@ Index CreepingPair::most_track_reach() const {
 }
 
 bool CreepingPair::ends_at_sides() const {
-  return half_nodes() == most_half_nodes() && (pair.body.form.is_line() || std::isfinite(width(pair)));
+  return half_nodes() == most_half_nodes() && (pair.body->form().is_line() || std::isfinite(width(pair)));
 }
 
 std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOptions& options, Watch& watch) {
@@ -107,34 +107,34 @@ std::vector<BodySpectrum> creep_spectra(const RollingPair& pair, const HistoryOp
     spectra.push_back(checked_spectrum(body, prefix, crossing, options));
     spectra.back().rolls = rolls;
   };
-  append(pair.body, true, "");
-  append(pair.on, false, "on.");
+  append(*pair.body, true, "");
+  append(*pair.on, false, "on.");
   return spectra;
 }
 
 double inertia_of(const RollingPair& pair, const std::vector<BodySpectrum>& spectra) {
   double inertia = 0.0;
   for (const auto& [rolls, spectrum, layered] : spectra) {
-    const auto& layers = (rolls ? pair.body : pair.on).layers;
+    const auto& layers = (rolls ? *pair.body : *pair.on).layers();
     for (std::size_t l = 0; l < layers.size(); ++l) {
       const Layer& layer = layers[l].layer;
       const double at_once =
           layered ? layered->moduli()[l].instantaneous()
                   : complex_modulus(layer.shear_modulus, std::array{0.0}).front().real() / spectrum.instantaneous;
-      inertia = std::max(inertia, layer.density * std::pow(pair.body.radius, 2) / at_once);
+      inertia = std::max(inertia, layer.density * std::pow(pair.body->radius(), 2) / at_once);
     }
   }
   return inertia;
 }
 
 void require_followed(const RollingPair& pair, const HistoryOptions& options) {
-  const bool is_on_rigid_plane =
-      pair.body.type == "CoatedSphere" && pair.on.type == "CoatedPlane" && pair.on.is_rigid();
-  if (options.mass > 0.0 && pair.on.curvatures.along != 0.0) {
+  const bool is_ball = !pair.body->form().is_line() && std::isinf(width(pair));
+  const bool is_on_rigid_plane = pair.on->is_rigid() && pair.on->curvatures() == Curvatures{};
+  if (options.mass > 0.0 && pair.on->curvatures().along != 0.0) {
     reject("mass", "0 kg on what curves along the path, where the center goes another way than the contact",
            text(options.mass) + " kg");
   }
-  if (options.compliance != Compliance::radial && !is_on_rigid_plane) {
+  if (options.compliance != Compliance::radial && !(is_ball && is_on_rigid_plane)) {
     reject("compliance", "RADIAL in transient rolling, but for a ball on the rigid plane", "VERTICAL");
   }
 }
@@ -166,7 +166,7 @@ CreepingPair creeping_pair(const RollingPair& at_rest, const std::vector<BodySpe
                  .most = 0};
   const Crossing crossing = crossing_at_rest(at_rest, options, watch);
   for (const BodySpectrum& spectrum : spectra) {
-    const Body& body = spectrum.rolls ? at_rest.body : at_rest.on;
+    const Body& body = spectrum.rolls ? *at_rest.body : *at_rest.on;
     shape.ring = ring_of(body, creeping.nodes.grid);
     shape.most = shape.ring ? *shape.ring / 2 : size.track_reach;
     creeping.bodies.push_back({.rolls = spectrum.rolls,

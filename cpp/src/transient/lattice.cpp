@@ -105,7 +105,7 @@ void Lattice::require_reach(const ContactPlace& place) const {
 
 /// A dish or a ring closes on itself, which the rows of a track do not know: what it remembers is not met from behind.
 void Lattice::require_open_track(const ContactPlace& place) const {
-  const double turning = std::abs(pair_->pair.on.curvatures.along);
+  const double turning = std::abs(pair_->pair.on->curvatures().along);
   if (turning == 0.0) return;
   const double spacing = pair_->nodes.grid.radius * pair_->nodes.grid.phi_spacing;
   const double around = 2.0 * std::numbers::pi / turning;

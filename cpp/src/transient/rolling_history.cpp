@@ -140,10 +140,11 @@ detail::ContactReach RollingHistory::Impl::know(const RollingBody& body, const C
   const detail::RollingPair given = detail::rolling_pair(body, on);
   detail::validate(options);
   detail::require_followed(given, options);
-  detail::require_positive("load", load, given.body.form.load_unit);
+  detail::require_positive("load", load, given.body->form().load_unit);
   at_rest = detail::rolling_pair(detail::at_rest(body), detail::at_rest(on));
   const detail::ContactReach contact = detail::estimate_contact(at_rest, 1.0, load);
-  if (!options.mesh) options.mesh = detail::chosen_mesh(given.body.radius, contact.along, given.body.form.is_line());
+  if (!options.mesh)
+    options.mesh = detail::chosen_mesh(given.body->radius(), contact.along, given.body->form().is_line());
   spectra = detail::creep_spectra(given, options, watch);
   inertia = detail::inertia_of(given, spectra);
   return contact;
@@ -195,11 +196,11 @@ void RollingHistory::Impl::require_forces(const StepEnd& to) const {
   }
   if (options.driving_force == 0.0 || options.mass > 0.0) return;
   if (!(std::abs(options.driving_force) < options.friction * to.load)) {
-    const detail::Body& body = pair->pair.body;
-    const std::string unit = " " + std::string(body.form.load_unit);
+    const detail::RoundBody& body = *pair->pair.body;
+    const std::string unit = " " + std::string(body.form().load_unit);
     reject("driving_force",
            "smaller than friction * load = " + text(options.friction * to.load) + unit + " in magnitude, else the " +
-               std::string(body.name) + " slides without end",
+               std::string(body.name()) + " slides without end",
            text(options.driving_force) + unit);
   }
 }
@@ -212,7 +213,7 @@ void RollingHistory::Impl::require_step(const StepEnd& to) const {
   if (!(to.time >= now.time)) {
     reject("time", "not before the instant reached, " + text(now.time) + " s", text(to.time) + " s");
   }
-  detail::require_nonnegative("load", to.load, pair->pair.body.form.load_unit);
+  detail::require_nonnegative("load", to.load, pair->pair.body->form().load_unit);
   require_forces(to);
   if (std::abs(to.angle - now.angle) > most_turn()) {
     reject("angle", "within " + detail::rounded(most_turn()) + " rad of the one before, ten million steps", to.angle);
