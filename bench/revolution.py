@@ -29,8 +29,7 @@ def by_roll(stepper: vr.RollingHistory, turn: float) -> list[float]:
     """Return the torques of the last steps, the history being followed in one call."""
     knots = {"time": [0.0, turn / ANGULAR_SPEED], "angle": [0.0, turn], "load": [LOAD, LOAD], "center_way": []}
     instants = stepper._history.roll(**knots, progress=None)
-    torque = instants[vr._core.instant_names().index("resisting_torque")]
-    return torque[-STEPS_PER_SPACING:].tolist()
+    return instants.resisting_torque[-STEPS_PER_SPACING:].tolist()
 
 
 def by_advance(stepper: vr.RollingHistory, turn: float) -> list[float]:

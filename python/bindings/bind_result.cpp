@@ -36,15 +36,6 @@ std::map<WarningKind, std::string> warnings_by_kind(const Result& result) {
   return texts;
 }
 
-/// A line of result_scalars.def.
-struct ScalarDescription {
-  std::string name;
-  std::string type;  ///< as Python's documentation names it
-  std::string unit;
-  std::string label;
-  std::string details;
-};
-
 template <class T>
 constexpr const char* kTypeName = "float";
 template <>

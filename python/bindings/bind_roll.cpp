@@ -1,9 +1,8 @@
 #include <pybind11/native_enum.h>
 #include <pybind11/stl.h>
 
-#include <array>
+#include <algorithm>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,48 +13,45 @@ namespace {
 
 using namespace viscoroll;
 
-/// Numbers of an instant, in the order of `instant_names`.
-constexpr std::array kInstantMembers{
-    std::pair{"time", &RollingInstant::time},
-    std::pair{"angle", &RollingInstant::angle},
-    std::pair{"load", &RollingInstant::load},
-    std::pair{"resisting_torque", &RollingInstant::resisting_torque},
-    std::pair{"driving_torque", &RollingInstant::driving_torque},
-    std::pair{"penetration", &RollingInstant::penetration},
-    std::pair{"contact_area", &RollingInstant::contact_area},
-    std::pair{"semi_axis_x", &RollingInstant::semi_axis_x},
-    std::pair{"semi_axis_z", &RollingInstant::semi_axis_z},
-    std::pair{"max_pressure", &RollingInstant::max_pressure},
-    std::pair{"stored_energy", &RollingInstant::stored_energy},
-    std::pair{"counterpart_stored_energy", &RollingInstant::counterpart_stored_energy},
-    std::pair{"dissipated_energy", &RollingInstant::dissipated_energy},
-    std::pair{"counterpart_dissipated_energy", &RollingInstant::counterpart_dissipated_energy},
-    std::pair{"work", &RollingInstant::work},
-    std::pair{"energy_imbalance", &RollingInstant::energy_imbalance},
-    std::pair{"driving_force", &RollingInstant::driving_force},
-    std::pair{"center_way", &RollingInstant::center_way},
-    std::pair{"center_speed", &RollingInstant::center_speed},
-    std::pair{"slip_energy", &RollingInstant::slip_energy},
-    std::pair{"stick_share", &RollingInstant::stick_share},
-    std::pair{"error_estimate", &RollingInstant::error_estimate},
+/// The instants of a history, from which Python takes each scalar as an array.
+struct InstantSeries {
+  std::vector<RollingInstant> instants;
 };
 
-std::vector<std::string> instant_names() {
-  std::vector<std::string> names;
-  names.reserve(kInstantMembers.size());
-  for (const auto& [name, member] : kInstantMembers) names.emplace_back(name);
-  return names;
+/// A member of instants and the array of it: one function compiled for all members.
+void bind_scalar(py::classh<RollingInstant>& instant, py::classh<InstantSeries>& series, const char* name,
+                 double RollingInstant::* member, const char* text) {
+  instant.def_readonly(name, member, text);
+  series.def_property_readonly(
+      name,
+      [member](const InstantSeries& self) {
+        py::array_t<double> values(static_cast<py::ssize_t>(self.instants.size()));
+        std::ranges::transform(self.instants, values.mutable_data(), member);
+        return values;
+      },
+      text);
 }
 
-/// Instants as an array, a row for each number.
-py::array_t<double> as_array(const std::vector<RollingInstant>& instants) {
-  py::array_t<double> array(
-      {static_cast<py::ssize_t>(kInstantMembers.size()), static_cast<py::ssize_t>(instants.size())});
-  double* value = array.mutable_data();
-  for (const auto& [name, member] : kInstantMembers) {
-    for (const RollingInstant& instant : instants) *value++ = instant.*member;
-  }
-  return array;
+void bind_scalars(py::module_& m) {
+  const auto descriptions = [] {
+    return std::vector<ScalarDescription>{
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) {#name, "float", unit, label, details},
+#define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
+    };
+  };
+  m.def("history_scalars", descriptions, "Descriptions of the scalars of a history, in SI units.");
+
+  py::classh<RollingInstant> instant(m, "RollingInstant");
+  py::classh<InstantSeries> series(m, "InstantSeries");
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) \
+  bind_scalar(instant, series, #name, &RollingInstant::name, label " [" unit "]. " details);
+#define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
 }
 
 RollingHistory make_history(const RollingBody& body, const Counterpart& on, double load, Start start,
@@ -75,19 +71,13 @@ RollingHistory restored_history(const RollingBody& body, const Counterpart& on, 
   return {body, on, load, numbers, options, observer};
 }
 
-py::array_t<double> roll_array(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
-                               std::vector<double> load, std::vector<double> center_way, const py::object& progress) {
-  std::vector<RollingInstant> instants;
-  {
-    const Observer observer = python_observer(progress);
-    const py::gil_scoped_release release;
-    const Motion motion{.time = std::move(time),
-                        .angle = std::move(angle),
-                        .load = std::move(load),
-                        .center_way = std::move(center_way)};
-    instants = roll(history, motion, observer);
-  }
-  return as_array(instants);
+InstantSeries roll_released(RollingHistory& history, std::vector<double> time, std::vector<double> angle,
+                            std::vector<double> load, std::vector<double> center_way, const py::object& progress) {
+  const Observer observer = python_observer(progress);
+  const py::gil_scoped_release release;
+  const Motion motion{
+      .time = std::move(time), .angle = std::move(angle), .load = std::move(load), .center_way = std::move(center_way)};
+  return {roll(history, motion, observer)};
 }
 
 void advance_released(RollingHistory& history, double time, double angle, double load,
@@ -130,6 +120,8 @@ void bind_roll(py::module_& m) {
       .def_readwrite("spectrum_tolerance", &HistoryOptions::spectrum_tolerance)
       .def_readwrite("threads", &HistoryOptions::threads);
 
+  bind_scalars(m);
+
   py::classh<ContactField>(m, "ContactField")
       .def_readonly("time", &ContactField::time)
       .def_property_readonly("x", field(&ContactField::x))
@@ -144,14 +136,14 @@ void bind_roll(py::module_& m) {
       .def("copy", [](const RollingHistory& self) { return RollingHistory(self); })
       .def("advance", &advance_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
            py::arg("center_way").none(true))
-      .def("roll", &roll_array, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
+      .def("roll", &roll_released, py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"),
            py::arg("center_way"), py::arg("progress").none(true))
       .def("state",
            [](const RollingHistory& self) {
              const RollingState state = self.state();
              return py::array_t<double>(static_cast<py::ssize_t>(state.numbers.size()), state.numbers.data());
            })
-      .def("now", [](const RollingHistory& self) { return as_array({self.now()}); })
+      .def("now", &RollingHistory::now)
       .def("contact", &RollingHistory::contact)
       .def_property_readonly("steps", &RollingHistory::steps)
       .def_property_readonly("mesh", &RollingHistory::mesh)
@@ -167,5 +159,4 @@ void bind_roll(py::module_& m) {
                   .center_way = std::move(center_way)});
       },
       py::kw_only(), py::arg("time"), py::arg("angle"), py::arg("load"), py::arg("center_way"));
-  m.def("instant_names", &instant_names, "What the rows of a history are.");
 }

@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "viscoroll/observer.hpp"
@@ -19,6 +20,15 @@ void bind_result(py::module_& m);
 void bind_roll(py::module_& m);
 void bind_rolling_resistance(py::module_& m);
 void bind_solve(py::module_& m);
+
+/// @brief A line of result_scalars.def or history_scalars.def.
+struct ScalarDescription {
+  std::string name;
+  std::string type;  ///< as Python's documentation names it
+  std::string unit;
+  std::string label;
+  std::string details;
+};
 
 /// C-contiguous array; other types and layouts are refused, not copied.
 template <class T>

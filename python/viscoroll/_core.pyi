@@ -567,6 +567,230 @@ class HistoryOptions:
     @threads.setter
     def threads(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
 
+class RollingInstant:
+    @property
+    def angle(self) -> float:
+        """
+        angle turned ψ, forward [rad]. The contact moves r_o ψ along the track if nothing slips.
+        """
+    @property
+    def center_speed(self) -> float:
+        """
+        speed of the center [m/s]. Without mass it is the mean over the previous step.
+        """
+    @property
+    def center_way(self) -> float:
+        """
+        distance traveled by the center since the start [m]. 0 without friction, where it is undetermined.
+        """
+    @property
+    def contact_area(self) -> float:
+        """
+        contact area [m^2].
+        """
+    @property
+    def counterpart_dissipated_energy(self) -> float:
+        """
+        energy dissipated in the counterbody since the start [J]. Part of `dissipated_energy`; includes the energy still stored where the track is no longer followed.
+        """
+    @property
+    def counterpart_stored_energy(self) -> float:
+        """
+        energy stored in the counterbody [J]. Part of `stored_energy`.
+        """
+    @property
+    def dissipated_energy(self) -> float:
+        """
+        energy dissipated in both bodies and by slip since the start [J]. Computed from the material's memory and from slip, independently of the torque.
+        """
+    @property
+    def driving_force(self) -> float:
+        """
+        driving force Q [N]. Forward force on the center, minus mass times acceleration. On a rigid plane it is -Σ t_x; a deformable counterbody adds the pressure along its deformed surface, which gives M / r_o for a rigid body on a plane.
+        """
+    @property
+    def driving_torque(self) -> float:
+        """
+        driving torque T [N m]. Moment of the contact forces about the center of the rolling body. On a rigid plane it does the work, and it equals T_r with the radial compliance. It is 0 for a rigid body on a deformable counterbody; if both deform, it is the share of the rolling body.
+        """
+    @property
+    def energy_imbalance(self) -> float:
+        """
+        work minus stored and dissipated energy [J].
+        """
+    @property
+    def error_estimate(self) -> float:
+        """
+        error estimate of the torque [N m]. Standard error of `resisting_torque`, from its spread over the lattices; not a number with one lattice.
+        """
+    @property
+    def load(self) -> float:
+        """
+        load P [N].
+        """
+    @property
+    def max_pressure(self) -> float:
+        """
+        largest contact pressure [Pa].
+        """
+    @property
+    def penetration(self) -> float:
+        """
+        approach of the bodies, r_o - H [m]. Not a number on a half-plane, where the approach is undetermined.
+        """
+    @property
+    def resisting_torque(self) -> float:
+        """
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        """
+    @property
+    def semi_axis_x(self) -> float:
+        """
+        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of the width in line contact.
+        """
+    @property
+    def semi_axis_z(self) -> float:
+        """
+        contact semi-axis along z [m]. Semi-axis of the ellipse with the same second moments as the contact; not a number in line contact.
+        """
+    @property
+    def slip_energy(self) -> float:
+        """
+        energy dissipated by slip since the start [J]. Part of `dissipated_energy`.
+        """
+    @property
+    def stick_share(self) -> float:
+        """
+        share of the contact nodes that stick [1]. 0 without friction.
+        """
+    @property
+    def stored_energy(self) -> float:
+        """
+        energy stored in both bodies [J]. On a half-plane energies and work are known up to a constant while the load is constant.
+        """
+    @property
+    def time(self) -> float:
+        """
+        time [s]. Two equal values mark a jump.
+        """
+    @property
+    def work(self) -> float:
+        """
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; a jump does the work that it stores.
+        """
+
+class InstantSeries:
+    @property
+    def angle(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        angle turned ψ, forward [rad]. The contact moves r_o ψ along the track if nothing slips.
+        """
+    @property
+    def center_speed(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        speed of the center [m/s]. Without mass it is the mean over the previous step.
+        """
+    @property
+    def center_way(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        distance traveled by the center since the start [m]. 0 without friction, where it is undetermined.
+        """
+    @property
+    def contact_area(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        contact area [m^2].
+        """
+    @property
+    def counterpart_dissipated_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        energy dissipated in the counterbody since the start [J]. Part of `dissipated_energy`; includes the energy still stored where the track is no longer followed.
+        """
+    @property
+    def counterpart_stored_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        energy stored in the counterbody [J]. Part of `stored_energy`.
+        """
+    @property
+    def dissipated_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        energy dissipated in both bodies and by slip since the start [J]. Computed from the material's memory and from slip, independently of the torque.
+        """
+    @property
+    def driving_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        driving force Q [N]. Forward force on the center, minus mass times acceleration. On a rigid plane it is -Σ t_x; a deformable counterbody adds the pressure along its deformed surface, which gives M / r_o for a rigid body on a plane.
+        """
+    @property
+    def driving_torque(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        driving torque T [N m]. Moment of the contact forces about the center of the rolling body. On a rigid plane it does the work, and it equals T_r with the radial compliance. It is 0 for a rigid body on a deformable counterbody; if both deform, it is the share of the rolling body.
+        """
+    @property
+    def energy_imbalance(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        work minus stored and dissipated energy [J].
+        """
+    @property
+    def error_estimate(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        error estimate of the torque [N m]. Standard error of `resisting_torque`, from its spread over the lattices; not a number with one lattice.
+        """
+    @property
+    def load(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        load P [N].
+        """
+    @property
+    def max_pressure(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        largest contact pressure [Pa].
+        """
+    @property
+    def penetration(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        approach of the bodies, r_o - H [m]. Not a number on a half-plane, where the approach is undetermined.
+        """
+    @property
+    def resisting_torque(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        resisting torque T_r, offset of the pressure times P [N m]. T_r = Σ x p, whichever body deforms. T_r / R is the resisting force, where 1/R is the sum of the curvatures along the path. A negative value drives the body. After a stop it keeps the body from rolling back.
+        """
+    @property
+    def semi_axis_x(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        contact semi-axis along x [m]. Semi-axis of the ellipse with the same second moments as the contact; half of the width in line contact.
+        """
+    @property
+    def semi_axis_z(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        contact semi-axis along z [m]. Semi-axis of the ellipse with the same second moments as the contact; not a number in line contact.
+        """
+    @property
+    def slip_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        energy dissipated by slip since the start [J]. Part of `dissipated_energy`.
+        """
+    @property
+    def stick_share(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        share of the contact nodes that stick [1]. 0 without friction.
+        """
+    @property
+    def stored_energy(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        energy stored in both bodies [J]. On a half-plane energies and work are known up to a constant while the load is constant.
+        """
+    @property
+    def time(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        time [s]. Two equal values mark a jump.
+        """
+    @property
+    def work(self) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        work of rolling and load since the start [J]. Integrated by the trapezoidal rule; a jump does the work that it stores.
+        """
+
 class ContactField:
     @property
     def pressure(self) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -612,7 +836,7 @@ class RollingHistory:
     ) -> None: ...
     def contact(self) -> ContactField: ...
     def copy(self) -> RollingHistory: ...
-    def now(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    def now(self) -> RollingInstant: ...
     def roll(
         self,
         *,
@@ -621,7 +845,7 @@ class RollingHistory:
         load: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         center_way: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         progress: typing.Any,
-    ) -> numpy.typing.NDArray[numpy.float64]: ...
+    ) -> InstantSeries: ...
     def state(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def mesh(self) -> Mesh: ...
@@ -698,6 +922,11 @@ def degree_compliance(
     *,
     angular_speed: typing.SupportsFloat | typing.SupportsIndex,
 ) -> numpy.typing.NDArray[numpy.complex128]: ...
+def history_scalars() -> list[ScalarDescription]:
+    """
+    Descriptions of the scalars of a history, in SI units.
+    """
+
 def influence_tables(
     sphere: CoatedSphere,
     mesh: Mesh,
@@ -709,11 +938,6 @@ def influence_tables(
     curvature: Curvature,
     progress: typing.Any,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
-def instant_names() -> list[str]:
-    """
-    What the rows of a history are.
-    """
-
 def interior_fields(
     shape: CoatedSphere | CoatedCylinder | CoatedPlane | CoatedWheel,
     tractions: Tractions,

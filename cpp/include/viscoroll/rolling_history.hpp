@@ -44,37 +44,14 @@ struct HistoryOptions {
   int threads = 0;                   ///< 0 for all cores
 };
 
-/// @brief A history at an instant, as the mean over the lattices. Energies are counted from the first instant; those of
-/// a half-plane, on which nothing rests, are as arbitrary as its approach while the load changes.
+/// @brief The scalars of a history at an instant, in SI units, each a member of the name that `history_scalars.def`
+/// gives it. Energies are counted from the first instant.
 struct RollingInstant {
-  double time = 0.0;   ///< [s]
-  double angle = 0.0;  ///< psi, turned forward [rad]; r_o times it is the way of the contact along the track
-  double load = 0.0;   ///< P [N]
-  /// M = sum of x p, whoever deforms: what rolling costs, M / R per way along the track, 1/R the sum of the curvatures
-  /// along it [N m]. After a stop it is what keeps the body from rolling back.
-  double resisting_torque = 0.0;
-  /// T, moment of the contact forces about the center [N m]: on a rigid plane M and what does the work, of a rigid body
-  /// on what deforms 0, of two soft ones the share of what rolls.
-  double driving_torque = 0.0;
-  double penetration = 0.0;  ///< approach of the two bodies, r_o - H [m]; not a number where nothing rests (half-plane)
-  double contact_area = 0.0;   ///< [m^2]
-  double semi_axis_x = 0.0;    ///< of the ellipse with the contact's second moments, in line contact half its width [m]
-  double semi_axis_z = 0.0;    ///< likewise [m]; not a number in line contact
-  double max_pressure = 0.0;   ///< [Pa]
-  double stored_energy = 0.0;  ///< in both bodies [J]
-  double counterpart_stored_energy = 0.0;      ///< part of it in what it rolls on [J]
-  double dissipated_energy = 0.0;              ///< lost in both bodies and by slip since the start [J]
-  double counterpart_dissipated_energy = 0.0;  ///< part of it lost in what it rolls on, and forgotten there [J]
-  double work = 0.0;                           ///< of rolling and load since the start, by the trapezoidal rule [J]
-  double energy_imbalance = 0.0;               ///< work - change of stored energy - dissipated_energy [J]
-  /// Q, force on the center, forward, less its mass times acceleration [N]: with friction -sum of t_x, and on what
-  /// deforms that of the pressure along the deformed surface, of a rigid body M / R.
-  double driving_force = 0.0;
-  double center_way = 0.0;      ///< of the center along the track since the start [m]; 0 without friction
-  double center_speed = 0.0;    ///< its speed [m/s]; without mass the mean over the step before
-  double slip_energy = 0.0;     ///< part of dissipated_energy that slip on the plane takes [J]
-  double stick_share = 0.0;     ///< of the nodes in contact [-]; 0 without friction
-  double error_estimate = 0.0;  ///< of resisting_torque: standard error of the mean over the lattices [N m]
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) double name = 0.0;  ///< label [unit]. details
+#define VISCOROLL_HISTORY_SUMMARY VISCOROLL_HISTORY_SCALAR
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
 };
 
 /// @brief Fields of the contact of one lattice at an instant, row-major [phi][theta].

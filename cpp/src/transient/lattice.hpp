@@ -30,27 +30,14 @@ class TrackTooLong : public std::runtime_error {
   TrackTooLong() : std::runtime_error("the track is remembered farther than its tables reach") {}
 };
 
-/// @brief Numbers that each lattice has of an instant: what is averaged over lattices, and stored of each.
-inline constexpr std::array kLatticeScalars{&RollingInstant::angle,
-                                            &RollingInstant::load,
-                                            &RollingInstant::resisting_torque,
-                                            &RollingInstant::driving_torque,
-                                            &RollingInstant::penetration,
-                                            &RollingInstant::contact_area,
-                                            &RollingInstant::semi_axis_x,
-                                            &RollingInstant::semi_axis_z,
-                                            &RollingInstant::max_pressure,
-                                            &RollingInstant::stored_energy,
-                                            &RollingInstant::counterpart_stored_energy,
-                                            &RollingInstant::dissipated_energy,
-                                            &RollingInstant::counterpart_dissipated_energy,
-                                            &RollingInstant::work,
-                                            &RollingInstant::energy_imbalance,
-                                            &RollingInstant::driving_force,
-                                            &RollingInstant::center_way,
-                                            &RollingInstant::center_speed,
-                                            &RollingInstant::slip_energy,
-                                            &RollingInstant::stick_share};
+/// @brief Scalars that are averaged over lattices and stored for each of them.
+inline constexpr std::array kLatticeScalars{
+#define VISCOROLL_HISTORY_SCALAR(name, unit, label, details) &RollingInstant::name,
+#define VISCOROLL_HISTORY_SUMMARY(name, unit, label, details)
+#include "viscoroll/history_scalars.def"
+#undef VISCOROLL_HISTORY_SUMMARY
+#undef VISCOROLL_HISTORY_SCALAR
+};
 
 /// @brief Nodes at angles (I + shift) spacing + angle turned, what they bear, and what each body remembers of it.
 class Lattice {

@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
+from .. import _core
 from .._core import Compliance, Curvature, PatchLoad, Status, WarningKind
 from .._support.extras import extra
+from .._support.scalars import with_scalars
 from .._support.units import UNITS, unit_in_contact
 from ..bodies import CoatedWheel, Counterpart, Drive, Mesh, RollingBody
-from .scalars import SCALARS, ScalarFields, with_scalars
+from .scalars import SCALARS, ScalarFields
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
-
-    from .. import _core
 
 __all__ = ["FIELDS", "VECTOR_FIELDS", "Refinement", "Solution", "described", "given_of", "node_angles", "node_spacings"]
 
@@ -75,7 +75,7 @@ VECTOR_FIELDS = {
 }
 
 
-@with_scalars
+@with_scalars(_core.result_scalars())
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class Solution(ScalarFields):
     """Solution of one load case on the candidate window.

@@ -8,22 +8,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import _core
 from .._core import Compliance, Curvature, Start
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
 from .._support.plotting import plots
+from .._support.scalars import with_scalars
 from .._support.tables import html_table, number_text, unit_text
 from ..bodies import Counterpart, Drive, Mesh, RollingBody
 from .rolling_history import RollingState
-from .series import SERIES, series_units
+from .series import HISTORY_SCALARS, SeriesFields, series_units
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
-
-    from .. import _core
 
 __all__ = ["FORMATS", "ContactInstant", "History"]
 
@@ -52,8 +52,9 @@ class ContactInstant:
         return cls(time=field.time, x=field.x, z=field.z, pressure=field.pressure)
 
 
+@with_scalars(_core.history_scalars(), kind="ndarray")
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
-class History:
+class History(SeriesFields):
     """Time series of transient rolling, at every step that was taken; means over the lattices.
 
     Attributes
@@ -64,52 +65,7 @@ class History:
         What was before; None for a history that went on from a state.
     spectrum_error : float
         Largest relative error of the compliance by discrete retardation times [-].
-    time : ndarray
-        [s]; two alike at a jump.
-    angle : ndarray
-        ψ [rad].
-    load : ndarray
-        P [N].
-    resisting_torque : ndarray
-        M = Σ x p, T_r of steady results, whoever deforms [N m]: M/R is its force against the way along the track, 1/R
-        the sum of the curvatures along it. Negative where it drives; after a stop it is what keeps the body from
-        rolling back.
-    driving_torque : ndarray
-        T, moment of the contact forces about the center of what rolls [N m]. On a rigid plane it does the work, and is
-        M with the radial compliance; of a rigid body on what deforms it is 0, of two soft ones the share of what rolls.
-    penetration : ndarray
-        Approach of the two bodies, r_o - H [m]; not a number on a half-plane, on which nothing rests.
-    contact_area : ndarray
-        [m²].
-    semi_axis_x, semi_axis_z : ndarray
-        Semi-axes of the ellipse with the contact's second moments [m]; along a line half its width, and not a number.
-    max_pressure : ndarray
-        [Pa].
-    stored_energy : ndarray
-        In both bodies [J]. On a half-plane, where approach has no datum, energies and work have one of the mesh's.
-    counterpart_stored_energy : ndarray
-        Part of `stored_energy` in what it rolls on [J].
-    dissipated_energy : ndarray
-        Lost in both bodies and by slip since the start [J], from memory and slip alone: not from the torque.
-    counterpart_dissipated_energy : ndarray
-        Part of `dissipated_energy` lost in what it rolls on [J], with what was still stored where it was forgotten.
-    work : ndarray
-        Of rolling and load since the start [J], by the trapezoidal rule; a jump takes what it stores.
-    energy_imbalance : ndarray
-        Work less what was stored and lost [J].
-    driving_force : ndarray
-        Q, force on the center, forward [N]. On the rigid plane -Σ t_x, less mass × acceleration where it has mass; on
-        what deforms that of the pressure along the deformed surface: of a rigid body on a plane M/r_o.
-    center_way : ndarray
-        Way of the center since the start [m]; 0 without friction, where it is undetermined.
-    center_speed : ndarray
-        Of the center [m/s]; without mass the mean over the step before.
-    slip_energy : ndarray
-        Part of `dissipated_energy` that slip on the plane takes [J].
-    stick_share : ndarray
-        Of the nodes in contact [-].
-    error_estimate : ndarray
-        Of `resisting_torque`, by the spread of the lattices [N m]; not a number with one lattice.
+    %(scalars)s
     contacts : tuple of ContactInstant
         The pressure at the instants asked for.
     state : RollingState
@@ -127,28 +83,6 @@ class History:
     mass: float
     lattices: int
     spectrum_error: float
-    time: NDArray[np.float64]
-    angle: NDArray[np.float64]
-    load: NDArray[np.float64]
-    resisting_torque: NDArray[np.float64]
-    driving_torque: NDArray[np.float64]
-    penetration: NDArray[np.float64]
-    contact_area: NDArray[np.float64]
-    semi_axis_x: NDArray[np.float64]
-    semi_axis_z: NDArray[np.float64]
-    max_pressure: NDArray[np.float64]
-    stored_energy: NDArray[np.float64]
-    counterpart_stored_energy: NDArray[np.float64]
-    dissipated_energy: NDArray[np.float64]
-    counterpart_dissipated_energy: NDArray[np.float64]
-    work: NDArray[np.float64]
-    energy_imbalance: NDArray[np.float64]
-    driving_force: NDArray[np.float64]
-    center_way: NDArray[np.float64]
-    center_speed: NDArray[np.float64]
-    slip_energy: NDArray[np.float64]
-    stick_share: NDArray[np.float64]
-    error_estimate: NDArray[np.float64]
     contacts: tuple[ContactInstant, ...]
     state: RollingState
 
@@ -158,8 +92,8 @@ class History:
             values.flags.writeable = False
 
     def _series(self) -> dict[str, NDArray[np.float64]]:
-        """Return the time series by name, the time first."""
-        return {name: getattr(self, name) for name in ("time", *SERIES)}
+        """Return the time series by name."""
+        return {name: getattr(self, name) for name in HISTORY_SCALARS}
 
     @property
     def way(self) -> NDArray[np.float64]:
@@ -212,10 +146,7 @@ class History:
 
     def _repr_html_(self) -> str:
         """Return the range of every time series with units, as a table for notebooks."""
-        series = [
-            ("time", self.time, "s"),
-            *((text, getattr(self, name), self.units[name]) for name, (_, text) in SERIES.items()),
-        ]
+        series = [(text, getattr(self, name), self.units[name]) for name, (_, text) in HISTORY_SCALARS.items()]
         rows = [
             (label, *(number_text(float(value)) for value in (values.min(), values.max(), values[-1])), unit_text(unit))
             for label, values, unit in series
@@ -260,9 +191,9 @@ class History:
 
         variables = {
             name: ("time", getattr(self, name), {"units": self.units[name], "long_name": text})
-            for name, (_, text) in SERIES.items()
+            for name, (_, text) in HISTORY_SCALARS.items()
         }
-        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, attrs=self.scalars())
+        return xarray.Dataset(variables, attrs=self.scalars())
 
     def save(self, path: str | Path) -> None:
         """Write the time series to a file, in the format of its suffix.
@@ -290,7 +221,7 @@ class History:
 
 
 def _write_table(history: History, path: Path) -> None:
-    units = {"time": "s"} | history.units
+    units = history.units
     write_csv({f"{name} [{units[name]}]": values.tolist() for name, values in history._series().items()}, path)
 
 

@@ -16,6 +16,7 @@ from ..bodies.si_hints import si_hints
 from .history import ContactInstant, History
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
+from .series import HISTORY_SCALARS
 from .way import as_angles
 
 if TYPE_CHECKING:
@@ -139,7 +140,7 @@ def roll(
             **options,
         )
         pieces, contacts = _follow(stepper, motion, contact_times, checkpoint, report)
-    rows = dict(zip(_core.instant_names(), np.concatenate(pieces, axis=1), strict=True))
+    rows = {name: _joined([getattr(piece, name) for piece in pieces]) for name in HISTORY_SCALARS}
     return History(
         ball=ball,
         on=on,
@@ -164,18 +165,18 @@ def _follow(
     contact_times: ArrayLike,
     checkpoint: str | Path | None,
     report: Report | None,
-) -> tuple[list[NDArray[np.float64]], list[ContactInstant]]:
+) -> tuple[list[_core.InstantSeries], list[ContactInstant]]:
     """Return the time series from stop to stop, and the contacts there; where that fails, the state goes to a file."""
     core = stepper._history
-    pieces: list[NDArray[np.float64]] = []
+    pieces: list[_core.InstantSeries] = []
     contacts: list[ContactInstant] = []
     try:
         for stop in _stops(motion["time"], contact_times):
-            if stop < core.now()[0, 0]:
+            if stop < core.now().time:
                 continue
             with si_hints(stepper.ball, stepper.on):
                 piece = core.roll(**_until(stop, motion), progress=report)
-            pieces.append(piece if not pieces else piece[:, 1:])
+            pieces.append(piece)
             if stop in np.asarray(contact_times):
                 contacts.append(ContactInstant._from_core(stepper.contact))
     except BaseException:
@@ -183,6 +184,11 @@ def _follow(
             stepper.state.save(checkpoint)
         raise
     return pieces, contacts
+
+
+def _joined(pieces: list[NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Return one time series; each piece but the first repeats the last instant of the piece before it."""
+    return np.concatenate([pieces[0], *(piece[1:] for piece in pieces[1:])])
 
 
 def _motion(**knots: ArrayLike | None) -> dict[str, NDArray[np.float64]]:

@@ -16,9 +16,11 @@ from .._support.arguments import as_float, as_float_array, as_member, require_ty
 from .._support.cautions import warn
 from .._support.files import ending_in
 from .._support.progress import ProgressLike, reporting
+from .._support.scalars import with_scalars
 from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints, unit_doubt
 from .options import HistoryKeywords, HistoryOptions, with_options
+from .series import HISTORY_SCALARS, InstantFields
 from .way import as_angle
 
 if TYPE_CHECKING:
@@ -27,64 +29,15 @@ if TYPE_CHECKING:
 __all__ = ["Instant", "RollingHistory", "RollingState"]
 
 
+@with_scalars(_core.history_scalars())
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Instant:
+class Instant(InstantFields):
     """A history at an instant: the time series of `History`, as numbers.
 
     Attributes
     ----------
-    time, angle, load : float
-        [s], [rad], [N].
-    resisting_torque, driving_torque : float
-        T_r and T [N m].
-    penetration : float
-        r_o - H [m].
-    contact_area : float
-        [m²].
-    semi_axis_x, semi_axis_z : float
-        [m].
-    max_pressure : float
-        [Pa].
-    stored_energy, counterpart_stored_energy, dissipated_energy, counterpart_dissipated_energy : float
-        [J].
-    work, energy_imbalance : float
-        [J].
-    driving_force : float
-        Q [N].
-    center_way : float
-        [m].
-    center_speed : float
-        [m/s].
-    slip_energy : float
-        Part of `dissipated_energy` [J].
-    stick_share : float
-        [-].
-    error_estimate : float
-        Of the torque [N m]; not a number with one lattice.
+    %(scalars)s
     """
-
-    time: float
-    angle: float
-    load: float
-    resisting_torque: float
-    driving_torque: float
-    penetration: float
-    contact_area: float
-    semi_axis_x: float
-    semi_axis_z: float
-    max_pressure: float
-    stored_energy: float
-    counterpart_stored_energy: float
-    dissipated_energy: float
-    counterpart_dissipated_energy: float
-    work: float
-    energy_imbalance: float
-    driving_force: float
-    center_way: float
-    center_speed: float
-    slip_energy: float
-    stick_share: float
-    error_estimate: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -338,5 +291,5 @@ class RollingHistory:
         return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
 
 
-def _instant(numbers: NDArray[np.float64]) -> Instant:
-    return Instant(**dict(zip(_core.instant_names(), numbers[:, 0].tolist(), strict=True)))
+def _instant(now: _core.RollingInstant) -> Instant:
+    return Instant(**{name: getattr(now, name) for name in HISTORY_SCALARS})

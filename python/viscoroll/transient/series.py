@@ -1,37 +1,27 @@
-"""What a history is a time series of."""
+"""The scalars of a history, as the table of the core describes them: numbers at an instant, arrays over time."""
 
 from __future__ import annotations
 
-from .._support.units import unit_in_contact
+from typing import TYPE_CHECKING
 
-__all__ = ["SERIES", "series_units"]
+from .. import _core
+from .._support.scalars import scalar_fields, units_in_contact
 
-#: Time series: name, unit, what it is.
-SERIES = {
-    "angle": ("rad", "angle turned ψ, forward"),
-    "load": ("N", "load P"),
-    "resisting_torque": ("N m", "resisting torque T_r, offset of the pressure times P"),
-    "driving_torque": ("N m", "driving torque T"),
-    "penetration": ("m", "approach of the bodies, r_o - H"),
-    "contact_area": ("m^2", "contact area"),
-    "semi_axis_x": ("m", "contact semi-axis along x"),
-    "semi_axis_z": ("m", "contact semi-axis along z"),
-    "max_pressure": ("Pa", "largest contact pressure"),
-    "stored_energy": ("J", "energy stored in all"),
-    "counterpart_stored_energy": ("J", "energy stored in what it rolls on"),
-    "dissipated_energy": ("J", "energy lost in all and by slip since the start"),
-    "counterpart_dissipated_energy": ("J", "energy lost in what it rolls on since the start"),
-    "work": ("J", "work of rolling and load since the start"),
-    "energy_imbalance": ("J", "work less what was stored and lost"),
-    "driving_force": ("N", "driving force Q"),
-    "center_way": ("m", "way of the center since the start"),
-    "center_speed": ("m/s", "speed of the center"),
-    "slip_energy": ("J", "energy lost by slip since the start"),
-    "stick_share": ("1", "share of the nodes in contact that stick"),
-    "error_estimate": ("N m", "error estimate of the torque"),
-}
+__all__ = ["HISTORY_SCALARS", "InstantFields", "SeriesFields", "series_units"]
+
+#: Scalars of a history: name, unit, what it is.
+HISTORY_SCALARS = {scalar.name: (scalar.unit, scalar.label) for scalar in _core.history_scalars()}
 
 
 def series_units(*, line_contact: bool) -> dict[str, str]:
-    """Return the unit of every time series."""
-    return {name: unit_in_contact(unit, line_contact=line_contact) for name, (unit, _) in SERIES.items()}
+    """Return the unit of every scalar of a history."""
+    return units_in_contact(_core.history_scalars(), line_contact=line_contact)
+
+
+if TYPE_CHECKING:
+    from .._core import InstantSeries as SeriesFields
+    from .._core import RollingInstant as InstantFields
+else:
+    #: Fields with the number, and with the time series, of each scalar.
+    InstantFields = scalar_fields("InstantFields", dict.fromkeys(HISTORY_SCALARS, "float"))
+    SeriesFields = scalar_fields("SeriesFields", dict.fromkeys(HISTORY_SCALARS, "NDArray[np.float64]"))
