@@ -27,6 +27,7 @@ class ThreadPool {
 
   void run(std::size_t helpers, const Work& work, const std::function<void()>& waiting);
 
+#ifdef VISCOROLL_POSIX
   /// End the threads that have no work.
   /// @return the lock, under which there are none
   std::unique_lock<std::mutex> retire();
@@ -34,6 +35,7 @@ class ThreadPool {
   void before_fork() { retire().release(); }
   void after_fork_in_parent() { mutex_.unlock(); }
   void after_fork_in_child();
+#endif
 
  private:
   /// Lives on the stack of who makes it.
@@ -116,6 +118,13 @@ void ThreadPool::help(std::list<std::thread>::iterator self) {
   left_.notify_all();
 }
 
+/// Never destroyed, for threads may still compute while the process ends.
+ThreadPool& the_pool() {
+  static ThreadPool& pool = *std::make_unique<ThreadPool>().release();
+  return pool;
+}
+
+#ifdef VISCOROLL_POSIX
 std::unique_lock<std::mutex> ThreadPool::retire() {
   std::unique_lock lock(mutex_);
   while (idle_ > 0) {
@@ -137,13 +146,6 @@ void ThreadPool::after_fork_in_child() {
   std::construct_at(this);
 }
 
-/// Never destroyed, for threads may still compute while the process ends.
-ThreadPool& the_pool() {
-  static ThreadPool& pool = *std::make_unique<ThreadPool>().release();
-  return pool;
-}
-
-#ifdef VISCOROLL_POSIX
 /// No thread waits while the process forks, and none when the library is unloaded.
 struct Precautions {
   Precautions() noexcept {
