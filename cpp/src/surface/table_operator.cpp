@@ -415,10 +415,10 @@ Losses TableOperator::dissipation(const VectorField& force) const {
   const Tables tables = dissipation_source_(rows - 1, columns - 1);
   const std::vector<ConvolutionTerm> terms = Terms(formulation_).dissipation();
   Eigen::ArrayXd lost = Eigen::ArrayXd::Zero(rows);  // summed in an order that threads do not change
-  const auto lose = [&, columns = columns](bool mirrored) -> SpectralProduct::Take {
-    const Eigen::Index middle = mirrored ? columns / 2 : 0;
-    return [&, mirrored, middle, columns](int row, std::size_t field, const double* line) {
-      for (Eigen::Index k = middle; k < columns; ++k) {
+  const auto lose = [&, width = columns](bool mirrored) -> SpectralProduct::Take {
+    const Eigen::Index middle = mirrored ? width / 2 : 0;
+    return [&, mirrored, middle, width](int row, std::size_t field, const double* line) {
+      for (Eigen::Index k = middle; k < width; ++k) {
         const double images = mirrored && k > middle ? 2.0 : 1.0;
         lost[row] += images * load(force, row, k, field) * line[k - middle];
       }
