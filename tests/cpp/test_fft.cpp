@@ -59,23 +59,24 @@ TEST(RealFft, BackwardUndoesForwardTimesTheLength) {
 TEST(RealFft, TransformsSeveralLinesAsItDoesOne) {
   for (const int length : {30, 25}) {
     const auto points = static_cast<std::size_t>(length);
-    constexpr RealFft::Lines kLines{.count = 7, .real_stride = 32, .spectrum_stride = 16};
-    RealBuffer real(kLines.count * kLines.real_stride);
+    RealBuffer scratch(RealFft::scratch_size(length));
+    const RealFft::Lines lines{.count = 7, .real_stride = 32, .spectrum_stride = 16, .scratch = scratch.data()};
+    RealBuffer real(lines.count * lines.real_stride);
     for (std::size_t i = 0; i < real.size(); ++i) real[i] = std::sin(static_cast<double>(i * i));
     const RealBuffer input = real;
-    ComplexBuffer spectra(kLines.count * kLines.spectrum_stride);
+    ComplexBuffer spectra(lines.count * lines.spectrum_stride);
     const RealFft fft(length);
-    fft.forward(real.data(), spectra.data(), kLines);
-    for (std::size_t l = 0; l < kLines.count; ++l) {
-      const auto first = input.begin() + static_cast<std::ptrdiff_t>(l * kLines.real_stride);
+    fft.forward(real.data(), spectra.data(), lines);
+    for (std::size_t l = 0; l < lines.count; ++l) {
+      const auto first = input.begin() + static_cast<std::ptrdiff_t>(l * lines.real_stride);
       const ComplexBuffer line(first, first + length);
       for (std::size_t j = 0; j <= points / 2; ++j) {
-        EXPECT_LT(std::abs(spectra[l * kLines.spectrum_stride + j] - std::conj(direct_sum(line, j))), 1e-12);
+        EXPECT_LT(std::abs(spectra[l * lines.spectrum_stride + j] - std::conj(direct_sum(line, j))), 1e-12);
       }
     }
-    fft.backward(spectra.data(), real.data(), kLines);
+    fft.backward(spectra.data(), real.data(), lines);
     for (std::size_t i = 0; i < real.size(); ++i) {
-      if (i % kLines.real_stride >= points) continue;
+      if (i % lines.real_stride >= points) continue;
       EXPECT_NEAR(real[i], length * input[i], 1e-12);
     }
   }

@@ -74,12 +74,17 @@ class RealFft {
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @brief So many lines, and numbers from line to line of either kind.
+  /// @brief So many lines, numbers from line to line of either kind, and scratch memory.
   struct Lines {
     std::size_t count = 1;
     std::size_t real_stride = 0;
     std::size_t spectrum_stride = 0;
+    double* scratch = nullptr;  ///< `scratch_size` numbers on a cache line, for several lines
   };
+
+  /// @return size of the scratch memory for several lines of `length` numbers. The caller keeps this memory from call
+  /// to call: allocating it in each call takes longer than the transforms.
+  [[nodiscard]] static std::size_t scratch_size(int length);
 
   /// @param[in,out] real `length` numbers each, on cache lines, overwritten
   /// @param[out] spectrum `length / 2 + 1` numbers each, on cache lines

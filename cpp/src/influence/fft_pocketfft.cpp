@@ -10,7 +10,6 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include "influence/fft.hpp"
 #include "influence/fft_cost.hpp"
@@ -123,11 +122,9 @@ struct RealFft::Impl {
     std::size_t count = lines.count;
 #ifdef __GNUC__
     if (count >= kTogether) {
-      // Kept: the system clears memory that is given back and taken again, which takes longer than the transform.
-      thread_local std::vector<Lanes, CacheLineAllocator<Lanes>> together;
-      if (together.size() < length) together.resize(length);
+      auto* together = reinterpret_cast<Lanes*>(lines.scratch);
       for (; count >= kTogether; count -= kTogether) {
-        transform_together(plan, length, from, to, lines, together.data());
+        transform_together(plan, length, from, to, lines, together);
         from += kTogether * from_stride;
         to += kTogether * to_stride;
       }
@@ -140,6 +137,14 @@ struct RealFft::Impl {
 RealFft::RealFft(int length) {
   const auto numbers = static_cast<std::size_t>(length);
   impl_ = std::make_unique<Impl>(Impl{.plan = RealPlan(numbers), .length = numbers});
+}
+
+std::size_t RealFft::scratch_size(int length) {
+#ifdef __GNUC__
+  return kTogether * static_cast<std::size_t>(length);
+#else
+  return 0;
+#endif
 }
 
 RealFft::~RealFft() = default;

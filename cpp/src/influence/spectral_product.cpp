@@ -105,6 +105,7 @@ void SpectralProduct::reserve(std::size_t parts_of_fields, int threads) const {
     work.odd_row.resize(columns_);
     work.half_rows.resize(std::min(rows, kRows) * blocks * kColumns);
     work.lines.resize(kColumns * line_stride_);
+    work.scratch.resize(RealFft::scratch_size(period_.phi_nodes));
     work.columns.resize(parts_of_fields * kColumns * column_stride_);
     work.sums.resize(kColumns * column_stride_);
   }
@@ -149,13 +150,15 @@ ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, 
   });
 
   ComplexBuffer spectrum(blocks * kColumns * column_stride_);
+  std::vector<RealBuffer> scratches(workers, RealBuffer(RealFft::scratch_size(period_.phi_nodes)));
   parallel_for(blocks, useful, watch, "transforming tables", [&](std::size_t block, const Worker& worker) {
     double* columns = lines[worker.number].data();
     half.gather(0, block, columns, line_stride_);
     phi_fft_.forward(columns, spectrum.data() + block * kColumns * column_stride_,
                      {.count = std::min(kColumns, columns_ - block * kColumns),
                       .real_stride = line_stride_,
-                      .spectrum_stride = column_stride_});
+                      .spectrum_stride = column_stride_,
+                      .scratch = scratches[worker.number].data()});
   });
   return spectrum;
 }

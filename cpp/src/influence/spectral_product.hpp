@@ -112,6 +112,7 @@ class SpectralProduct {
     RealBuffer odd_row;
     ComplexBuffer half_rows;
     RealBuffer lines;
+    RealBuffer scratch;  // of the transforms of several lines
     ComplexBuffer columns;
     ComplexBuffer sums;
   };
