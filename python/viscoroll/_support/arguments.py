@@ -171,6 +171,10 @@ def as_floats(name: str, values: ArrayLike) -> tuple[float, ...]:
     ValueError
         Where `values` is not one-dimensional, or an entry is beyond the range of a float.
     """
+    if isinstance(values, list | tuple):
+        for index, value in enumerate(values):
+            if isinstance(value, bool):  # which NumPy converts beside numbers
+                raise TypeError(f"{name}[{index}] must be a real number, got {_described(value)}")
     array = _as_array(name, values, wanted="one-dimensional")
     if array.ndim != 1:
         raise ValueError(f"{name} must be one-dimensional, got shape {array.shape}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["one_line", "parsed_range", "shown"]
+__all__ = ["finite_number", "one_line", "parsed_range", "shown"]
 
 _LONGEST = 120
 
@@ -19,6 +19,15 @@ def shown(value: object) -> str:
     except Exception:  # a repr may fail in any way: this is on the way to another error
         text = f"<{type(value).__name__}>"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+
+
+def finite_number(text: str) -> float | None:
+    """Return the number that a text is, or None for other texts, infinities and NaN, and digits grouped by "_"."""
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) and "_" not in text else None
 
 
 def parsed_range(text: str) -> tuple[float, float] | None:

@@ -15,6 +15,7 @@ from .._support.arguments import as_member
 from .._support.extras import extra
 from .._support.progress import ProgressLike
 from .._support.text import shown
+from .._support.toml import read_toml
 from ..bodies import (
     CoatedCylinder,
     CoatedPlane,
@@ -41,6 +42,7 @@ from ..interior import (
 from ..materials import Arrhenius, WilliamsLandelFerry
 from ..rheology import LossFactor, example_material, hardness_to_modulus, load_material, rebound_to_loss_factor
 from ..rolling import Result, solve
+from .columns import read_columns
 from .tables import (
     ByName,
     FileName,
@@ -50,8 +52,6 @@ from .tables import (
     checked,
     errors_in,
     in_folder,
-    read_columns,
-    read_toml,
 )
 
 with extra("cli"):
@@ -110,14 +110,26 @@ def _of_data_sheet(
     return LossFactor(modulus=modulus, loss_factor=rebound_to_loss_factor(rebound).value, **given)
 
 
-def _with_columns(table: dict[str, Any], info: ValidationInfo, *, what: str, names: tuple[str, ...]) -> dict[str, Any]:
-    """Replace the name of a file by the columns in it."""
+def _with_columns(
+    table: dict[str, Any], info: ValidationInfo, *, what: str, make: Callable[..., object], names: tuple[str, ...]
+) -> dict[str, Any]:
+    """Replace the name of a file by the columns in it, of which `make` checks the values."""
     if "file" not in table:
         return table
     if both := [name for name in names if name in table]:
         raise ValueError(f"file must be left out where columns are given, got {', '.join(both)} too")
-    columns = read_columns(what, in_folder(table["file"], info), names)
+    path = in_folder(table["file"], info)
+    columns = read_columns(what, path, names)
+    try:
+        make(**columns)
+    except ValueError as error:
+        raise ValueError(f"{what} {path}: {error}") from None
     return {key: value for key, value in table.items() if key != "file"} | columns
+
+
+def _columns_of(what: str, make: Callable[..., object], *names: str) -> BeforeValidator:
+    """Return a validator that replaces the name of a file by the columns in it."""
+    return BeforeValidator(partial(_with_columns, what=what, make=make, names=names))
 
 
 def _typed(given: object) -> object:
@@ -173,7 +185,7 @@ _Linear: TypeAlias = Annotated[
     | Annotated[
         materials.MasterCurve,
         Table("master_curve", extrapolation=Annotated[Extrapolation, ByName()]),
-        BeforeValidator(partial(_with_columns, what="master curve", names=("frequency", "storage", "loss"))),
+        _columns_of("master curve", materials.MasterCurve, "frequency", "storage", "loss"),
     ]
     | Annotated[LossFactor, Table("loss_factor")]
     | Annotated[materials.ShearModulus, Table("hardness", _of_data_sheet)]
@@ -188,7 +200,7 @@ _Network: TypeAlias = Annotated[
     | Annotated[
         materials.StrainSweep,
         Table("strain_sweep", _strain_sweep),
-        BeforeValidator(partial(_with_columns, what="strain sweep", names=("strain", "storage", "loss"))),
+        _columns_of("strain sweep", materials.StrainSweep, "strain", "storage", "loss"),
     ],
     Field(discriminator="type"),
     BeforeValidator(_typed),

@@ -14,11 +14,12 @@ from .._support.cautions import kept_in_results
 from .._support.extras import extra
 from .._support.plotting import plots
 from .._support.progress import ProgressLike, Report, reporting
+from .._support.toml import read_toml
 from ..rolling import Result
 from .case import build_case
 from .limits import LIMITS, Outcome, outcome_of
 from .study import place_of, substituted
-from .tables import StrictTable, checked, errors_in, read_toml
+from .tables import StrictTable, checked, errors_in
 
 with extra("cli"):
     from pydantic import Field

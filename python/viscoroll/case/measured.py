@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +17,7 @@ from .._support.text import shown
 from .._support.units import UNITS, unit_in_contact
 from ..solution.scalars import SCALARS
 from ..studies.runner import run_all
-from .tables import read_columns
+from .columns import read_columns, read_header
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -66,13 +65,7 @@ def read_measurements(path: Path) -> Measurements:
         For another file, and for numbers out of range.
     """
     what = "measurements"
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as file:
-            header = [name.strip() for name in next(csv.reader(file), [])]
-    except OSError as error:
-        raise ValueError(f"{what} {path}: {error.strerror}") from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise ValueError(f"{what} {path}: {error}") from None
+    header = read_header(what, path)
     if len(header) != 3 or header[0] not in VARIED or header[1] not in SCALARS or header[2] != "error":
         raise ValueError(
             f"{what} {path}: columns must be {' or '.join(VARIED)}, the name of a scalar result and error, "
@@ -82,12 +75,10 @@ def read_measurements(path: Path) -> Measurements:
     places, values, errors = columns.values()
     if not places.size:
         raise ValueError(f"{what} {path}: there must be a number in {header[0]}, got none")
-    if not (np.isfinite(places).all() and places.min() > 0.0):
-        raise ValueError(f"{what} {path}: {header[0]} must be > 0 {UNITS[header[0]]} and finite, got {places.min():g}")
-    if not np.isfinite(values).all():
-        raise ValueError(f"{what} {path}: {header[1]} must be finite")
-    if not (np.isfinite(errors).all() and errors.min() >= 0.0):
-        raise ValueError(f"{what} {path}: error must be >= 0 and finite, got {errors.min():g}")
+    if places.min() <= 0.0:
+        raise ValueError(f"{what} {path}: {header[0]} must be > 0 {UNITS[header[0]]}, got {places.min():g}")
+    if errors.min() < 0.0:
+        raise ValueError(f"{what} {path}: error must be >= 0, got {errors.min():g}")
     return Measurements(varied=header[0], quantity=header[1], places=places, values=values, errors=errors)
 
 

@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .._core import Compliance, Curvature, Start
+from .._support.toml import read_toml
 from ..bodies import Counterpart, Drive, RollingBody
 from ..transient.roll import roll
 from .case import MeshTable, PairTables
-from .tables import ByName, FileName, StrictTable, checked, errors_in, read_columns, read_toml
+from .columns import read_columns
+from .tables import ByName, FileName, StrictTable, checked, errors_in
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -136,10 +138,10 @@ def _table(motion: _Motion) -> dict[str, Any]:
     if ("angle" in columns) == ("way" in columns):
         raise ValueError(f"motion {motion.file}: needs one of the columns angle and way")
     if "load" not in columns and motion.load is None:
-        raise ValueError("motion.load must be given where the file has no column load")
+        raise ValueError(f"motion.load must be given where {motion.file} has no column load")
     for name in ("load", "center_way"):
         if name in columns and getattr(motion, name) is not None:
-            raise ValueError(f"motion.{name} must be left out where the file has a column {name}")
+            raise ValueError(f"motion.{name} must be left out where {motion.file} has a column {name}")
     return {"load": motion.load, "center_way": motion.center_way} | columns
 
 
@@ -148,11 +150,13 @@ def _oscillation(motion: _Motion) -> dict[str, Any]:
         raise ValueError("motion.center_way must be left out with amplitude")
     if motion.frequency is None or motion.load is None:
         raise ValueError("motion needs frequency and load with amplitude")
-    if not (np.isfinite(motion.frequency) and motion.frequency > 0.0):
-        raise ValueError(f"motion.frequency must be > 0 Hz, got {motion.frequency!r}")
+    if not 1e-100 <= motion.frequency <= 1e100:
+        raise ValueError(f"motion.frequency must be in [1e-100, 1e100] Hz, got {motion.frequency!r}")
     if not 0.0 < motion.cycles <= 1e4:
         raise ValueError(f"motion.cycles must be in (0, 1e4], got {motion.cycles!r}")
     assert motion.amplitude is not None
+    if not np.isfinite(motion.amplitude):
+        raise ValueError(f"motion.amplitude must be finite, got {motion.amplitude!r}")
     time = np.linspace(0.0, motion.cycles / motion.frequency, max(int(_KNOTS * motion.cycles), 1) + 1)
     angle = motion.amplitude * np.sin(2.0 * np.pi * motion.frequency * time)
     return {"time": time, "angle": angle, "load": motion.load}

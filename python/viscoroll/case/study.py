@@ -14,13 +14,15 @@ import numpy as np
 from .._support.extras import extra
 from .._support.intervals import as_confidence
 from .._support.text import shown
+from .._support.toml import read_toml
 from .._support.units import UNITS
 from ..bodies import Counterpart, RollingBody
+from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
 from ..studies.dimensions import Dimension
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERPARTS, Case, build_case
-from .tables import StrictTable, checked, errors_in, read_toml
+from .tables import StrictTable, checked, errors_in
 
 with extra("cli"):
     from pydantic import Field
@@ -59,7 +61,12 @@ class _Range(StrictTable):
                 f"scale: from and to must be > 0 where the scale is log, got {self.start:g}, {self.stop:g}"
             )
         spaced = np.geomspace if self.scale == "log" else np.linspace
-        values = spaced(self.start, self.stop, self.count)
+        with np.errstate(over="ignore", invalid="ignore"):
+            values = spaced(self.start, self.stop, self.count)
+        if not np.isfinite(values).all():
+            raise ValueError(
+                f"from and to must be finite, and so must be their difference, got {self.start:g}, {self.stop:g}"
+            )
         # Counts, as of nodes, must stay whole numbers.
         whole = self.start.is_integer() and self.stop.is_integer() and bool((values == values.round()).all())
         return [int(value) for value in values] if whole else [float(value) for value in values]
@@ -155,11 +162,11 @@ def _count_draws(document: dict[str, Any], folder: Path, place: _Place) -> int:
         for part in place:
             material = material[part]
         file = folder / material["file"]
-        return len(read_toml(file)["draws"]["instantaneous_modulus"])
     except (IndexError, KeyError, TypeError):
         raise ValueError(
             f'draws.of must name tables of measured materials whose files keep draws, got "{_text(place)}"'
         ) from None
+    return count_draws(file)
 
 
 def _numbers_in(tables: tuple[str, ...], chosen: Mapping[_Place, float]) -> tuple[float, ...]:

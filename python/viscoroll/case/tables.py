@@ -6,9 +6,7 @@ the file; the class itself checks values and has the defaults.
 
 from __future__ import annotations
 
-import csv
 import inspect
-import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from enum import Enum
@@ -19,6 +17,7 @@ from typing import Annotated, Any, Literal, TypeAlias, TypeVar
 from .._support.extras import extra
 from .._support.keywords import meant as meant_by
 from .._support.text import one_line, shown
+from .._support.toml import read_toml
 
 with extra("cli"):
     from pydantic import (
@@ -43,15 +42,10 @@ __all__ = [
     "checked",
     "errors_in",
     "in_folder",
-    "read_columns",
-    "read_toml",
     "skipped_in",
 ]
 
 _Model = TypeVar("_Model", bound="StrictTable")
-
-#: With or without the byte-order mark that some editors write.
-_ENCODING = "utf-8-sig"
 
 
 class StrictTable(BaseModel):
@@ -87,7 +81,9 @@ def skipped(kind: type[FileTables], document: Iterable[str]) -> dict[str, str]:
 def skipped_in(path: Path, *, command: str) -> str:
     """Return which tables of a file are for other commands, in a sentence, or nothing."""
     others = {name: other for name, other in _COMMANDS.items() if other != command}
-    return "; ".join(f"[{name}] is for `{others[name]}`" for name in read_toml(path) if name in others)
+    with errors_in(path):
+        document = read_toml(path)
+    return "; ".join(f"[{name}] is for `{others[name]}`" for name in document if name in others)
 
 
 class Table:
@@ -162,22 +158,6 @@ def errors_in(path: Path) -> Iterator[None]:
         raise ValueError(one_line(f"{path}: {error}")) from None
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """Return the content of a TOML file.
-
-    Raises
-    ------
-    ValueError
-        Where it is none.
-    OSError
-        Where it cannot be read.
-    """
-    try:
-        return tomllib.loads(path.read_text(encoding=_ENCODING))
-    except ValueError as error:  # TOMLDecodeError and UnicodeDecodeError are, and integers of thousands of digits
-        raise ValueError(f"not a TOML file: {error}") from None
-
-
 def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path()) -> _Model:
     """Return the tables of a file whose `kind` says what they may hold; files that they name are in a folder.
 
@@ -191,26 +171,6 @@ def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path())
     except ValidationError as error:
         others = skipped(kind, document) if issubclass(kind, FileTables) else {}
         raise ValueError(_first_line(error, others, kind.model_fields)) from None
-
-
-def read_columns(what: str, path: Path, names: Sequence[str], maybe: Sequence[str] = ()) -> dict[str, list[float]]:
-    """Return columns of numbers of a CSV file by their names, and those that it may have.
-
-    Raises
-    ------
-    ValueError
-        Where it cannot be read, or is none; `what` says what it should be.
-    """
-    try:
-        with path.open(newline="", encoding=_ENCODING) as file:
-            rows = list(csv.DictReader(file, skipinitialspace=True))
-        found = [*names, *(name for name in maybe if rows and name in rows[0])]
-        return {name: [float(row[name]) for row in rows] for name in found}
-    except OSError as error:
-        raise ValueError(f"{what} {path}: {error.strerror}") from None
-    except (KeyError, TypeError, ValueError, csv.Error) as error:
-        wanted = ", ".join(names) + (f" and maybe {', '.join(maybe)}" if maybe else "")
-        raise ValueError(f"{what} {path}: needs numbers in columns {wanted} ({error})") from None
 
 
 #: What Python makes by a call, as a file has it.

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from .._support.extras import extra
 from .._support.text import parsed_range, shown
+from .._support.toml import read_toml
 from ..materials import WilliamsLandelFerry
 from .output import PICTURES, check_target, progress_bar, write_line, write_message
 
@@ -233,11 +234,13 @@ def _study_around(path: Path, span: float) -> tuple[xarray.Dataset, float | None
 
     from ..case import load_case
     from ..case.study import load_study
-    from ..case.tables import read_toml
+    from ..case.tables import errors_in
     from ..export.balls import balls_of
     from ..studies.study import run_plan, sweep
 
-    if "sweep" in read_toml(path):
+    with errors_in(path):
+        document = read_toml(path)
+    if "sweep" in document:
         return run_plan(load_study(path), progress=sys.stderr.isatty()), None, None
     case = load_case(path)
     balls_of(case.ball, case.on)  # refuses what no such code knows, before the study

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Annotated
 
 from .._support.extras import extra
-from ..case.tables import errors_in, read_toml
+from .._support.toml import read_toml
+from ..case.tables import errors_in
 from .output import write_line, write_message
 
 with extra("cli"):

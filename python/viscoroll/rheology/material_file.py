@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-import tomllib
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from .._core import Extrapolation
+from .._support.arguments import as_float, as_floats, as_int
 from .._support.files import ending_in
 from .._support.text import one_line, shown
+from .._support.toml import read_toml
 from ..materials import Draws, MasterCurve, Prony
 from .prony_fit import PronyFit, fit_prony
 from .shift_laws import ShiftFactors
@@ -18,13 +20,15 @@ from .superposition import Superposition
 from .tabulated import tabulated
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator, Sequence
 
     from .reading import Isotherm
 
-__all__ = ["load_material", "save_material"]
+__all__ = ["count_draws", "load_material", "save_material"]
 
 Form = Literal["table", "prony"]
+
+_ABSOLUTE_ZERO = -273.15  # [°C]
 
 
 def save_material(
@@ -98,15 +102,32 @@ def load_material(
 
     Raises
     ------
+    TypeError
+        If `temperature` is not a real number or `draw` is not a whole number.
     ValueError
         Where the file is no material, has no series or no shift factors, or was not measured at that temperature.
     OSError
         Where it cannot be read.
     """
     path = Path(path)
+    degrees = None if temperature is None else as_float("temperature", temperature)
+    number = None if draw is None else as_int("draw", draw)
+    with _errors_in(path):
+        document = read_toml(path)
+        return _material(document, degrees, form) if number is None else _draw(document, degrees, form, number)
+
+
+def count_draws(path: Path) -> int:
+    """Return the number of draws in a material file; parameters and errors as for `load_material`."""
+    with _errors_in(path):
+        return len(_moduli_of_draws(_draws_of(read_toml(path))))
+
+
+@contextmanager
+def _errors_in(path: Path) -> Iterator[None]:
+    """Turn an error about the content of a material file into a ValueError of one line that names the file."""
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-        return _material(document, temperature, form) if draw is None else _draw(document, temperature, form, draw)
+        yield
     except (TypeError, ValueError) as error:
         raise ValueError(one_line(f"material {path}: {error}")) from None
 
@@ -116,34 +137,65 @@ def _table_of(curve: Isotherm) -> MasterCurve:
 
 
 def _material(document: dict[str, Any], temperature: float | None, form: Form) -> MasterCurve | Prony:
-    scale = 10.0 ** _shift(document, temperature)
+    decades = _shift(document, temperature)
     if form == "prony":
         series = _part(document, "prony", "save it with a fit")
-        times = np.asarray(series["relaxation_times"], dtype=float) * scale
         return Prony(
-            instantaneous_modulus=series["instantaneous_modulus"], weights=series["weights"], relaxation_times=times
+            instantaneous_modulus=as_float("prony.instantaneous_modulus", series["instantaneous_modulus"]),
+            weights=_numbers("prony.weights", series["weights"]),
+            relaxation_times=_moved(_numbers("prony.relaxation_times", series["relaxation_times"]), decades),
         )
     if form != "table":
         raise ValueError(f"form must be 'table' or 'prony', got {shown(form)}")
     table = _part(document, "table", "it is no material of viscoroll")
-    frequency = np.asarray(table["frequency"], dtype=float) / scale
-    return MasterCurve(frequency, table["storage"], table["loss"], extrapolation=Extrapolation.HOLD)
+    frequency, storage, loss = (_numbers(f"table.{name}", table[name]) for name in ("frequency", "storage", "loss"))
+    return MasterCurve(_moved(frequency, -decades), storage, loss, extrapolation=Extrapolation.HOLD)
 
 
 def _draw(document: dict[str, Any], temperature: float | None, form: Form, draw: int) -> Prony:
-    draws = _part(document, "draws", "save it with draws")
-    count = len(draws["instantaneous_modulus"])
+    draws = _draws_of(document)
+    moduli = _moduli_of_draws(draws)
     if form != "prony":
         raise ValueError(f"form must be 'prony' where a draw is taken, got {shown(form)}")
-    if not 0 <= draw < count:
-        raise ValueError(f"draw must be in [0, {count - 1}], got {draw}")
-    factors = draws["log10_factor"][draw] if "log10_factor" in draws else None
-    times = np.asarray(draws["relaxation_times"][draw], dtype=float)
+    if not 0 <= draw < len(moduli):
+        raise ValueError(f"draw must be in [0, {len(moduli) - 1}], got {draw}")
+
+    def row(name: str) -> tuple[float, ...]:
+        rows = draws[name]
+        if not isinstance(rows, list) or len(rows) != len(moduli):
+            raise ValueError(f"draws.{name} must be a list of {len(moduli)} lists, one for each draw")
+        return _numbers(f"draws.{name}[{draw}]", rows[draw])
+
+    factors = row("log10_factor") if "log10_factor" in draws else None
     return Prony(
-        instantaneous_modulus=draws["instantaneous_modulus"][draw],
-        weights=draws["weights"][draw],
-        relaxation_times=times * 10.0 ** _shift(document, temperature, factors),
+        instantaneous_modulus=moduli[draw],
+        weights=row("weights"),
+        relaxation_times=_moved(row("relaxation_times"), _shift(document, temperature, factors)),
     )
+
+
+def _draws_of(document: dict[str, Any]) -> dict[str, Any]:
+    return _part(document, "draws", "save it with draws")
+
+
+def _moduli_of_draws(draws: dict[str, Any]) -> tuple[float, ...]:
+    moduli = _numbers("draws.instantaneous_modulus", draws["instantaneous_modulus"])
+    if not moduli:
+        raise ValueError("draws.instantaneous_modulus must hold a number for each draw, got none")
+    return moduli
+
+
+def _numbers(name: str, values: object) -> tuple[float, ...]:
+    if not isinstance(values, list):
+        raise ValueError(f"{name} must be a list of numbers, got {shown(values)}")
+    return as_floats(name, values)
+
+
+def _moved(values: Sequence[float], decades: float) -> list[float]:
+    """Return times or frequencies moved by a shift; the modulus checks their range."""
+    with np.errstate(over="ignore", under="ignore"):
+        moved: list[float] = (np.asarray(values) * 10.0**decades).tolist()
+    return moved
 
 
 def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
@@ -158,13 +210,19 @@ def _rows_of_draws(draws: Draws[Superposition] | Draws[Prony]) -> list[str]:
     return lines
 
 
-def _shift(document: dict[str, Any], temperature: float | None, factors: Iterable[float] | None = None) -> float:
+def _shift(document: dict[str, Any], temperature: float | None, factors: Sequence[float] | None = None) -> float:
     """Return log₁₀ a_T, of the file or of a draw; by it times grow and frequencies shrink."""
-    if temperature is None or temperature == document.get("reference_temperature"):
+    reference = document.get("reference_temperature")
+    if reference is not None:
+        reference = as_float("reference_temperature", reference)
+        if not _ABSOLUTE_ZERO <= reference < np.inf:
+            raise ValueError(f"reference_temperature must be finite and >= {_ABSOLUTE_ZERO} °C, got {reference:g}")
+    if temperature is None or temperature == reference:
         return 0.0
     shift = _part(document, "shift", "its temperature cannot be changed")
-    known = shift["log10_factor"] if factors is None else tuple(factors)
-    return ShiftFactors(temperature=shift["temperature"], log10_factor=known)(float(temperature))
+    temperatures = _numbers("shift.temperature", shift["temperature"])
+    known = _numbers("shift.log10_factor", shift["log10_factor"]) if factors is None else factors
+    return ShiftFactors(temperature=temperatures, log10_factor=tuple(known))(temperature)
 
 
 def _part(document: dict[str, Any], name: str, meaning: str) -> dict[str, Any]:

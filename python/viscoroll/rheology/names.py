@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .._support.text import one_line
+
 __all__ = ["Column", "is_unit", "normalized", "parse_header", "role_of"]
 
 _ZERO_CELSIUS = 273.15
@@ -44,6 +46,10 @@ UNITS_OF: dict[str, dict[str, tuple[float, float]]] = {
     "strain": {"%": (0.01, 0.0), "1": (1.0, 0.0), "-": (1.0, 0.0)},
     "ratio": {"": (1.0, 0.0), "-": (1.0, 0.0), "1": (1.0, 0.0)},
 }
+
+#: Largest size of a value of each kind, in the units above. Far beyond any measurement, frequencies of master curves
+#: included, and far enough below the largest float for products and squares of moduli.
+_LARGEST = {"frequency": 1e100, "modulus": 1e20, "temperature": 1e4, "strain": 1e6, "ratio": 1e20}
 
 #: The kind of quantity that each column holds.
 _KIND = {
@@ -147,22 +153,38 @@ class Column:
         Raises
         ------
         ValueError
-            Where the file gives no unit, one that is not known, or one at odds with the name.
+            Where the file gives no unit, one that is not known, or one at odds with the name, and for values that no
+            measurement gives.
         """
         known = UNITS_OF[_KIND[self.role]]
         unit = _known_unit(_KIND[self.role], self.unit)
         if unit is None:
             found = f"unit {self.unit!r}" if self.unit else "no unit"
             allowed = ", ".join(f"{name!r}" for name in known)
+            name = one_line(self.name)
             raise ValueError(
                 f"{path}: column {self.name!r} ({self.role}) must have a unit of {allowed}, got {found}; "
-                f'pass columns={{"{self.role}": ("{self.name}", unit)}}, '
-                f"in the shell --columns {self.role}={self.name}:unit"
+                f'pass columns={{"{self.role}": ("{name}", unit)}}, '
+                f"in the shell --columns {self.role}={name}:unit"
             )
         if normalized(self.name) in _ANGULAR and unit.endswith("Hz"):
             raise ValueError(f"{path}: column {self.name!r} must be in 'rad/s' by its name, got {self.unit!r}")
         factor, offset = known[unit]
+        self._require_size(values, (_LARGEST[_KIND[self.role]] - abs(offset)) / factor, unit, path)
         return np.asarray(values) * factor + offset
+
+    def plain(self, values: list[float], path: object) -> np.ndarray:
+        """Return a column without a unit, such as tan δ; raise a ValueError for values that no measurement gives."""
+        self._require_size(values, _LARGEST[_KIND[self.role]], "", path)
+        return np.asarray(values)
+
+    def _require_size(self, values: list[float], largest: float, unit: str, path: object) -> None:
+        for value in values:
+            if abs(value) > largest:
+                most = f"{largest:.4g} {unit}".strip()
+                raise ValueError(
+                    f"{path}: column {self.name!r} ({self.role}) must be at most {most} in size, got {value:g}"
+                )
 
 
 def normalized(name: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
@@ -13,6 +12,7 @@ import numpy as np
 
 from .._support.arguments import as_float
 from .._support.text import shown
+from .._support.toml import read_toml
 from ..materials import LossFactor, MasterCurve, Prony
 from .material_file import load_material
 from .ramps import TemperatureRamp
@@ -139,7 +139,7 @@ def example_material(name: str) -> PublishedMaterial:
     if name not in EXAMPLES:
         raise ValueError(f"name must be one of {', '.join(EXAMPLES)}, got {shown(name)}")
     path = Path(str(resources.files("viscoroll").joinpath("examples", "materials", f"{name}.toml")))
-    document = tomllib.loads(path.read_text(encoding="utf-8"))
+    document = read_toml(path)
     degrees = document["tensile_ramp" if "tensile_ramp" in document else "shift"]["temperature"]
     texts = {key: document[key] for key in ("what", "citation", "address", "license", "measured")}
     return PublishedMaterial(

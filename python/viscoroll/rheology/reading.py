@@ -286,7 +286,8 @@ def _isotherms(table: Table, path: Path, divisor: float, held: float | None) -> 
     if "loss" not in values:
         if "tan_delta" not in columns:
             raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
-        values["loss"] = values["storage"] * np.array([row["tan_delta"] for row in table.rows])
+        tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
+        values["loss"] = values["storage"] * tan_delta
     if held is not None:
         values["frequency"] = np.full(values["storage"].size, held)
     valid = (values["frequency"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._support.arguments import Floats, as_floats
+from .._support.arguments import Floats, as_float, as_floats
 from .._support.extras import extra
 from .._support.least_squares import Parameter, with_intervals
+from .._support.text import finite_number, shown
 from ..materials import Arrhenius, WilliamsLandelFerry
 from .names import parse_header
 from .text import read_text
@@ -26,6 +27,13 @@ __all__ = ["ShiftFactors", "ShiftLaw", "fit_arrhenius", "fit_wlf"]
 _GAS_CONSTANT = 8.314462618  # [J/(mol K)]
 _ZERO_CELSIUS = 273.15
 
+#: Largest size of log₁₀ a_T: five times the shifts of polymers across the glass transition. Beyond it, times and
+#: frequencies may leave the range of floats.
+_MOST_DECADES = 100.0
+
+#: Highest temperature of a table [°C], and the smallest difference between two of its entries [K].
+_HOTTEST, _CLOSEST = 1e4, 1e-6
+
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ShiftFactors:
@@ -34,9 +42,9 @@ class ShiftFactors:
     Parameters
     ----------
     temperature : array_like
-        [°C], increasing, at least two.
+        [°C], increasing by at least 1e-6 from entry to entry, at least two, in [-273.15, 1e4].
     log10_factor : array_like
-        log₁₀ a_T [-], as long as `temperature`; 0 at the reference.
+        log₁₀ a_T [-], in [-100, 100], as long as `temperature`; 0 at the reference.
     """
 
     temperature: tuple[float, ...]
@@ -51,10 +59,16 @@ class ShiftFactors:
                 "temperature and log10_factor must have the same length >= 2, "
                 f"got {len(self.temperature)} and {len(self.log10_factor)}"
             )
-        if not (np.isfinite(self.temperature).all() and np.isfinite(self.log10_factor).all()):
-            raise ValueError("temperature and log10_factor must be finite")
-        if not (np.diff(self.temperature) > 0.0).all():
-            raise ValueError("temperature must increase from entry to entry")
+        for index, value in enumerate(self.temperature):
+            if not -_ZERO_CELSIUS <= value <= _HOTTEST:
+                allowed = f"[{-_ZERO_CELSIUS}, {_HOTTEST:g}] °C"
+                raise ValueError(f"temperature[{index}] must be in {allowed}, got {value:g}")
+        for index, value in enumerate(self.log10_factor):
+            if not abs(value) <= _MOST_DECADES:
+                allowed = f"[-{_MOST_DECADES:g}, {_MOST_DECADES:g}]"
+                raise ValueError(f"log10_factor[{index}] must be in {allowed}, got {value:g}")
+        if not (np.diff(self.temperature) >= _CLOSEST).all():
+            raise ValueError(f"temperature must increase from entry to entry, by at least {_CLOSEST:g} K")
 
     def __call__(self, temperature: float) -> float:
         """Return log₁₀ a_T by a monotonic cubic between the entries.
@@ -67,6 +81,7 @@ class ShiftFactors:
         with extra("studies"):
             from scipy.interpolate import PchipInterpolator
 
+        temperature = as_float("temperature", temperature)
         low, high = self.temperature[0], self.temperature[-1]
         if not low - 0.5 <= temperature <= high + 0.5:  # a sweep drifts by some tenths
             raise ValueError(
@@ -84,16 +99,28 @@ class ShiftFactors:
     @classmethod
     def read(cls, path: str | Path) -> ShiftFactors:
         """Read a CSV file with a row of names, one of units, and rows of temperature [C] and log₁₀ a_T."""
-        rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
+        try:
+            rows = [row for row in csv.reader(read_text(Path(path)).splitlines(), skipinitialspace=True) if row]
+        except csv.Error as error:
+            raise ValueError(f"{path}: {error}") from None
         if len(rows) < 3 or parse_header(rows[0][0])[0].lower() not in ("t", "temperature", "temp."):
             raise ValueError(f"{path}: needs a row of names (T, log_aT), a row of units (C, -) and rows of numbers")
         if rows[1][0].strip().lower() not in ("c", "°c"):
             raise ValueError(f"{path}: temperature must be in 'C' by the row of units, got {rows[1][0]!r}")
+        pairs = []
+        for row in rows[2:]:
+            numbers = [finite_number(cell) for cell in row[:2]]
+            if len(row) != len(rows[0]) or len(numbers) < 2 or None in numbers:
+                raise ValueError(
+                    f"{path}: needs two finite numbers first in every row below the units, and as many cells as in the "
+                    f"row of names, got {shown(row)}"
+                )
+            pairs.append(numbers)
+        temperature, factor = zip(*sorted(pairs), strict=True)
         try:
-            pairs = sorted((float(row[0]), float(row[1])) for row in rows[2:])
-        except (ValueError, IndexError):
-            raise ValueError(f"{path}: needs two numbers in every row below the units") from None
-        return cls(temperature=tuple(t for t, _ in pairs), log10_factor=tuple(a for _, a in pairs))
+            return cls(temperature=temperature, log10_factor=factor)
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from None
 
     def save(self, path: str | Path) -> None:
         """Write the file that `read` reads."""

@@ -112,7 +112,8 @@ def _sweeps(table: Table, path: Path) -> list[dict[str, np.ndarray]]:
     if "loss" not in values:
         if "tan_delta" not in table.columns:
             raise ValueError(f"{path}: needs a column of the loss modulus or of tan δ beside the storage modulus")
-        values["loss"] = values["storage"] * np.array([row["tan_delta"] for row in table.rows])
+        tan_delta = table.columns["tan_delta"].plain([row["tan_delta"] for row in table.rows], path)
+        values["loss"] = values["storage"] * tan_delta
     numbers = np.array([row.get("sweep", 0.0) for row in table.rows])
     valid = (values["strain"] > 0.0) & (values["storage"] > 0.0) & (values["loss"] > 0.0)
     parts = [np.flatnonzero(valid & (numbers == number)) for number in np.unique(numbers[valid])]

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .._support.text import finite_number
 from .names import Column, is_unit, normalized, parse_header, role_of
 
 __all__ = ["Table", "find_tables", "read_text"]
@@ -211,8 +212,5 @@ def _number(cell: str, separator: str) -> float:
     text = cell.strip()
     if separator != "," and re.fullmatch(r"[-+]?\d*,\d+([eE][-+]?\d+)?", text):
         text = text.replace(",", ".")
-    try:
-        value = float(text)
-    except ValueError:
-        return math.nan
-    return value if math.isfinite(value) else math.nan
+    number = finite_number(text)
+    return math.nan if number is None else number

@@ -103,7 +103,8 @@ def _highest_harmonic(mesh: Mesh | None) -> int:
 
 
 def _ball_text(ball: RollingBody, speed: float, highest: int) -> str:
-    frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
+    with np.errstate(over="ignore"):  # the solver refuses such a speed
+        frequencies = [0.0, *(speed * np.geomspace(1.0, highest, _SAMPLES)).tolist()]
     return "; ".join([_shape_text(ball), *(_layer_text(layer, frequencies) for layer in ball.layers)])
 
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import _core
 from .._core import Extrapolation
-from .._support.arguments import Floats, as_float_array, as_member
+from .._support.arguments import Floats, as_float, as_float_array, as_floats, as_member
 from .._support.extras import extra
 from .._support.files import save, write_csv, write_netcdf
+from .._support.text import one_line, shown
 
 if TYPE_CHECKING:
     import xarray
@@ -155,14 +156,13 @@ class RollingResistance:
         """
         wanted = f"{path} must hold a rolling resistance of viscoroll"
         try:
-            document = json.loads(Path(path).read_text(encoding="utf-8"))
-            found = _core.RollingResistance(**{field.name: document[field.name] for field in fields(cls)})
+            found = _core.RollingResistance(**_numbers(json.loads(Path(path).read_text(encoding="utf-8"))))
         except KeyError as error:
             raise ValueError(f"{wanted} (without a value of {error})") from None
-        except TypeError:
-            raise ValueError(f"{wanted} (numbers and lists of them)") from None
-        except ValueError as error:
-            raise ValueError(f"{wanted} ({error})") from None
+        except RecursionError:
+            raise ValueError(f"{wanted} (nested too deeply)") from None
+        except (TypeError, ValueError) as error:
+            raise ValueError(one_line(f"{wanted} ({error})")) from None
         return cls(
             load=(found.load[0], found.load[1]),
             angular_speed=(found.angular_speed[0], found.angular_speed[1]),
@@ -200,6 +200,22 @@ class RollingResistance:
         slopes = np.polynomial.chebyshev.chebder(self.coefficients, axis=1)
         of_mapped = np.polynomial.chebyshev.chebval2d(0.0, -1.0, slopes)
         return float(of_mapped * 2.0 / np.log(self.angular_speed[1] / self.angular_speed[0]))
+
+
+def _numbers(document: object) -> dict[str, Any]:
+    """Return the numbers of a surface in the content of a JSON file, by name."""
+    if not isinstance(document, dict):
+        raise TypeError(f"the file must be an object with names, got {shown(document)}")
+    ranges = {name: as_floats(name, document[name]) for name in ("load", "angular_speed")}
+    for name, ends in ranges.items():
+        if len(ends) != 2:
+            raise ValueError(f"{name} must hold the two ends of a range, got {shown(document[name])}")
+    rows = document["coefficients"]
+    if not isinstance(rows, list):
+        raise TypeError(f"coefficients must be a list of rows, got {shown(rows)}")
+    coefficients = [as_floats(f"coefficients[{index}]", row) for index, row in enumerate(rows)]
+    numbers = {name: as_float(name, document[name]) for name in ("radius", "error", "largest_error")}
+    return {**ranges, "coefficients": coefficients, **numbers}
 
 
 def _write_json(surface: RollingResistance, path: Path) -> None:

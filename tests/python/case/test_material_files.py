@@ -72,7 +72,41 @@ def test_material_at_its_own_and_another_temperature(curve, saved):
             {"temperature": 3.0},
             r"needs a table \[shift\]: its temperature cannot be changed",
         ),
-        ("[table", {}, "material .*a.toml: "),
+        ("[table", {}, "material .*a.toml: not a TOML file: "),
+        ("a = " + 5000 * "[", {}, "material .*a.toml: not a TOML file: nested too deeply"),
+        ("a = " + 5000 * "9", {}, "material .*a.toml: not a TOML file: Exceeds the limit"),
+        ('[table]\nfrequency = "x"', {}, r"table.frequency must be a list of numbers, got 'x'"),
+        ("[table]\nfrequency = [true, 1.0]", {}, r"table.frequency\[0\] must be a real number, got bool True"),
+        ('[table]\nfrequency = ["1.0", 2.0]', {}, "table.frequency must hold real numbers"),
+        (f"[table]\nfrequency = [1.0, {400 * '9'}]", {}, r"table.frequency\[1\] must be <= 1.8e\+308 in size"),
+        ('reference_temperature = "x"', {}, "reference_temperature must be a real number, got str 'x'"),
+        ("reference_temperature = -300", {}, "reference_temperature must be finite and >= -273.15 °C, got -300"),
+        (
+            "[table]\n[shift]\ntemperature = [0.0, 50.0]\nlog10_factor = [400.0, 0.0]",
+            {"temperature": 3.0},
+            r"log10_factor\[0\] must be in \[-100, 100\], got 400",
+        ),
+        (
+            "[table]\n[shift]\ntemperature = [0.0, 1e-300]\nlog10_factor = [1.0, 0.0]",
+            {"temperature": 0.0},
+            "temperature must increase from entry to entry, by at least 1e-06 K",
+        ),
+        (
+            "[draws]\ninstantaneous_modulus = 1.0",
+            {"form": "prony", "draw": 0},
+            "draws.instantaneous_modulus must be a list of numbers, got 1.0",
+        ),
+        (
+            "[draws]\ninstantaneous_modulus = [1e6, 2e6]\nweights = [[0.1]]",
+            {"form": "prony", "draw": 1},
+            "draws.weights must be a list of 2 lists, one for each draw",
+        ),
+        (
+            "[draws]\ninstantaneous_modulus = [1e6, 2e6]\nweights = [[0.1], 0.1]",
+            {"form": "prony", "draw": 1},
+            r"draws.weights\[1\] must be a list of numbers, got 0.1",
+        ),
+        ("[draws]\ninstantaneous_modulus = [1e6]", {"form": "prony", "draw": 0}, r"table \[draws\] needs weights"),
     ],
 )
 def test_what_is_no_material(saved, content, options, message):
@@ -80,6 +114,12 @@ def test_what_is_no_material(saved, content, options, message):
         saved.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=message):
         vr.load_material(saved, **options)
+
+
+@pytest.mark.parametrize("option", [{"temperature": "0"}, {"temperature": True}, {"draw": 0.5}, {"draw": "0"}])
+def test_arguments_of_another_type(saved, option):
+    with pytest.raises(TypeError, match=f"{next(iter(option))} must be a "):
+        vr.load_material(saved, **option)
 
 
 def test_one_sweep_has_no_temperatures(curve, tmp_path):
@@ -192,6 +232,30 @@ def test_export_writes_beside_the_case(tmp_path):
     assert len((tmp_path / "case.csv").read_text().splitlines()) == 26
     done = command("export", path, "--for", "lammps", "--span", 1.0)
     assert (done.returncode, done.stderr) == (2, "viscoroll: --span must be in (1, 100], got 1\n")
+
+
+@pytest.mark.parametrize("name", ["solve", "export", "roll", "sweep", "design"])
+def test_nesting_is_refused_by_every_command(tmp_path, name):
+    path = tmp_path / "deep.toml"
+    path.write_text("a = " + 5000 * "[", encoding="utf-8")
+    done = command(name, path, *(["--for", "yade"] if name == "export" else []))
+    assert (done.returncode, done.stderr) == (2, f"viscoroll: {path}: not a TOML file: nested too deeply\n")
+
+
+@pytest.mark.parametrize(
+    ("columns", "message"),
+    [
+        ("frequency,storage,loss\n1,1e6,1e5\n0.5,2e6,1e5\n", r"master curve .*c.csv: frequency\[1\] must be >"),
+        ("frequency,storage,loss\n1,5,1e6,1e5\n", "master curve .*c.csv: .*line 2 must have 3 cells"),
+        ("frequency,storage,loss\n1,1e400,1e5\n", "line 2: storage must be a finite number, got '1e400'"),
+        ("frequency,storage,loss,loss\n1,1e6,1,1\n", "column loss occurs 2 times"),
+        ("", "column frequency occurs 0 times"),
+    ],
+)
+def test_tables_beside_cases_are_named(tmp_path, columns, message):
+    (tmp_path / "c.csv").write_text(columns, encoding="utf-8")
+    with pytest.raises(ValueError, match=message):
+        load_case(case_file(tmp_path, '{ type = "master_curve", file = "c.csv" }'))
 
 
 def test_export_takes_the_study_of_the_file(tmp_path):

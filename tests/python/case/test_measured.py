@@ -102,10 +102,12 @@ def test_a_roller_has_units_per_length(case_file, measure):
         ("load,driving_torque\n1,1\n", "columns must be"),
         ("load,driving_torque,error\n", "there must be a number in load, got none"),
         ("load,driving_torque,error\n1,one,1\n", "needs numbers in columns load, driving_torque, error"),
-        ("load,driving_torque,error\n0,1,1\n", "load must be > 0 N and finite, got 0"),
-        ("angular_speed,driving_torque,error\n-1,1,1\n", "angular_speed must be > 0 rad/s and finite, got -1"),
-        ("load,driving_torque,error\n1,nan,1\n", "driving_torque must be finite"),
-        ("load,driving_torque,error\n1,1,-2\n", "error must be >= 0 and finite, got -2"),
+        ("load,driving_torque,error\n0,1,1\n", "load must be > 0 N, got 0"),
+        ("angular_speed,driving_torque,error\n-1,1,1\n", "angular_speed must be > 0 rad/s, got -1"),
+        ("load,driving_torque,error\n1,nan,1\n", "line 2: driving_torque must be a finite number, got 'nan'"),
+        ("load,driving_torque,error\n1,0,5,0,1\n", r"line 2 must have 3 cells as the first, got 5"),
+        ("load,driving_torque,error\n1_0,1,1\n", "line 2: load must be a finite number, got '1_0'"),
+        ("load,driving_torque,error\n1,1,-2\n", "error must be >= 0, got -2"),
     ],
 )
 def test_bad_files_are_refused(measure, text, message):

@@ -209,6 +209,13 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
         ("a,b,c\n1,2,1\n", "needs a row of names with a frequency and a storage modulus"),
         ("", "needs a row of names"),
         ("f,G',G''\nHz,Pa,Pa\n1,-2,1\n", "needs points with moduli > 0, got none in 1"),
+        (
+            "f,G',G''\nHz,MPa,MPa\n1,1e307,1\n",
+            r"sweep.csv: column \"G'\" \(storage\) must be at most 1e\+14 MPa in size, got 1e\+307",
+        ),
+        ("f,G',G''\nkHz,Pa,Pa\n1e306,2,1\n", r"column 'f' \(frequency\) must be at most 1.592e\+96 kHz in size"),
+        ("f,G',G''\x1f loss\n1,2,1\n", r"needs a row of names|G''\\\\x1f"),
+        ("f,G',tan d\nHz,Pa,\n1,2,1e300\n", r"column 'tan d' \(tan_delta\) must be at most 1e\+20 in size"),
     ],
 )
 def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, message):

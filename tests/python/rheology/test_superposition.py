@@ -164,6 +164,23 @@ def test_shift_factors_of_the_user(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("20,0\n20,1\n", "factors.csv: temperature must increase from entry to entry"),
+        ("20,0\n30,inf\n", "factors.csv: needs two finite numbers .*, got \\['30', 'inf'\\]"),
+        ("20,0\n30,1,5\n", "factors.csv: needs two finite numbers .* as many cells as in the row of names"),
+        ("20,0\n30,400\n", r"factors.csv: log10_factor\[1\] must be in \[-100, 100\], got 400"),
+        ("20,0\n1e5,1\n", r"factors.csv: temperature\[1\] must be in \[-273.15, 10000\] °C, got 100000"),
+        ("20,0\n30," + 200_000 * "1" + "\n", "factors.csv: field larger than field limit"),
+    ],
+)
+def test_bad_files_of_shift_factors(tmp_path, rows, message):
+    (tmp_path / "factors.csv").write_text(f"T,log_aT\nC,-\n{rows}", encoding="utf-8")
+    with pytest.raises(ValueError, match=message):
+        vr.ShiftFactors.read(tmp_path / "factors.csv")
+
+
+@pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"reference": 200.0}, r"reference must be in \[0, 80\] °C, where sweeps were measured, got 200"),

@@ -68,7 +68,18 @@ def test_a_file_gives_the_same_numbers(surface, tmp_path):
         (tmp_path / "less.json").write_text(json.dumps(less))
         with pytest.raises(ValueError, match=f"must hold a rolling resistance of viscoroll .*a value of '{key}'"):
             vr.RollingResistance.load_file(tmp_path / "less.json")
-    for other in ("[1]", json.dumps(document | {"load": None}), "{", json.dumps(document | {"radius": -1.0})):
+    for other, message in (
+        ("[1]", r"an object with names, got \[1\]"),
+        ("{", "Expecting property name"),
+        (5000 * "[", "nested too deeply"),
+        (json.dumps(document | {"load": None}), "load must be one-dimensional"),
+        (json.dumps(document | {"load": [1.0, 2.0, 3.0]}), "load must hold the two ends of a range"),
+        (json.dumps(document | {"radius": -1.0}), "radius must be > 0 m, got -1"),
+        (json.dumps(document | {"radius": True}), "radius must be a real number, got bool True"),
+        (json.dumps(document | {"radius": 10**400}), r"radius must be <= 1.8e\+308 in size"),
+        (json.dumps(document | {"coefficients": 1.0}), "coefficients must be a list of rows, got 1.0"),
+        (json.dumps(document | {"coefficients": [[1.0, "x"]]}), r"coefficients\[0\] must hold real numbers"),
+    ):
         (tmp_path / "other.json").write_text(other)
-        with pytest.raises(ValueError, match="must hold a rolling resistance of viscoroll"):
+        with pytest.raises(ValueError, match=f"other.json must hold a rolling resistance of viscoroll .*{message}"):
             vr.RollingResistance.load_file(tmp_path / "other.json")
