@@ -15,6 +15,7 @@ from .. import paper
 from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
 from .._support.cautions import ResultWarning
 from .._support.extras import extra
+from .._support.sealed import load_sealed
 from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
 from ..case import Case, example_text, load_case
@@ -157,16 +158,19 @@ def roll(
     as_json: Annotated[bool, typer.Option("--json", help="Print peaks and energies as JSON in SI units.")] = False,
     plot: Annotated[Path | None, typer.Option(help="Draw the history to this picture (.png, .svg, .pdf).")] = None,
     save: Annotated[Path | None, typer.Option(help="Write the time series to this file (.csv, .nc).")] = None,
-    checkpoint: Annotated[Path | None, typer.Option(help="State of an interrupted run, to go on from (.npy).")] = None,
+    checkpoint: Annotated[
+        Path | None, typer.Option(help="State of an interrupted run, to go on from (.state).")
+    ] = None,
 ) -> None:
     """Roll, stop, stand and turn back: follow the motion of a file."""
     from ..case.motion import load_motion
     from ..transient.history import FORMATS as HISTORY_FORMATS
     from ..transient.rolling_history import RollingState
+    from ..transient.state_file import SUFFIX
 
     check_target("--plot", plot, PICTURES)
     check_target("--save", save, tuple(HISTORY_FORMATS))
-    check_target("--checkpoint", checkpoint, (".npy",))
+    check_target("--checkpoint", checkpoint, (SUFFIX,))
     loaded = load_motion(case)
     _tell_skipped(case, "viscoroll roll")
     resumed = {"start": RollingState.load(checkpoint)} if checkpoint is not None and checkpoint.exists() else {}
@@ -226,12 +230,12 @@ def plot(
         raise ValueError(f"study must be the .nc that `viscoroll sweep` writes, got {study.name!r}")
     with extra("files"):
         import netCDF4  # noqa: F401  (what xarray reads with)
-        import xarray
+        import xarray  # noqa: F401
 
     from ..studies.picture import plot_study
 
     path = study.with_suffix(".png") if output is None else output
-    plot_study(xarray.load_dataset(study, engine="netcdf4"), variable=variable).savefig(path, dpi=150)
+    plot_study(load_sealed(study), variable=variable).savefig(path, dpi=150)
     write_line(f"{variable} drawn to {path}")
 
 

@@ -20,6 +20,7 @@ import numpy as np
 from .._core import __commit__, __version__
 from .._support.extras import extra
 from .._support.files import ending_in
+from .._support.sealed import load_sealed, seal
 from .run import Outcome
 
 if TYPE_CHECKING:
@@ -65,17 +66,14 @@ def read_study(path: Path) -> xarray.Dataset | None:
     """
     with extra("studies"):
         import netCDF4  # noqa: F401  (writes the file, at the end of all work)
-        import xarray
+        import xarray  # noqa: F401
 
     if not path.exists():
         return None
     try:
-        dataset = xarray.load_dataset(path, engine="netcdf4")
-    except OSError as error:
-        raise ValueError(f"cache {path} must be a study of viscoroll, got another file ({error})") from None
-    if "inputs" not in dataset.attrs:
-        raise ValueError(f"cache {path} must be a study of viscoroll, got another dataset")
-    return dataset
+        return load_sealed(path)
+    except ValueError as error:
+        raise ValueError(f"cache {error}") from None
 
 
 def write_study(path: Path, dataset: xarray.Dataset) -> None:
@@ -83,6 +81,7 @@ def write_study(path: Path, dataset: xarray.Dataset) -> None:
     draft = path.with_name(path.name + ".writing")
     compressed = {name: {"zlib": True} for name, values in dataset.data_vars.items() if "phi" in values.dims}
     dataset.to_netcdf(draft, engine="netcdf4", encoding=compressed)
+    seal(draft)
     draft.replace(path)
 
 

@@ -17,6 +17,7 @@ from .history import ContactInstant, History
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .rolling_history import RollingHistory, RollingState
 from .series import HISTORY_SCALARS
+from .state_file import SUFFIX
 from .way import as_angles
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ def roll(
     contact_times : array_like, optional
         When the pressure is recorded [s], between the knots.
     checkpoint : path-like, optional
-        Where the state goes when the run is interrupted or fails (``.npy``), to go on from by
+        Where the state goes when the run is interrupted or fails (``.state``), to go on from by
         ``start=RollingState.load(checkpoint)``.
     progress : bool or callable, optional
         True shows a bar; or called as progress(stage, fraction) about every 20 ms.
@@ -118,7 +119,7 @@ def roll(
     chosen = HistoryOptions(**options)  # type: ignore[arg-type]  # names of members, too
     start = start if isinstance(start, RollingState) else as_member("start", start, Start)
     if checkpoint is not None:
-        checkpoint = ending_in([".npy"], checkpoint, name="checkpoint")
+        checkpoint = ending_in([SUFFIX], checkpoint, name="checkpoint")
         if not checkpoint.parent.is_dir():
             raise ValueError(f"checkpoint must be in a folder that exists, got {str(checkpoint)!r}")
     _require_length("way", way, time)

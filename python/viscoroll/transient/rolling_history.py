@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from dataclasses import dataclass, fields
+from enum import Enum
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
@@ -21,6 +22,7 @@ from ..bodies import Counterpart, Mesh, RollingBody, core_counterpart
 from ..bodies.si_hints import si_hints, unit_doubt
 from .options import HistoryKeywords, HistoryOptions, with_options
 from .series import HISTORY_SCALARS, InstantFields
+from .state_file import SUFFIX, read_state, write_state
 from .way import as_angle
 
 if TYPE_CHECKING:
@@ -52,6 +54,8 @@ class RollingState:
     ----------
     numbers : ndarray
         In an order of the library's own.
+    bodies : str
+        Both bodies with their lengths; empty if unknown. A history of other bodies refuses the state.
 
     Examples
     --------
@@ -65,6 +69,7 @@ class RollingState:
     """
 
     numbers: NDArray[np.float64]
+    bodies: str = ""
 
     def __post_init__(self) -> None:
         """Settle shape and type; a history that starts from them checks the numbers."""
@@ -74,14 +79,14 @@ class RollingState:
         object.__setattr__(self, "numbers", numbers)
 
     def save(self, path: str | Path) -> None:
-        """Write the state to a file of NumPy's own format (``.npy``).
+        """Write the state to a file (``.state``) with a checksum and the version of viscoroll.
 
         Raises
         ------
         ValueError
             For another suffix.
         """
-        np.save(ending_in([".npy"], path), self.numbers, allow_pickle=False)
+        write_state(ending_in([SUFFIX], path), self.numbers, self.bodies)
 
     @classmethod
     def load(cls, path: str | Path) -> RollingState:
@@ -90,9 +95,11 @@ class RollingState:
         Raises
         ------
         ValueError
-            For another suffix, and for files that hold something else.
+            For another suffix, and for a file that is not a state, is damaged, or was written by another version.
+        OSError
+            If the file cannot be read.
         """
-        return cls(np.asarray(np.load(ending_in([".npy"], path), allow_pickle=False), dtype=np.float64))
+        return cls(*read_state(ending_in([SUFFIX], path)))
 
 
 @with_options
@@ -166,6 +173,8 @@ class RollingHistory:
             if isinstance(start, RollingState)
             else {"start": as_member("start", start, Start), "time": as_float("time", time), "angle": first}
         )
+        if isinstance(start, RollingState) and start.bodies not in ("", both := _bodies_text(ball, on)):
+            raise ValueError(f"start must be a state of {both}, got one of {start.bodies}")
         self.ball = ball
         self.on = on
         times = {
@@ -240,7 +249,7 @@ class RollingHistory:
     def state(self) -> RollingState:
         """What is needed to go on from here."""
         with self._lock:
-            return RollingState(self._history.state())
+            return RollingState(self._history.state(), _bodies_text(self.ball, self.on))
 
     @property
     def contact(self) -> _core.ContactField:
@@ -289,6 +298,17 @@ class RollingHistory:
         now = self.now
         pair = f"{self.ball!r}" if self.on is None else f"{self.ball!r}, on={self.on!r}"
         return f"RollingHistory({pair}, time={now.time:g}, angle={now.angle:g}, load={now.load:g}, {self.mesh})"
+
+
+def _bodies_text(ball: RollingBody, on: Counterpart | None) -> str:
+    """Return kinds and lengths of both bodies; the core compares their layers."""
+    return " on ".join("rigid plane" if body is None else _body_text(body) for body in (ball, on))
+
+
+def _body_text(body: RollingBody | Counterpart) -> str:
+    values = {part.name: getattr(body, part.name) for part in fields(body) if part.name not in ("layers", "base")}
+    texts = [f"{name}={value.name if isinstance(value, Enum) else repr(value)}" for name, value in values.items()]
+    return f"{type(body).__name__}({', '.join(texts)})"
 
 
 def _instant(now: _core.RollingInstant) -> Instant:

@@ -419,7 +419,7 @@ def test_files_that_are_no_cache_are_left_alone(tmp_path, paper_ball):
     path.write_bytes(b"important")
     refused(path, ValueError, "must be a study of viscoroll, got another file")
     xarray.Dataset({"a": 1.0}).to_netcdf(path)
-    refused(path, ValueError, "must be a study of viscoroll, got another dataset")
+    refused(path, ValueError, "must be a study of viscoroll, got another file or a damaged one")
     with pytest.raises(OSError, match=r"absent.study\.nc\.points: unable to open"):
         sweep(paper_ball, load=LOADS, cache=tmp_path / "absent" / "study.nc")
 

@@ -96,6 +96,12 @@ def test_sweep_and_plot_from_the_shell(study_file, tmp_path):
     assert done.stdout == f"6 points (3 load x 2 thickness), 0 failed: {tmp_path / 'study.nc'}\n"
     with xarray.open_dataset(tmp_path / "study.nc") as study:
         assert study["load"].values.tolist() == [20.0, 50.0, 60.0]
+    content = (tmp_path / "study.nc").read_bytes()
+    for damaged in (content[:-1], content + b"\0", content[:9000] + b"x" + content[9001:], b""):  # HDF5 may crash
+        (tmp_path / "study.nc").write_bytes(damaged)
+        done = command("plot", tmp_path / "study.nc")
+        assert done.returncode == 2
+        assert f"{tmp_path / 'study.nc'} must be a study of viscoroll, got another file or a damaged one" in done.stderr
 
 
 def test_ctrl_c_in_the_shell_says_how_to_go_on(study_file, tmp_path):

@@ -29,8 +29,8 @@ BAD = [
     ({"friction": np.inf}, "friction must be finite in transient rolling, .*, got inf"),
     ({"spectrum_tolerance": 0.0}, r"spectrum_tolerance must be in \(0, 1\), got 0"),
     ({"angle": [0.0, 1e9]}, r"angle must be within 1.57e\+05 rad of the one before, ten million steps, got 1e\+09"),
-    ({"checkpoint": "state.txt"}, r"checkpoint must end in .npy, got 'state.txt'"),
-    ({"checkpoint": "nowhere/state.npy"}, r"checkpoint must be in a folder that exists, got 'nowhere/state.npy'"),
+    ({"checkpoint": "state.txt"}, r"checkpoint must end in .state, got 'state.txt'"),
+    ({"checkpoint": "nowhere/ball.state"}, r"checkpoint must be in a folder that exists, got 'nowhere/ball.state'"),
     ({"contact_times": [2.0]}, r"contact_times must be in \[0, 1\] s, got 2"),
 ]
 

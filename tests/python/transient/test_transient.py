@@ -376,7 +376,7 @@ def test_resume_from_a_file(tmp_path):
                        lattices=2, **options)  # fmt: skip
 
     whole = motion()
-    path = tmp_path / "state.npy"
+    path = tmp_path / "ball.state"
     stepper = vr.RollingHistory(BALL, load=100.0, mesh=COARSE, lattices=2)
     stepper.advance(time=0.1, angle=0.2, load=100.0)
     stepper.state.save(path)
@@ -392,7 +392,7 @@ def test_an_interrupted_run_leaves_a_checkpoint(tmp_path):
             raise KeyboardInterrupt
 
     given = {"time": [0, 20.0], "angle": [0, 50.0], "load": 100.0, "mesh": COARSE, "lattices": 1}
-    path = tmp_path / "state.npy"
+    path = tmp_path / "ball.state"
     with pytest.raises(KeyboardInterrupt):
         vr.roll(BALL, **given, checkpoint=path, progress=stop)
     rest = vr.roll(BALL, **given, start=vr.RollingState.load(path))
