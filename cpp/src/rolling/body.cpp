@@ -1,5 +1,7 @@
 #include "rolling/body.hpp"
 
+#include <utility>
+
 #include "modal/circle.hpp"
 
 namespace viscoroll::detail {
@@ -7,6 +9,14 @@ namespace {
 
 Eigen::ArrayXd drops(const Eigen::ArrayXd& x, double curvature) {
   return x.unaryExpr([curvature](double at) { return drop_of_circle(at, curvature); });
+}
+
+/// Height of every node above the lowest node of its column [m]. Its derivative with respect to r_o phi is the
+/// undeformed x / r_o, which makes the moment of the pressure the derivative of the gap. The drop of a circle at x
+/// would deviate from that by (x / r_o)^2 / 2, which leaves the energy balance of a close fit open.
+Eigen::ArrayXd height_along(const SurfaceWindow& points) {
+  const SurfaceWindow middle(points.grid(), {{0, 0}, points.window().theta});
+  return points.height() - middle.height().replicate(points.shape().phi_nodes, 1);
 }
 
 }  // namespace
@@ -23,12 +33,11 @@ std::vector<NamedLayer> named(const std::vector<Layer>& layers) {
 Profile circles(const Curvatures& curvatures, const SurfaceWindow& points) {
   const auto& [along, across] = curvatures;
   if (along == 0.0 && across == 0.0) return {};
-  const Eigen::ArrayXd& x = points.x();
   const Eigen::ArrayXd& z = points.z();
-  if (points.grid().is_paraboloid) {
-    return {.drop = 0.5 * (along * x.square() + across * z.square()), .slope = along * x};
-  }
-  return {.drop = drops(x, along) + drops(z, across), .slope = along * x};
+  const bool is_paraboloid = points.grid().is_paraboloid;
+  Eigen::ArrayXd drop = is_paraboloid ? Eigen::ArrayXd(0.5 * across * z.square()) : drops(z, across);
+  if (along != 0.0) drop += along * points.grid().radius * height_along(points);
+  return {.drop = std::move(drop), .slope = along * points.x()};
 }
 
 }  // namespace viscoroll::detail

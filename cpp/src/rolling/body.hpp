@@ -151,7 +151,9 @@ class RoundBody : public Body {
 /// @return layers[0], layers[1], ...
 [[nodiscard]] std::vector<NamedLayer> named(const std::vector<Layer>& layers);
 
-/// @return the profile of circles; over a plane that deforms, of parabolas
+/// @return the profile of a straight or circular track: along the path, its drop is the height of the rolling body's
+/// nodes above the middle row times r_o * curvature, so that its slope is x * curvature exactly; across, it is a
+/// circle, over a plane that deforms a parabola
 [[nodiscard]] Profile circles(const Curvatures& curvatures, const SurfaceWindow& points);
 
 }  // namespace viscoroll::detail

@@ -33,11 +33,6 @@ void require_room(std::string_view name, double curvature, const RoundBody& body
   reject(name, room, text(-1.0 / curvature) + " m");
 }
 
-/// The height of what rolls along it, so many times: the gap's slope along the nodes is x over the relative radius.
-Profile under_line(double curvature, const SurfaceWindow& points) {
-  return {.drop = curvature * points.grid().radius * points.height(), .slope = curvature * points.x()};
-}
-
 /// Along a line only the path may be curved.
 void require_straight_across(const RoundBody& body, const std::optional<double>& radius) {
   if (!radius || !body.form().is_line()) return;
@@ -59,7 +54,7 @@ class PlaneBody : public Body {
   [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override {
     return layered_body(plane_, crossing.radius);
   }
-  [[nodiscard]] Profile profile(const SurfaceWindow& /*points*/) const override { return {}; }
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return circles(curvatures(), points); }
 
  private:
   CoatedPlane plane_;
@@ -72,9 +67,6 @@ class GrooveBody final : public PlaneBody {
       : PlaneBody(groove.surface, {.along = curvature(groove.path_radius), .across = curvature(groove.radius)}),
         radius_across_(groove.radius) {}
 
-  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override {
-    return points.window().is_line() ? under_line(curvatures().along, points) : circles(curvatures(), points);
-  }
   void require_room_for(const RoundBody& rolling) const override {
     require_straight_across(rolling, radius_across_);
     require_room("on.radius", curvatures().across, rolling, rolling.curvatures().across);

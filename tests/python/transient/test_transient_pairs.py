@@ -276,3 +276,13 @@ BAD = [
 def test_bad_input(change, message):
     with pytest.raises(ValueError, match=message):
         vr.roll(STEEL, **{"on": MAT, "time": [0.0, 1.0], "load": 100.0} | change)
+
+
+def test_a_close_rigid_groove_balances():
+    # The slope of the gap is the moment arm of the pressure: 2e-3 is the mesh's, 0.15 was left open without that.
+    groove = vr.Groove(radius=23e-3, path_radius=23e-3)
+    h = vr.roll(
+        BALL, on=groove, time=[0.0, 0.1], angle=[0.0, 0.25], load=[100.0, 100.0],
+        mesh=vr.Mesh(nodes_per_revolution=200), lattices=1,
+    )  # fmt: skip
+    assert np.abs(h.energy_imbalance).max() < 5e-3 * h.dissipated_energy[-1]
