@@ -32,7 +32,8 @@ struct FrictionSettings {
 
   // When steps are in vain.
 
-  /// Residual that steps do not come back from in time.
+  /// Residual that steps do not come back from in time, relative to that of the start where the start has more than 1:
+  /// a node that is carried by the whole lag of a spacing has forces far above a small load, and one step undoes them.
   double hopeless = 1e3;
   /// Steps of an iteration: two or three times what a state takes from full stick. With them only 4 of 10 000 that came
   /// to a state would not have, ...

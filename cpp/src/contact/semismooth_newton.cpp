@@ -1,5 +1,6 @@
 #include "contact/semismooth_newton.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -41,7 +42,8 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
   ContactSolution best = state_;
   ContactSets best_sets = sets_;
   for (int step = 0;; ++step) {
-    if (!(state_.residual < kSettings.hopeless) || sets_.contact.empty()) return false;
+    const double start = residuals.empty() ? state_.residual : residuals.front();
+    if (!(state_.residual < kSettings.hopeless * std::max(start, 1.0)) || sets_.contact.empty()) return false;
     residuals.push_back(state_.residual);
     if (is_reached(residuals)) {
       if (state_.displacement.rows() > 0) return true;
