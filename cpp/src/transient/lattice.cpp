@@ -9,6 +9,7 @@
 #include "rolling/refusals.hpp"
 #include "transient/center_motion.hpp"
 #include "validate.hpp"
+#include "viscoroll/errors.hpp"
 
 namespace viscoroll::detail {
 namespace {
@@ -52,19 +53,7 @@ Yielding Lattice::yielding(const Parts& parts_in, const Checkpoint& checkpoint) 
 Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepEnd& end, const CenterCondition& center,
                      const Checkpoint& checkpoint) {
   for (;;) {
-    Touch touch{.place = place_at(*pair_, shift_, half_rows_, end.angle),
-                .yielding = yielding,
-                .known = {},
-                .contact = {},
-                .moved = {},
-                .checkpoint = checkpoint};
-    require_reach(touch.place);
-    const auto& [first, count] = std::pair(touch.place.first, touch.place.count);
-    for (std::size_t b = 0; b < memories_.size(); ++b) {
-      const Index height = pair_->bodies[b].tables.height();
-      touch.known.push_back(step != nullptr ? memories_[b].known_displacement(step->parts[b], first, count)
-                                            : HalfField::Zero(height, count));
-    }
+    Touch touch = before_contact(step, yielding, end, checkpoint);
     if (end.load == 0.0) {
       touch.contact = touch_lifted(*pair_, touch, center);
     } else {
@@ -74,6 +63,42 @@ Touch Lattice::touch(const PairStep* step, const Yielding& yielding, const StepE
     }
     find_displacements(*pair_, touch);
     return touch;
+  }
+}
+
+Touch Lattice::before_contact(const PairStep* step, const Yielding& yielding, const StepEnd& end,
+                              const Checkpoint& checkpoint) const {
+  Touch touch{.place = place_at(*pair_, shift_, half_rows_, end.angle),
+              .yielding = yielding,
+              .known = {},
+              .contact = {},
+              .moved = {},
+              .checkpoint = checkpoint};
+  require_reach(touch.place);
+  const auto& [first, count] = std::pair(touch.place.first, touch.place.count);
+  for (std::size_t b = 0; b < memories_.size(); ++b) {
+    const Index height = pair_->bodies[b].tables.height();
+    touch.known.push_back(step != nullptr ? memories_[b].known_displacement(step->parts[b], first, count)
+                                          : HalfField::Zero(height, count));
+  }
+  return touch;
+}
+
+/// Search a contact. Where there is no state of stick and slip and the load is too large for the coating even without
+/// friction, the load is the cause and is refused.
+template <class Search>
+auto Lattice::with_bearable_load(const PairStep* step, const Yielding& yielding, const StepEnd& end,
+                                 const Checkpoint& checkpoint, const Search& search) {
+  try {
+    return search();
+  } catch (const ConvergenceError&) {
+    for (bool is_within = false; !is_within;) {
+      Touch touch = before_contact(step, yielding, end, checkpoint);
+      touch.contact = touch_smooth(*pair_, touch, last_forces(), yielding.sum * end.load, inverse_);
+      is_within = fits(touch, end.load);
+      if (is_within) require_depth(pair_->pair, end.load, touch.contact.penetration);
+    }
+    throw;
   }
 }
 
@@ -184,21 +209,23 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed, const C
   };
   const Yielding yielding = this->yielding(parts_in, checkpoint);
   now_.angle = at.angle;
-  // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
-  const int count = pair_->has_friction() ? kPressingSteps : 1;
-  for (int i = 1; i <= count; ++i) {
-    StepEnd end = at;
-    end.load *= static_cast<double>(i) / count;
-    const Touch contact = touch(nullptr, yielding, end, {}, checkpoint);
-    take(contact, end);
-    for (std::size_t b = 0; b < memories_.size(); ++b) {
-      if (relaxed) {
-        memories_[b].relax(load_of(*pair_, contact, b));
-      } else {
-        memories_[b].press(load_of(*pair_, contact, b));
+  with_bearable_load(nullptr, yielding, at, checkpoint, [&] {
+    // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
+    const int count = pair_->has_friction() ? kPressingSteps : 1;
+    for (int i = 1; i <= count; ++i) {
+      StepEnd end = at;
+      end.load *= static_cast<double>(i) / count;
+      const Touch contact = touch(nullptr, yielding, end, {}, checkpoint);
+      take(contact, end);
+      for (std::size_t b = 0; b < memories_.size(); ++b) {
+        if (relaxed) {
+          memories_[b].relax(load_of(*pair_, contact, b));
+        } else {
+          memories_[b].press(load_of(*pair_, contact, b));
+        }
       }
     }
-  }
+  });
   take_stored_energy();
   now_.dissipated_energy = now_.counterpart_dissipated_energy = now_.slip_energy = 0.0;
   now_.center_speed = center_speed;
@@ -210,7 +237,9 @@ void Lattice::advance(const PairStep& step, const StepEnd& end, const Checkpoint
   const double duration = step.duration;
   const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); };
   const Yielding yielding = this->yielding(parts_in, checkpoint);
-  const Touch contact = touch(&step, yielding, end, center_condition(*pair_, now_, duration, end), checkpoint);
+  const CenterCondition center = center_condition(*pair_, now_, duration, end);
+  const Touch contact = with_bearable_load(&step, yielding, end, checkpoint,
+                                           [&] { return touch(&step, yielding, end, center, checkpoint); });
   take(contact, end);
   for (std::size_t b = 0; b < memories_.size(); ++b) {
     lose(memories_[b].advance(step.parts[b], duration, load_of(*pair_, contact, b)), pair_->bodies[b].rolls);

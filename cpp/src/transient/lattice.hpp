@@ -76,7 +76,15 @@ class Lattice {
   /// @param[in] step none for a first contact, on bodies that bear nothing else
   [[nodiscard]] Touch touch(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                             const CenterCondition& center, const Checkpoint& checkpoint);
+  /// @brief The place of a contact and the displacements there that the new forces do not change.
+  [[nodiscard]] Touch before_contact(const PairStep* step, const Yielding& yielding, const StepEnd& end,
+                                     const Checkpoint& checkpoint) const;
   [[nodiscard]] StickSlip search(const Touch& touch, const StepEnd& end, const CenterCondition& center);
+  /// @param[in] end its load is refused where it is the cause that a search fails
+  /// @param[in] search called without arguments
+  template <class Search>
+  auto with_bearable_load(const PairStep* step, const Yielding& yielding, const StepEnd& end,
+                          const Checkpoint& checkpoint, const Search& search);
   void require_reach(const ContactPlace& place) const;
   void require_open_track(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const Touch& touch, double load);

@@ -144,3 +144,14 @@ def test_random_motions_of_little_friction_settle(seed):
     mesh, start = vr.Mesh(nodes_per_revolution=int(draw.integers(100, 260))), list(vr.Start)[draw.integers(2)]
     h = vr.roll(BALL, time=time, angle=angle, load=load, friction=friction, mesh=mesh, start=start, lattices=1)
     assert np.abs(h.driving_force).max() < 1e-9 * load.max(), "nothing pushes the center, to the tolerance"
+
+
+def test_a_load_that_no_friction_helps_to_support_is_refused_as_such():
+    # Both contacts span 60 degrees without friction. 'stick and slip did not settle' blamed the friction.
+    stiff = vr.Layer(thickness=12e-3, shear_modulus=vr.Elastic(modulus=4.5e7), poisson_ratio=-0.98)
+    ball = vr.CoatedSphere(core_radius=25e-3, layers=[stiff])
+    with pytest.raises(ValueError, match="load must be small enough for the coating"):
+        vr.RollingHistory(
+            ball, on=ball, load=1.9e11, friction=0.056, mesh=vr.Mesh(nodes_per_revolution=86), lattices=1,
+            drive=vr.Drive(torque=0.0),
+        )  # fmt: skip
