@@ -14,7 +14,8 @@ CenterCondition center_condition(const CreepingPair& pair, const RollingInstant&
   return {.force = 1.0,
           .torque = 0.0,
           .way = -2.0 * mass / (duration * duration),
-          .value = -pair.driving_force - 2.0 * mass * now.center_speed / duration};
+          .value = -pair.driving_force,
+          .coasted = now.center_speed * duration};
 }
 
 void move_center(double mass, double duration, double way, double& acceleration, RollingInstant& now) {

@@ -9,15 +9,18 @@
 namespace viscoroll::detail {
 
 /// @brief What decides how far the center comes in a step: force * (the forces on it that balance a given one, forward)
-/// + torque * (their moment about it per radius) + way * (its way) = value.
+/// + torque * (their moment about it per radius) + way * (its way - coasted) = value.
 struct CenterCondition {
   double force = 1.0;
   double torque = 0.0;
   double way = 0.0;
   double value = 0.0;
+  /// Distance that the center covers without forces [m]. The forces of a heavy center in a short step change it by less
+  /// than its round-off, so it must not enter the balance of forces.
+  double coasted = 0.0;
 };
 
-/// @brief The same for forces at nodes: sum of on_force F + way * (way of the center) = value.
+/// @brief The same for forces at nodes: sum of on_force F + way * (way of the center - coasted) = value.
 struct CenterRow {
   VectorField on_force;
   double way;

@@ -99,6 +99,7 @@ StickSlip touch_with_friction(const CreepingPair& pair, const Touch& touch, cons
       place_of(pair, place.first,
                SurfaceWindow(grid, place.nodes.window(), place.nodes.shift() - departure.turned / grid.phi_spacing));
   Ways ways = ways_of(pair, before, touch, departure);
+  ways.known += center.coasted * ways.by_center;
   const std::vector<Axes> level_axes = axes_at(pair, SurfaceWindow(grid, place.nodes.window()));
   const StepOperator surface = surface_of(touch, level_axes);
   const CenterCondition scaled{.force = center.force,
@@ -122,7 +123,9 @@ StickSlip touch_with_friction(const CreepingPair& pair, const Touch& touch, cons
                                  .friction = pair.friction,
                                  .center = row,
                                  .center_moves = depends_on_displacements(pair, center)};
-  return solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
+  StickSlip result = solve_stick_slip(problem, carried_forces(pair, place, last, problem.load), stiffness);
+  result.way += center.coasted;
+  return result;
 }
 
 StickSlip touch_lifted(const CreepingPair& pair, const Touch& touch, const CenterCondition& center) {
@@ -132,7 +135,7 @@ StickSlip touch_lifted(const CreepingPair& pair, const Touch& touch, const Cente
   result.force = VectorField::Zero(weights.size(), 3);
   result.penetration =
       (as_field(touch.place.gap, half_nodes) + known_gap(pair, touch).cwiseQuotient(weights)).minCoeff();
-  result.way = center.way != 0.0 ? center.value / center.way : 0.0;
+  result.way = center.coasted + (center.way != 0.0 ? center.value / center.way : 0.0);
   result.slip = Eigen::ArrayX2d::Zero(weights.size(), 2);
   return result;
 }

@@ -291,3 +291,16 @@ BAD = [
 def test_bad_input(change, message):
     with pytest.raises(ValueError, match=message):
         follow(np.array([0.0, 0.1]), np.array([0.0, 0.1]), **change)
+
+
+def test_a_heavy_center_in_a_short_step():
+    # A force of 1e-8 of the inertia is below the round-off of the way, from which it was found: no step had a state.
+    soft = vr.Elastic(modulus=1e4)
+    ball = vr.CoatedSphere(core_radius=21e-3, layers=[vr.Layer(thickness=2e-3, shear_modulus=soft, poisson_ratio=0.5)])
+    plane = vr.CoatedPlane(layers=ball.layers)
+    given = {"on": plane, "load": 3.5e-3, "friction": 0.45, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
+    h = vr.RollingHistory(ball, mass=0.5, drive=vr.Drive(force=-1e-3), center_speed=-0.036, **given)
+    for time in np.arange(1, 8) * 1.37e-7:
+        end = h.advance(time=time, angle=-time, load=given["load"])
+        assert end.center_way == pytest.approx(-0.036 * time, rel=1e-6)
+    assert abs(end.center_speed + 0.036) < 1e-8
