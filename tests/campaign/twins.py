@@ -29,6 +29,13 @@ TOLERANCE = 1e-6
 #: Of one pair told from either ball: their orders are split in octaves of their own, and one is the other's elsewhere.
 PAIR_TOLERANCE = 1e-5
 
+#: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference of
+#: the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that of
+#: the rolling body: the other description has a gap curvature that is (s_2/s_1)^2 times as large. The penetration is
+#: proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible), which 0.74, 0.99 and 1.22
+#: confirm where 2/3, 1 and 4/3 are the limits. Moments follow the steps of the mesh: 2.0 with 48 nodes in contact.
+GROWN = {"penetration": 4.0 / 3.0, "resisting_torque": 4.0, "bulk_power": 4.0}
+
 #: Of layers cut in two, in a tread with faces: elements of its section end where layers do, and are right to some 1e-4.
 #: Tractions are so as they sum up from a face: at single nodes nearer to it than a sixteenth of the thickness, which is
 #: the elements' size there, they are known to 4 % (case 73:58 with elements of a sixteenth and of a 64th).
@@ -135,7 +142,9 @@ def _swap_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
     """Return what differs of what has no side, and of what each body loses."""
     pairs = {name: (getattr(one, name), getattr(other, name)) for name in ("penetration", "resisting_torque")}
     pairs["bulk_power"] = one.rolling_bulk_power, other.counterpart_bulk_power
-    return _pair_differences(one, pairs)
+    radius = min(one.ball.outer_radius, other.ball.outer_radius)
+    is_alike = one.on == one.ball  # whose growth is the same
+    return _pair_differences(one, pairs, growth=0.0 if is_alike else one.centrifugal_displacement / radius)
 
 
 def _mirror_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
@@ -146,9 +155,12 @@ def _mirror_differences(one: vr.Result, other: vr.Result) -> dict[str, float]:
     return _pair_differences(one, pairs)
 
 
-def _pair_differences(one: vr.Result, pairs: dict[str, tuple[float, float]]) -> dict[str, float]:
+def _pair_differences(
+    one: vr.Result, pairs: dict[str, tuple[float, float]], *, growth: float = 0.0
+) -> dict[str, float]:
     scales = _scales(one)
-    found = {name: abs(a - b) / (PAIR_TOLERANCE * scales[name]) for name, (a, b) in pairs.items()}
+    allowed = {name: PAIR_TOLERANCE + GROWN.get(name, 0.0) * growth for name in pairs}
+    found = {name: abs(a - b) / (allowed[name] * scales[name]) for name, (a, b) in pairs.items()}
     return {name: value for name, value in found.items() if not value <= 1.0}
 
 
