@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import _core
@@ -24,9 +23,8 @@ __all__ = ["OTHER_TABLES", "answer", "readable_case", "scalars"]
 #: Keys of a request.
 _KEYS = {"case", "fields"}
 
-#: What of a case file the page knows nothing of: tables, and the key by which any of them names a file.
+#: Tables of case files that the page does not have.
 OTHER_TABLES = ("thermal", "motion", "sweep", "design")
-_FILE = "file"
 
 #: How a message begins: the place in the case, where it has one, and the name of the parameter.
 _BEGINNING = re.compile(r"(?:(?P<place>[\w.\[\]]+): )?(?P<name>[a-z]\w*(?:\.\w+|\[\d+\])*) (?:must|has)")
@@ -76,27 +74,18 @@ def answer(request: object, *, progress: ProgressLike = None) -> dict[str, Any]:
 
 
 def readable_case(document: object) -> Case:
-    """Return the case that tables describe, without those that ask for files or for more than a solve.
+    """Return the case that tables describe. No file is read.
 
     Raises
     ------
     ValueError, TypeError
-        Where the tables are not valid, or hold one of those.
+        If the tables are not valid, name a file, or ask for more than a solve.
     """
     if not isinstance(document, dict):
         raise ValueError("case must be an object of the tables of a case file")
     if others := [name for name in OTHER_TABLES if name in document]:
         raise ValueError(f"{others[0]} must be left out: the page has no such table")
-    if _names_a_file(document):
-        raise ValueError("file must be left out: the page reads none")
-    return build_case(document, Path())
-
-
-def _names_a_file(tables: object) -> bool:
-    if isinstance(tables, dict):
-        by_name = isinstance(tables.get("shear_modulus"), str)  # in place of a table
-        return by_name or _FILE in tables or any(map(_names_a_file, tables.values()))
-    return isinstance(tables, list) and any(map(_names_a_file, tables))
+    return build_case(document, None)
 
 
 def _parameter(message: str) -> str | None:

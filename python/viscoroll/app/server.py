@@ -1,21 +1,30 @@
-"""Serves the page to browsers of this machine, and nothing else.
+"""The server of the page: for browsers of this user on this machine only.
 
-Addresses begin with a random token, which the page's own links carry on, as they are relative: who does not know it is
-refused, be it a program of another user or a page of another site.
+Addresses begin with a random token, which the relative links of the page repeat. A request without it is refused, be it
+from a program of another user or from a page of another site. The token does not appear in the list of processes: a
+browser is started with the name of a private file, which redirects to the page.
 """
 
 from __future__ import annotations
 
 import contextlib
+import io
 import json
+import re
 import secrets
 import select
+import shutil
 import socket
 import sys
+import tempfile
+import threading
+import time
 import webbrowser
+from html import escape
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib import resources
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .answer import answer, scalars
@@ -33,13 +42,43 @@ _TYPES = {".html": "text/html", ".css": "text/css", ".js": "text/javascript"}
 #: A case is some hundred characters, a measured curve in it some ten thousand [bytes].
 _LONGEST_REQUEST = 1_000_000
 
-#: What of the page says which solver it has, and what it begins with.
+#: The length of a content. Python refuses to convert numbers of thousands of digits.
+_LENGTH = re.compile("[0-9]{1,18}")
+
+#: Time for a whole request to arrive, and for an answer to be received [s]. A browser here needs milliseconds.
+_LONGEST_TRANSFER = 10.0
+
+#: Connections at a time. A browser opens up to six for each window.
+_MOST_CONNECTIONS = 32
+
+#: The script element of the page that names the solver and the case to begin with.
 _START = '<script type="application/json" id="start">{}</script>'
 _NO_SOLVER = _START.format('{"solver": "none"}')
 
+#: Headers of every answer.
+_HEADERS = {
+    "Cache-Control": "no-store",
+    "Content-Security-Policy": (
+        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+        "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    ),
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}
 
-class _Gone(Exception):  # noqa: N818  (no error: nobody waits for the answer)
-    """Whoever asked has closed the window or asks something newer, or the server ends."""
+_REDIRECT = """<!doctype html>
+<meta charset="utf-8" />
+<meta http-equiv="refresh" content="0; url={address}" />
+<title>viscoroll</title>
+<p><a href="{address}">Open the page</a></p>
+"""
+
+
+class _Gone(Exception):  # noqa: N818  (not an error: the answer is no longer wanted)
+    """The browser has closed the connection, or the server ends."""
 
 
 class PageServer(ThreadingHTTPServer):
@@ -48,14 +87,14 @@ class PageServer(ThreadingHTTPServer):
     Parameters
     ----------
     case : dict, optional
-        Tables of a case, with which the page begins.
+        Tables of the case that the page begins with.
     port : int, default 0
-        0: any that is free.
+        0 selects a free port.
 
     Attributes
     ----------
     address : str
-        Where the page is, with the token.
+        Address of the page, with the token.
     """
 
     daemon_threads = False  # they end before the server does
@@ -64,24 +103,55 @@ class PageServer(ThreadingHTTPServer):
         super().__init__((_HOST, port), _Handler)
         self.token = secrets.token_urlsafe(16)
         self.address = f"http://{_HOST}:{self.server_port}/{self.token}/"
+        self.hosts = {f"{name}:{self.server_port}" for name in (_HOST, "localhost")}
         self.files = _page_files(case)
         self._open: set[socket.socket] = set()
+        self._free = threading.BoundedSemaphore(_MOST_CONNECTIONS)
+        self._private: Path | None = None
+
+    def redirect_file(self) -> Path:
+        """Write a file that redirects a browser to the page; only this user can read it.
+
+        The file is removed when the page is first sent, at the latest when the server closes.
+        """
+        self._private = Path(tempfile.mkdtemp(prefix="viscoroll-"))  # mode 0700
+        path = self._private / "page.html"
+        path.touch(mode=0o600)
+        path.write_text(_REDIRECT.format(address=escape(self.address)), encoding="utf-8")
+        return path
+
+    def remove_redirect_file(self) -> None:
+        """Remove the file of `redirect_file`, if there is one."""
+        private, self._private = self._private, None
+        if private is not None:
+            shutil.rmtree(private, ignore_errors=True)
+
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answer a request in a thread of its own, or refuse it if there are too many connections."""
+        if self._free.acquire(blocking=False):
+            super().process_request(request, client_address)
+            return
+        with contextlib.suppress(OSError):
+            request.sendall(b"HTTP/1.0 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n")
+        self.shutdown_request(request)
 
     def process_request_thread(self, request: Any, client_address: Any) -> None:
-        """Answer a request, known as one that is not answered yet."""
+        """Answer a request, whose connection is known until it is answered."""
         self._open.add(request)
         try:
             super().process_request_thread(request, client_address)
         finally:
             self._open.discard(request)
+            self._free.release()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing of browsers that do not wait for an answer."""
-        if not isinstance(sys.exception(), ConnectionError):
+        """Print nothing about browsers that do not wait for an answer."""
+        if not isinstance(sys.exception(), ConnectionError | TimeoutError):
             super().handle_error(request, client_address)
 
     def server_close(self) -> None:
-        """Cut what is open, by which solves end, and close."""
+        """Close all connections, which ends their solves, and the server."""
+        self.remove_redirect_file()
         for connection in list(self._open):
             with contextlib.suppress(OSError):
                 connection.shutdown(socket.SHUT_RDWR)
@@ -94,22 +164,22 @@ def serve(case: dict[str, Any] | None = None, *, browser: bool = True, tell: Cal
     Parameters
     ----------
     case : dict, optional
-        Tables of a case, with which the page begins.
+        Tables of the case that the page begins with.
     browser : bool
-        Whether to open it.
+        Whether to open the page in a browser.
     tell : callable
-        Is given the address, on one line.
+        Called with the address, on one line.
     """
     with PageServer(case) as server:
         tell(f"{server.address}  (Ctrl-C ends it)")
         if browser:
-            webbrowser.open(server.address)
+            webbrowser.open(server.redirect_file().as_uri())
         with contextlib.suppress(KeyboardInterrupt):
             server.serve_forever(poll_interval=0.1)
 
 
 def _page_files(case: dict[str, Any] | None) -> dict[str, tuple[str, bytes]]:
-    """Return type and content of what is served, by name."""
+    """Return type and content of the files that are served, by name."""
     folder = resources.files(__package__).joinpath("page")
     files = {
         file.name: (_TYPES[suffix], file.read_bytes())
@@ -122,11 +192,39 @@ def _page_files(case: dict[str, Any] | None) -> dict[str, tuple[str, bytes]]:
     return files | {"": (kind, page.decode().replace(_NO_SOLVER, _START.format(start)).encode())}
 
 
+class _TimedReader(io.RawIOBase):
+    """Reads from a connection until a deadline for all reads together."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._deadline = time.monotonic() + _LONGEST_TRANSFER
+
+    def readable(self) -> bool:
+        """Return True."""
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        """Read what has arrived; raise a TimeoutError after the deadline."""
+        left = self._deadline - time.monotonic()
+        if left <= 0.0:
+            raise TimeoutError("the request did not arrive in time")
+        self._connection.settimeout(left)
+        try:
+            return self._connection.recv_into(buffer)
+        finally:
+            self._connection.settimeout(_LONGEST_TRANSFER)
+
+
 class _Handler(BaseHTTPRequestHandler):
     """Answers one request."""
 
     server: PageServer
-    timeout = 60.0  # of a connection that says nothing [s]
+    timeout = _LONGEST_TRANSFER  # for an answer to be received
+
+    def setup(self) -> None:
+        """Read the request with a deadline."""
+        super().setup()
+        self.rfile = io.BufferedReader(_TimedReader(self.connection))
 
     def do_GET(self) -> None:
         """Send a file of the page."""
@@ -137,6 +235,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._refuse(HTTPStatus.NOT_FOUND)
             return
         self._send(*self.server.files[name])
+        if not name:
+            self.server.remove_redirect_file()
 
     def do_POST(self) -> None:
         """Send the answer to a request, or the table of scalar results."""
@@ -146,17 +246,15 @@ class _Handler(BaseHTTPRequestHandler):
         if name not in ("solve", "scalars"):
             self._refuse(HTTPStatus.NOT_FOUND)
             return
-        length = self.headers.get("Content-Length", "")
-        if not length.isdecimal() or int(length) > _LONGEST_REQUEST:
-            self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE)
+        body = self._body()
+        if body is None:
             return
-        body = self.rfile.read(int(length))
         if name == "scalars":
             self._send_json(scalars())
             return
         try:
-            request = json.loads(body)
-        except (ValueError, RecursionError):  # UnicodeDecodeError is one
+            request = _read_json(body)
+        except (ValueError, RecursionError):
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
         try:
@@ -165,15 +263,38 @@ class _Handler(BaseHTTPRequestHandler):
             return
 
     def _name(self) -> str | None:
-        """Return what is asked for behind the token, or refuse."""
+        """Return the name behind the token, or refuse the request."""
         token, slash, name = self.path.partition("?")[0].removeprefix("/").partition("/")
-        if not slash or not secrets.compare_digest(token.encode(), self.server.token.encode()):
+        hosts, origins = self.headers.get_all("Host", []), self.headers.get_all("Origin", [])
+        is_here = len(hosts) == 1 and hosts[0] in self.server.hosts  # else another site's name leads to this machine
+        is_own = all(origin == f"http://{hosts[0]}" for origin in origins) if is_here else False
+        is_known = secrets.compare_digest(token.encode("utf-8", "replace"), self.server.token.encode())
+        if not (slash and is_here and is_own and is_known):
             self._refuse(HTTPStatus.FORBIDDEN)
             return None
         return name
 
+    def _body(self) -> bytes | None:
+        """Return the content of a request, or refuse the request."""
+        lengths = self.headers.get_all("Content-Length", [])
+        if not lengths:
+            self._refuse(HTTPStatus.LENGTH_REQUIRED)
+            return None
+        if len(lengths) > 1 or not _LENGTH.fullmatch(lengths[0]) or "Transfer-Encoding" in self.headers:
+            self._refuse(HTTPStatus.BAD_REQUEST)
+            return None
+        length = int(lengths[0])
+        if length > _LONGEST_REQUEST:
+            self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE)
+            return None
+        body = self.rfile.read(length)
+        if len(body) < length:
+            self._refuse(HTTPStatus.BAD_REQUEST)
+            return None
+        return body
+
     def _wanted(self, _stage: str, _fraction: float) -> None:
-        """Stop a solve whose answer nobody will read."""
+        """Stop a solve whose answer is no longer wanted."""
         if self._is_closed():
             raise _Gone
 
@@ -195,11 +316,38 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_response(status)
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
-        self.send_header("Cache-Control", "no-store")
-        self.send_header("Referrer-Policy", "no-referrer")
-        self.send_header("X-Content-Type-Options", "nosniff")
+        for name, value in _HEADERS.items():
+            self.send_header(name, value)
         self.end_headers()
         self.wfile.write(content)
 
+    def send_error(self, code: int, message: str | None = None, explain: str | None = None) -> None:  # noqa: ARG002
+        """Refuse requests that are not valid HTTP like all others, without a word of theirs."""
+        self.request_version = self.protocol_version  # else an answer to a version that is not known has no headers
+        self._refuse(HTTPStatus(code))
+
+    def version_string(self) -> str:
+        """Return the name of the server without versions."""
+        return "viscoroll"
+
     def log_message(self, *_: object) -> None:
-        """Say nothing: the terminal is the user's."""
+        """Print nothing: the terminal is the user's."""
+
+
+def _read_json(body: bytes) -> Any:
+    """Return the content of a request.
+
+    Raises
+    ------
+    ValueError
+        If it is not JSON in UTF-8, has NaN or infinite numbers, integers of thousands of digits or lone surrogates.
+    RecursionError
+        If it is nested too deeply.
+    """
+
+    def refused(constant: str) -> Any:
+        raise ValueError(f"{constant} is not JSON")
+
+    content = json.loads(body.decode(), parse_constant=refused)
+    json.dumps(content, ensure_ascii=False).encode()  # fails for lone surrogates
+    return content

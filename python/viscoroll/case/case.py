@@ -401,15 +401,15 @@ def load_case(path: str | Path) -> Case:
         return build_case(read_toml(path), path.parent)
 
 
-def build_case(document: dict[str, Any], folder: Path) -> Case:
+def build_case(document: dict[str, Any], folder: Path | None) -> Case:
     """Return the case that the content of a file describes.
 
     Parameters
     ----------
     document : dict
         The content.
-    folder : Path
-        Where the files that it names are.
+    folder : Path or None
+        Folder of the files that it names. With None, no file is read, and content that names a file is refused.
 
     Raises
     ------

@@ -136,7 +136,12 @@ class ByName:
 
 
 def in_folder(name: object, info: ValidationInfo) -> Path:
-    """Return the path of a file that is named, in the folder of the file that names it."""
+    """Return the path of a named file in the folder of the file that names it; without a folder, refuse every name.
+
+    All names of files pass through this function, so that tables without a folder cannot have any file read.
+    """
+    if info.context is None:
+        raise ValueError("names of files are not allowed here: write the values into the table")
     if not isinstance(name, str):
         raise ValueError(f"file must be the name of a file, got {shown(name)}")
     assert isinstance(info.context, Path)
@@ -158,8 +163,10 @@ def errors_in(path: Path) -> Iterator[None]:
         raise ValueError(one_line(f"{path}: {error}")) from None
 
 
-def checked(kind: type[_Model], document: dict[str, Any], folder: Path = Path()) -> _Model:
-    """Return the tables of a file whose `kind` says what they may hold; files that they name are in a folder.
+def checked(kind: type[_Model], document: dict[str, Any], folder: Path | None = None) -> _Model:
+    """Return the tables of a file whose `kind` says what they may hold; `folder` holds the files that they name.
+
+    Without a folder, tables that name a file are refused, and no file is read.
 
     Raises
     ------

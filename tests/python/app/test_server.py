@@ -125,7 +125,8 @@ def test_two_windows_are_answered(server):
 def test_a_solve_ends_with_the_window_that_asked(server):
     endless = CASE | {"rolling": CASE["rolling"] | {"friction": 0.3}, "numerics": {"accuracy": 1e-4}}
     body = json.dumps({"case": endless}).encode()
-    head = f"POST /{server.token}/solve HTTP/1.0\r\nContent-Length: {len(body)}\r\n\r\n".encode()
+    host = f"127.0.0.1:{server.server_port}"
+    head = f"POST /{server.token}/solve HTTP/1.0\r\nHost: {host}\r\nContent-Length: {len(body)}\r\n\r\n".encode()
     before = threading.active_count()
     with socket.create_connection(("127.0.0.1", server.server_port)) as window:
         window.sendall(head + body)

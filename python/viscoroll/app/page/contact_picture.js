@@ -40,7 +40,8 @@ export function drawContact(root, { fields, scalars }) {
 
 function caption(what, scalars) {
   if (what === "stick") return ["Where it ", key("sticks"), " and ", key("slips")];
-  const ramp = el("span", { class: "ramp", style: `background: ${PRESSURE_GRADIENT}` });
+  const ramp = el("span", { class: "ramp" });
+  ramp.style.background = PRESSURE_GRADIENT; // an attribute would be refused by the server's content security policy
   return ["Pressure: 0 ", ramp, ` ${handy(scalars.max_pressure, "Pa")}`];
 }
 

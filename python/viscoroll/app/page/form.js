@@ -34,6 +34,7 @@ export class Form {
   constructor(root, change) {
     this.#root = root;
     this.#change = change;
+    root.addEventListener("submit", (event) => event.preventDefault());
   }
 
   /** Show a state, with the fields that it has; the focus stays at its place. */
