@@ -4,7 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -188,13 +190,35 @@ TEST_F(TreadTables, SumsAcrossAreTheTablesOfALine) {
   }
 }
 
-/// Of a wheel on the rigid plane.
+/// A wheel whose layer equations are those of a wheel without crown.
+class WheelWithFlatEquations final : public RoundBody {
+ public:
+  WheelWithFlatEquations(std::shared_ptr<const RoundBody> wheel, const CoatedWheel& flat)
+      : RoundBody({.layers = wheel->layers(),
+                   .curvatures = wheel->curvatures(),
+                   .radius = wheel->radius(),
+                   .width = wheel->width()}),
+        wheel_(std::move(wheel)),
+        flat_(make_body(flat)) {}
+
+  [[nodiscard]] std::string_view name() const override { return wheel_->name(); }
+  [[nodiscard]] BodySurface surface(const Crossing& crossing) const override { return flat_->surface(crossing); }
+  [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return flat_->layered(crossing); }
+  [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return wheel_->profile(points); }
+  [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override { return wheel_->nodes(mesh, on); }
+
+ private:
+  std::shared_ptr<const RoundBody> wheel_;
+  std::shared_ptr<const RoundBody> flat_;
+};
+
+/// Result for a wheel on the rigid plane.
 Result roll(const CoatedWheel& wheel, double load, double angular_speed, const Mesh& mesh,
             bool knows_its_crown = true) {
   RollingPair pair = rolling_pair(wheel, CoatedPlane{});
   CoatedWheel flat = wheel;
   flat.crown_radius = kInfinity;
-  if (!knows_its_crown) pair.body.surface = make_body(flat).surface;
+  if (!knows_its_crown) pair.body = std::make_shared<const WheelWithFlatEquations>(pair.body, flat);
   const Options options;
   Watch watch(options.observer);
   const MeshModel model = make_model(pair, angular_speed, mesh, options.curvature, {.threads = 1, .watch = watch});
@@ -281,7 +305,7 @@ TEST(WheelRolling, TorqueGrowsWithTheWidthAsARollersPerLength) {
 TEST(WheelRolling, CirclesBesideTheMiddleAreSmaller) {
   const CoatedWheel wheel = crowned(0.3);
   const RollingPair pair = rolling_pair(wheel, CoatedPlane{});
-  const Nodes nodes = pair.body.nodes({.nodes_per_revolution = 2000}, pair.on);
+  const Nodes nodes = pair.body->nodes({.nodes_per_revolution = 2000}, *pair.on);
   const SurfaceWindow window(nodes.grid, {{-1, 1}, {-60, 60}});
   const RigidWays ways = rigid_slip(window, {}, SlipKinematics::exact, pair, {});
   const double step = window.grid().radius * window.grid().phi_spacing;
