@@ -206,6 +206,12 @@ class WheelWithFlatEquations final : public RoundBody {
   [[nodiscard]] LayeredBody layered(const Crossing& crossing) const override { return flat_->layered(crossing); }
   [[nodiscard]] Profile profile(const SurfaceWindow& points) const override { return wheel_->profile(points); }
   [[nodiscard]] Nodes nodes(const Mesh& mesh, const Body& on) const override { return wheel_->nodes(mesh, on); }
+  [[nodiscard]] double further_error(const ContactReach& contact) const override {
+    return wheel_->further_error(contact);
+  }
+  [[nodiscard]] std::vector<Warning> warnings(const ContactReach& contact, bool other_deforms) const override {
+    return wheel_->warnings(contact, other_deforms);
+  }
 
  private:
   std::shared_ptr<const RoundBody> wheel_;
