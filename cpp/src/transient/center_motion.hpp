@@ -20,7 +20,7 @@ struct CenterCondition {
   double coasted = 0.0;
 };
 
-/// @brief The same for forces at nodes: sum of on_force F + way * (way of the center - coasted) = value.
+/// @brief The same for forces at nodes: sum of on_force F + way * (displacement of the center - coasted) = value.
 struct CenterRow {
   VectorField on_force;
   double way;
