@@ -29,8 +29,8 @@ TOLERANCE = 1e-6
 #: Of one pair told from either ball: their orders are split in octaves of their own, and one is the other's elsewhere.
 PAIR_TOLERANCE = 1e-5
 
-#: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference of
-#: the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that of
+#: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference
+#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that of
 #: the rolling body: the other description has a gap curvature that is (s_2/s_1)^2 times as large. The penetration is
 #: proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible), which 0.74, 0.99 and 1.22
 #: confirm where 2/3, 1 and 4/3 are the limits. Moments follow the steps of the mesh: 2.0 with 48 nodes in contact.

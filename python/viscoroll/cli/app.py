@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import json
 import math
@@ -15,6 +16,7 @@ from .. import paper
 from .._core import Compliance, ConvergenceError, Curvature, Status, __fft__, __version__
 from .._support.cautions import ResultWarning
 from .._support.extras import extra
+from .._support.files import save_picture
 from .._support.sealed import load_sealed
 from .._support.tables import handy
 from ..bodies.si_hints import unit_doubt
@@ -62,7 +64,9 @@ def run() -> None:
     try:
         app()
     except OSError as error:
-        _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), _INVALID)
+        place = "standard output" if error.errno == errno.ENOSPC else ""  # errors of files have their names
+        named = error.filename or place
+        _fail(f"{named}: {error.strerror}" if named else str(error), _INVALID)
     except (ValueError, TypeError) as error:
         _fail(str(error), _INVALID)
     except ConvergenceError as error:
@@ -141,11 +145,11 @@ def solve(
     for message in dict.fromkeys([*cautions(result), *said]):
         write_message(f"warning: {message}")
     if plot is not None:
-        result.plot().savefig(plot, dpi=150)
+        save_picture(result.plot(), plot)
     if section is not None:
         from ..interior.picture import plot_section
 
-        plot_section(result).savefig(section, dpi=150)
+        save_picture(plot_section(result), section)
     if save is not None:
         result.save(save)
 
@@ -183,7 +187,7 @@ def roll(
     if doubt := unit_doubt(loaded.ball, loaded.on):
         write_message(f"warning: {doubt}")
     if plot is not None:
-        history.plot().savefig(plot, dpi=150)
+        save_picture(history.plot(), plot)
     if save is not None:
         history.save(save)
 
@@ -192,7 +196,9 @@ def roll(
 def sweep(
     study: Annotated[Path, typer.Argument(help="Case file with a table \\[sweep]; see `viscoroll example --sweep`.")],
     output: Annotated[Path | None, typer.Option(help="Result and cache (.nc); by default beside the file.")] = None,
-    retry_failed: Annotated[bool, typer.Option("--retry-failed", help="Solve points again that failed.")] = False,
+    retry_failed: Annotated[
+        bool, typer.Option("--retry-failed", help="Solve points again that failed or are damaged.")
+    ] = False,
     table: Annotated[Path | None, typer.Option(help="Write a row for each point to this file, too (.csv).")] = None,
 ) -> None:
     """Solve all combinations of the parameters that a file varies, but for those that the cache holds."""
@@ -235,7 +241,7 @@ def plot(
     from ..studies.picture import plot_study
 
     path = study.with_suffix(".png") if output is None else output
-    plot_study(load_sealed(study), variable=variable).savefig(path, dpi=150)
+    save_picture(plot_study(load_sealed(study), variable=variable), path)
     write_line(f"{variable} drawn to {path}")
 
 
@@ -325,7 +331,7 @@ def compare(
     with progress_bar() as report:
         wanted = None if speeds is None else parse_speeds(speeds)
         comparison = compare_torques(loaded, speeds=wanted, points=points, progress=report)
-    comparison.plot().savefig(output, dpi=150)
+    save_picture(comparison.plot(), output)
     comparison.write_csv(output.with_suffix(".csv"))
     for status, count in comparison.unsettled().items():
         write_message(f"warning: {count} speeds: {_STATUS_TEXT[status]}")
@@ -340,7 +346,7 @@ def _compare_measured(case: Case, path: Path, output: Path) -> None:
     measurements = read_measurements(path)
     with progress_bar() as report:
         trial = compare_measured(case, measurements, progress=report)
-    trial.plot().savefig(output, dpi=150)
+    save_picture(trial.plot(), output)
     trial.write_csv(output.with_suffix(".csv"))
     for status in sorted(set(trial.statuses) - {Status.CONVERGED}, key=str):
         write_message(f"warning: {trial.statuses.count(status)} solves: {_STATUS_TEXT[status]}")
@@ -373,7 +379,7 @@ def demo(
     worst = max(abs(torques[key] / printed - 1.0) for key, printed in paper.TABLE_2.items())
     OUTPUT.print(f"largest deviation of the {len(torques)} entries: {worst:.2%}\n", highlight=False)
     _print_result(chosen)
-    chosen.plot().savefig(plot, dpi=150)
+    save_picture(chosen.plot(), plot)
     write_line(f"contact pressure drawn to {plot}")
 
 

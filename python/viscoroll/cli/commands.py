@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from .._support.extras import extra
+from .._support.files import save_picture
 from .._support.text import parsed_range, shown
 from .._support.toml import read_toml
 from ..materials import WilliamsLandelFerry
@@ -99,7 +100,7 @@ def material(
     if at is not None:
         _write_modulus(curve, at)
     if plot is not None:
-        fit.plot().savefig(plot, dpi=150)
+        save_picture(fit.plot(), plot)
         write_line(f"data, fit and residual drawn to {plot}")
     if save is not None:
         save_material(save, curve, fit=fit, draws=_draws(curve, fit, draws))
@@ -148,7 +149,7 @@ def design(
         unit = f" {found.outcome.unit(name)}".removesuffix(" 1")
         write_line(f"  {name} = {found.outcome.value(name):.6g}{unit}, limit {limit:.6g}{unit}{reached}")
     if plot is not None:
-        found.plot().savefig(plot, dpi=150)
+        save_picture(found.plot(), plot)
         write_line(f"power and limits drawn to {plot}")
 
 

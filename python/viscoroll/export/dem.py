@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.arguments import as_float
-from .._support.files import write_csv
+from .._support.files import write_csv, write_text
 from .._support.text import shown
 from ..interior import StrainSoftening
 from ..interior.softening_result import BOUNDS
@@ -86,7 +86,7 @@ class DemInput:
             Of the table.
         """
         path = Path(path)
-        path.write_text(self.text, encoding="utf-8")
+        write_text(self.text, path)
         table = path.with_suffix(".csv")
         heads = {"load": "N", "angular_speed": "rad/s", "torque": "N m", "penetration": "m"}
         columns = {f"{name} [{unit}]": [getattr(p, name) for p in self.points] for name, unit in heads.items()}

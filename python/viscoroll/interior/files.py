@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._support.extras import extra
-from .._support.files import save, write_netcdf
+from .._support.files import draft_of, save, write_netcdf
 from ..solution.interior_fields import COMPONENTS
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
             for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
         ]
         cells = "hexahedron", np.stack(corners, axis=-1).reshape(-1, 8)
-    meshio.Mesh(
+    mesh = meshio.Mesh(
         points.T,
         [cells],
         point_data={
@@ -82,7 +82,9 @@ def _write_volume(inside: xarray.Dataset, path: Path) -> None:
                 for name in ("von_mises", "hydrostatic_pressure", "opening_traction", "shear_traction")
             },
         },
-    ).write(path)
+    )
+    with draft_of(path) as draft:
+        mesh.write(draft)
 
 
 def _frame(inside: xarray.Dataset) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

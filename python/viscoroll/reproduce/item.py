@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from .._support.files import write_csv
+from .._support.files import save_picture, write_csv, write_text
 from .._support.progress import ProgressLike
 from ..bodies import Mesh
 from ..studies.runner import run_all
@@ -142,7 +142,7 @@ def write_files(item: Item, outcome: Outcome, folder: Path) -> list[Path]:
     figure = outcome.draw()
     for suffix in ("png", "svg"):
         paths.append(folder / f"{item.name}.{suffix}")
-        figure.savefig(paths[-1], dpi=150)
+        save_picture(figure, paths[-1])
     for addition, table in outcome.tables().items():
         paths.append(folder / f"{item.name}{addition}.csv")
         write_csv(table, paths[-1])
@@ -156,4 +156,4 @@ def write_verdicts(path: Path, verdicts: Mapping[str, Sequence[Verdict]]) -> Non
         for place, verdict in enumerate(rows):
             judged = "**disagrees**" if verdict.judgment == "disagrees" else verdict.judgment
             lines.append(f"| {name if place == 0 else ''} | {verdict.statement} | {verdict.found} | {judged} |")
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    write_text("\n".join(lines) + "\n", path)

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._core import Extrapolation
 from .._support.arguments import as_float, as_floats, as_int
-from .._support.files import ending_in
+from .._support.files import ending_in, write_text
 from .._support.text import one_line, shown
 from .._support.toml import read_toml
 from ..materials import Draws, MasterCurve, Prony
@@ -76,7 +76,7 @@ def save_material(
         lines += ["", "[draws]", *_rows_of_draws(draws)]
     if isinstance(curve, Superposition):
         lines += ["", f"# {curve.law}", "[shift]", *_columns(curve.factors, ("temperature", "log10_factor"))]
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    write_text("\n".join(lines) + "\n", path)
 
 
 def load_material(

@@ -13,6 +13,7 @@ import numpy as np
 
 from .._support.arguments import Floats, as_float, as_floats
 from .._support.extras import extra
+from .._support.files import write_text
 from .._support.least_squares import Parameter, with_intervals
 from .._support.text import finite_number, shown
 from ..materials import Arrhenius, WilliamsLandelFerry
@@ -125,7 +126,7 @@ class ShiftFactors:
     def save(self, path: str | Path) -> None:
         """Write the file that `read` reads."""
         rows = "".join(f"{t!r},{a!r}\n" for t, a in zip(self.temperature, self.log10_factor, strict=True))
-        Path(path).write_text(f"T,log_aT\nC,-\n{rows}", encoding="utf-8")
+        write_text(f"T,log_aT\nC,-\n{rows}", Path(path))
 
 
 #: C₂ [K] beyond which Williams-Landel-Ferry is a straight line, to a percent over a hundred kelvin; of polymers it is

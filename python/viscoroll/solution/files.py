@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._support.extras import extra
-from .._support.files import write_csv, write_netcdf
+from .._support.files import draft_of, write_csv, write_netcdf
 from .solution import FIELDS, VECTOR_FIELDS, Solution
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def _write_vtk(result: Solution, path: Path) -> None:
 
     # The plane is at height 0; VTK readers expect the third axis to point up.
     points = np.stack([result.x, result.z, result.gap], axis=-1).reshape(-1, 3)
-    meshio.Mesh(
+    mesh = meshio.Mesh(
         points,
         [_cells(*result.x.shape)],
         point_data={
@@ -48,7 +48,9 @@ def _write_vtk(result: Solution, path: Path) -> None:
             "shear_traction": _vectors(result.shear_traction),
             "slip_velocity": _vectors(result.slip_velocity),
         },
-    ).write(path)
+    )
+    with draft_of(path) as draft:
+        mesh.write(draft)
 
 
 def _cells(rows: int, columns: int) -> tuple[str, NDArray[Any]]:

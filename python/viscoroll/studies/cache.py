@@ -19,7 +19,7 @@ import numpy as np
 
 from .._core import __commit__, __version__
 from .._support.extras import extra
-from .._support.files import ending_in
+from .._support.files import draft_of, ending_in, write_netcdf
 from .._support.sealed import load_sealed, seal
 from .run import Outcome
 
@@ -78,11 +78,10 @@ def read_study(path: Path) -> xarray.Dataset | None:
 
 def write_study(path: Path, dataset: xarray.Dataset) -> None:
     """Write a study in place of the one before."""
-    draft = path.with_name(path.name + ".writing")
     compressed = {name: {"zlib": True} for name, values in dataset.data_vars.items() if "phi" in values.dims}
-    dataset.to_netcdf(draft, engine="netcdf4", encoding=compressed)
-    seal(draft)
-    draft.replace(path)
+    with draft_of(path) as draft:
+        write_netcdf(dataset, draft, encoding=compressed)
+        seal(draft)
 
 
 class PointStore:

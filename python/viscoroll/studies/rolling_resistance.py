@@ -13,7 +13,7 @@ from .. import _core
 from .._core import Extrapolation
 from .._support.arguments import Floats, as_float, as_float_array, as_floats, as_member
 from .._support.extras import extra
-from .._support.files import save, write_csv, write_netcdf
+from .._support.files import save, write_csv, write_netcdf, write_text
 from .._support.text import one_line, shown
 
 if TYPE_CHECKING:
@@ -221,7 +221,7 @@ def _numbers(document: object) -> dict[str, Any]:
 def _write_json(surface: RollingResistance, path: Path) -> None:
     what = "ln T = sum c_ij T_i(x) T_j(y), x and y the logarithms of load and speed mapped to [-1, 1]"
     document = {"what": what, **asdict(surface), "coefficients": surface.coefficients.tolist()}
-    path.write_text(json.dumps(document, indent=1), encoding="utf-8")
+    write_text(json.dumps(document, indent=1), path)
 
 
 def _write_table(surface: RollingResistance, path: Path) -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core import __commit__, __version__
+from .._support.files import draft_of
 from .._support.text import shown
 
 if TYPE_CHECKING:
@@ -34,7 +35,8 @@ def write_state(path: Path, numbers: NDArray[np.float64], bodies: str) -> None:
     """Write the numbers of a state and the text of its bodies."""
     content = np.asarray(numbers, dtype="<f8").tobytes()
     head = [_MARK, _FORMAT, _MADE_BY.encode(), bodies.encode()]
-    path.write_bytes(_SEPARATOR.join([*head, _checksum(head, content)]) + b"\n" + content)
+    with draft_of(path) as draft:
+        draft.write_bytes(_SEPARATOR.join([*head, _checksum(head, content)]) + b"\n" + content)
 
 
 def read_state(path: Path) -> tuple[NDArray[np.float64], str]:

@@ -1,0 +1,135 @@
+"""Files that cannot be written to the end: an OSError that names the file, no draft, and the file before as it was."""
+
+from __future__ import annotations
+
+import errno
+import re
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+import viscoroll as vr
+from matplotlib.figure import Figure
+from specimens import command
+from viscoroll import paper
+from viscoroll._support.files import draft_of, save_picture
+from viscoroll.case import example_text
+from viscoroll.interior.files import save_interior
+from viscoroll.rheology import ShiftFactors
+from viscoroll.solution.files import FORMATS
+
+resource = pytest.importorskip("resource")
+
+FACTORS = ShiftFactors(temperature=(20.0, 30.0), log10_factor=(0.0, -1.0))
+
+
+@contextmanager
+def full_disk(size=0):
+    """Let files grow to some bytes: writing beyond fails as on a full disk, with EFBIG in place of ENOSPC."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@pytest.fixture(scope="module")
+def result():
+    return vr.solve(paper.ball(), load=100.0, angular_speed=2.5, mesh=vr.Mesh(nodes_per_revolution=300))
+
+
+def interior(result):
+    angles = 0.5 * np.pi + np.array([-0.02, 0.0, 0.02])
+    return result.interior(depth=[2e-4, 8e-4], phi=angles, theta=angles)
+
+
+def surface():
+    return vr.RollingResistance(
+        load=(1.0, 2.0),
+        angular_speed=(1.0, 2.0),
+        radius=0.02,
+        coefficients=np.ones((2, 2)),
+        error=0.0,
+        largest_error=0.0,
+    )
+
+
+WRITERS = {
+    **{f"fields{suffix}": lambda result, path: result.save(path) for suffix in FORMATS},
+    "inside.nc": lambda result, path: save_interior(interior(result), path),
+    "inside.vtu": lambda result, path: save_interior(interior(result), path),
+    **{f"surface{suffix}": lambda result, path: surface().save(path) for suffix in (".json", ".csv", ".nc")},
+    **{f"picture{suffix}": lambda result, path: save_picture(Figure(), path) for suffix in (".png", ".svg", ".pdf")},
+    "a.state": lambda result, path: vr.RollingState(np.zeros(1000)).save(path),
+    "b.STATE": lambda result, path: vr.RollingState(np.zeros(1000)).save(path),
+    "shift.csv": lambda result, path: FACTORS.save(path),
+    "input.lammps": lambda result, path: vr.dem(result, code="lammps").save(path),
+}
+
+
+@pytest.mark.parametrize("name", WRITERS)
+@pytest.mark.parametrize("before", [None, "old"])
+def test_a_file_is_written_whole_or_not_at_all(tmp_path, result, name, before):
+    path = tmp_path / name
+    if before is not None:
+        path.write_text(before)
+    with full_disk(), pytest.raises(OSError) as raised:  # noqa: PT011  (its file is what matters)
+        WRITERS[name](result, path)
+    assert (raised.value.filename, bool(raised.value.errno), bool(raised.value.strerror)) == (str(path), True, True)
+    assert [file.read_text() for file in tmp_path.iterdir()] == [before] * (before is not None)
+    WRITERS[name](result, path)
+    others = {"input.csv"} if name == "input.lammps" else set()
+    assert {file.name for file in tmp_path.iterdir()} == {name} | others
+    assert path.stat().st_size > 10
+
+
+def test_a_link_stays_one(tmp_path):
+    (tmp_path / "link.csv").symlink_to("file.csv")
+    FACTORS.save(tmp_path / "link.csv")
+    assert (tmp_path / "link.csv").readlink() == Path("file.csv")
+    assert (tmp_path / "file.csv").read_text().startswith("T,log_aT")
+
+
+def test_an_interrupted_draft_is_removed_and_other_errors_stay(tmp_path):
+    for error in (KeyboardInterrupt(), ValueError("no"), FileNotFoundError(errno.ENOENT, "none", "other.txt")):
+
+        def interrupted(error=error):
+            with draft_of(tmp_path / "file.csv") as draft:
+                draft.write_text("half")
+                raise error
+
+        with pytest.raises(type(error)) as raised:
+            interrupted()
+        assert raised.value is error
+        assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("solve", "case.toml", "--save", "out.nc"),
+        ("solve", "case.toml", "--plot", "out.pdf"),
+        ("export", "case.toml", "--for", "yade", "--output", "out.yade"),
+    ],
+)
+def test_the_shell_says_which_file(tmp_path, words):
+    case = example_text("case").replace("accuracy = 0.01", "accuracy = 0.3")
+    (tmp_path / "case.toml").write_text(case)
+    with full_disk():
+        done = command(*words, cwd=tmp_path)
+    assert done.returncode == 2
+    assert re.fullmatch(rf"viscoroll: \S*{re.escape(words[-1])}(\.points)?: [^\n]+", done.stderr.splitlines()[-1])
+    assert not {file.name for file in tmp_path.iterdir()} - {"case.toml", "study.toml", "out.nc.points"}
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is full")
+def test_a_full_standard_output():
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "viscoroll", "example"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (done.returncode, done.stderr) == (2, "viscoroll: standard output: No space left on device\n")
