@@ -51,8 +51,11 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
 
 @contextmanager
 def progress_bar() -> Iterator[Report]:
-    """Hand out what a computation reports to; the bar is there until the block ends, on a terminal."""
+    """Yield the function that receives a computation's progress, and show a bar if the terminal can redraw lines."""
+    if not MESSAGES.is_interactive:  # a disabled bar writes an empty line before Rich 15
+        yield lambda stage, fraction: None
+        return
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=MESSAGES, transient=True, disable=not MESSAGES.is_terminal) as bar:
+    with Progress(*columns, console=MESSAGES, transient=True) as bar:
         task = bar.add_task("starting", total=1.0)
         yield lambda stage, fraction: bar.update(task, description=stage, completed=fraction)

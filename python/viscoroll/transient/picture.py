@@ -73,7 +73,8 @@ def _draw_others(axes: dict[str, Axes], series: Series, units: Units) -> None:
 def _draw_loop(axes: Axes, series: Series, units: Units) -> None:
     axes.plot(np.degrees(series["angle"]), series["resisting_torque"] * _MILLI)
     axes.axhline(0.0, color="0.5", linewidth=0.8)
-    work = float(np.trapezoid(series["resisting_torque"], series["angle"])) * _MILLI
+    torque, angle = series["resisting_torque"], series["angle"]
+    work = 0.5 * float(np.sum((torque[1:] + torque[:-1]) * np.diff(angle))) * _MILLI  # NumPy 1 has no trapezoid
     axes.set(
         xlabel="angle turned [°]",
         ylabel=f"resisting torque $T_r$ [m{units['resisting_torque']}]",

@@ -8,6 +8,7 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 import viscoroll as vr
+from scipy.integrate import trapezoid
 from scipy.optimize import root_scalar
 from specimens import coated_ball
 from viscoroll import paper
@@ -96,7 +97,7 @@ def test_a_spinning_ball_catches_up():
     assert 0.6 < delay / (shear / (omega * RADIUS)) < 0.9
     assert h.center_speed[-1] == pytest.approx(omega * RADIUS, rel=0.05)
     # The momentum is what all forces have put in, by the trapezoidal rule.
-    impulse = -np.trapezoid(h.driving_force, time)
+    impulse = -trapezoid(h.driving_force, time)
     assert mass * h.center_speed[-1] == pytest.approx(impulse, rel=1e-3)
 
 
@@ -182,7 +183,7 @@ def test_a_ball_let_go_is_slowed_down_by_its_rolling_resistance():
     rolling = instants[18:]
     duration = rolling[-1].time - rolling[0].time
     slows_down = (rolling[-1].center_speed - rolling[0].center_speed) / duration
-    resisting = np.trapezoid([one.resisting_torque for one in rolling], [one.time for one in rolling]) / duration
+    resisting = trapezoid([one.resisting_torque for one in rolling], [one.time for one in rolling]) / duration
     height = RADIUS - rolling[-1].penetration
     assert mass * slows_down * height == pytest.approx(-resisting, rel=1e-3)
     # A mesh finer than the lattices, whose average has no bias of one position of the nodes: -13 % at 150 of them.
