@@ -11,7 +11,9 @@ sources="CMakeLists.txt CMakePresets.json LICENSE cpp licenses wasm"
 build='emcmake cmake --preset wasm && cmake --build --preset wasm --parallel "$(nproc)"'
 oldest=3.1.69
 system=build/debian-13
-mirror=${MIRROR:-http://deb.debian.org/debian}
+# The first mirror in the apt sources of this system, in either of their formats.
+mirror=${MIRROR:-$(cat /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null |
+  sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb +(\[[^]]*\] +)?([^ ]+).*/\2/p' | grep -v security | head -n 1)}
 
 is_recent() { # [of a version of Emscripten, which Debian writes with more behind it]
   [ -n "$1" ] && [ "$(printf '%s\n' "$oldest" "$1" | sort -V | head -n 1)" = "$oldest" ]
@@ -31,6 +33,7 @@ in_system() { DEBIAN_FRONTEND=noninteractive LC_ALL=C chroot "$system" "$@"; }
 make_system() {
   install debootstrap
   rm -rf "$system"
+  [ -n "$mirror" ] || { echo "make wasm found no mirror in /etc/apt; give one as MIRROR=..." >&2; exit 1; }
   debootstrap --variant=minbase --include=ca-certificates trixie "$system" "$mirror"
   cp -L /etc/resolv.conf "$system/etc/"
   cp -L /etc/apt/apt.conf.d/*proxy* "$system/etc/apt/apt.conf.d/" 2>/dev/null || true

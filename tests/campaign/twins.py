@@ -30,10 +30,11 @@ TOLERANCE = 1e-6
 PAIR_TOLERANCE = 1e-5
 
 #: Change of the penetration and of moments and powers between both descriptions of a pair, relative to the difference
-#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times that of
-#: the rolling body: the other description has a gap curvature that is (s_2/s_1)^2 times as large. The penetration is
-#: proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible), which 0.74, 0.99 and 1.22
-#: confirm where 2/3, 1 and 4/3 are the limits. Moments follow the steps of the mesh: 2.0 with 48 nodes in contact.
+#: of the bodies' centrifugal growth s = 1 + d/R. Nodes keep equal arcs at rest, whose length in contact is s times
+#: that of the rolling body: the other description has a gap curvature that is (s_2/s_1)^2 times as large. The
+#: penetration is proportional to its power 1/3 (thick), 1/2 (thin) or up to 2/3 (thin and incompressible), which 0.74,
+#: 0.99 and 1.22 confirm where 2/3, 1 and 4/3 are the limits. Moments follow the steps of the mesh: 2.0 with 48 nodes
+#: in contact.
 GROWN = {"penetration": 4.0 / 3.0, "resisting_torque": 4.0, "bulk_power": 4.0}
 
 #: Of layers cut in two, in a tread with faces: elements of its section end where layers do, and are right to some 1e-4.
