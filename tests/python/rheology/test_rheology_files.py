@@ -214,7 +214,7 @@ def test_nonpositive_moduli_are_dropped_and_counted(tmp_path):
             r"sweep.csv: column \"G'\" \(storage\) must be at most 1e\+14 MPa in size, got 1e\+307",
         ),
         ("f,G',G''\nkHz,Pa,Pa\n1e306,2,1\n", r"column 'f' \(frequency\) must be at most 1.592e\+96 kHz in size"),
-        ("f,G',G''\x1f loss\n1,2,1\n", r"needs a row of names|G''\\\\x1f"),
+        ("f (Hz),G' (Pa),G\x1floss\n1,2,1\n", r"in the shell --columns loss=G\\x1floss:unit$"),
         ("f,G',tan d\nHz,Pa,\n1,2,1e300\n", r"column 'tan d' \(tan_delta\) must be at most 1e\+20 in size"),
     ],
 )
