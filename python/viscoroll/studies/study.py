@@ -17,7 +17,7 @@ from .._support.keywords import meant
 from .._support.progress import ProgressLike, counted
 from ..bodies import RollingBody
 from ..solution import FIELDS, VECTOR_FIELDS
-from .cache import PointStore, as_cache_path, point_store_path, read_study, write_study
+from .cache import DAMAGED, StudyCache, as_cache_path
 from .dataset import RESERVED, build_dataset
 from .dimensions import LOAD_CASE
 from .draws import Way, as_way
@@ -61,7 +61,7 @@ def sweep(
         kept as soon as it is solved, and found again by its own inputs in this and any other study with the same cache.
         With an executor, the points of a task (at most eight) are kept together.
     retry_failed : bool, default False
-        Solve points again that failed before.
+        Solve points again that failed before, and those whose data in the cache is damaged.
     progress : bool or callable, default True
         Show a bar with an estimate of the time left; or called as progress(stage, fraction) after every point.
     fields : iterable of str, default ()
@@ -96,10 +96,12 @@ def sweep(
     Raises
     ------
     ValueError
-        For a cache that is in use by another study, that another version made, or that is something else; for repeated
-        values, and unknown fields.
+        For a cache that another study uses, that another version made, or that is damaged or something else; for
+        repeated values, unknown fields, and more than 1 000 000 points.
     TypeError
         For missing or unknown parameters, and for values of another type.
+    OSError
+        If a file of the cache cannot be read or written, as on a full disk; the cache keeps the points before.
     ImportError
         Without the extra `viscoroll[studies]`.
     KeyboardInterrupt
@@ -160,8 +162,8 @@ def run_plan(
     """Solve all points of a plan that the cache does not hold. Parameters as of `sweep`."""
     path = None if cache is None else as_cache_path(cache)
     with ExitStack() as stack:
-        before = None if path is None else read_study(path)
-        store = None if path is None else stack.enter_context(PointStore(point_store_path(path)))
+        store = None if path is None else stack.enter_context(StudyCache(path))
+        before = None if store is None else store.study()
         recorder = _Recorder(plan, store, retry_failed=retry_failed)
         missing = [i for i in range(len(plan.cases)) if i not in recorder.outcomes]
         if before is not None and not missing and json.loads(before.attrs["inputs"]) == plan.identity():
@@ -170,23 +172,30 @@ def run_plan(
         recorder.one_more = stack.enter_context(counted(progress, total=len(plan.cases), unit="point", done=done))
         run(plan, missing, record=recorder, executor=executor)
         dataset = build_dataset(plan, recorder.outcomes)
-        if path is not None:
-            write_study(path, dataset)
+        if store is not None:
+            store.write(dataset)
     return dataset
 
 
 class _Recorder:
     """Takes the outcome of each point, from any thread, into memory, store and progress bar."""
 
-    def __init__(self, plan: Plan, store: PointStore | None, *, retry_failed: bool) -> None:
+    def __init__(self, plan: Plan, store: StudyCache | None, *, retry_failed: bool) -> None:
         self.outcomes = {i: Outcome(error=case) for i, case in enumerate(plan.cases) if not isinstance(case, LoadCase)}
         self.one_more: Callable[[], None] = lambda: None
         self._keys, self._store = plan.keys, store
         self._lock = threading.Lock()
-        known = {} if store is None else store.outcomes(key for key in plan.keys if key is not None)
         for i, key in enumerate(plan.keys):
-            if key in known and not (retry_failed and known[key].error):
-                self.outcomes[i] = known[key]
+            known = None if store is None or key is None else store.outcome(key)
+            if store is None or known is None or (retry_failed and known.error):
+                continue
+            if known is DAMAGED:
+                raise ValueError(
+                    f"cache {store.points} is damaged at point {i + 1} of {len(plan.keys)}: solve its damaged points "
+                    "again with retry_failed=True (viscoroll sweep --retry-failed), or delete it and "
+                    f"{store.path.name} to start again"
+                )
+            self.outcomes[i] = known
 
     def __call__(self, index: int, outcome: Outcome) -> None:
         with self._lock:

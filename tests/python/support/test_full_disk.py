@@ -23,6 +23,7 @@ from viscoroll.solution.files import FORMATS
 
 resource = pytest.importorskip("resource")
 
+MESH = vr.Mesh(nodes_per_revolution=100, max_order=50)
 FACTORS = ShiftFactors(temperature=(20.0, 30.0), log10_factor=(0.0, -1.0))
 
 
@@ -108,17 +109,52 @@ def test_an_interrupted_draft_is_removed_and_other_errors_stay(tmp_path):
         assert list(tmp_path.iterdir()) == []
 
 
+def test_nothing_else_writes_files():
+    """Every function that writes a file goes through `draft_of`, or names a draft or a buffer in memory."""
+    package = Path(vr.__file__).parent
+    writes = re.compile(r"\.(savefig|to_netcdf|write_text|write_bytes)\(|\bnp\.savez?\w*\(|\.open\(\"[wax]")
+    lines = {
+        f"{path.relative_to(package)}: {line.strip()}"
+        for path in package.rglob("*.py")
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if writes.search(line) and not re.search(r"draft|figure\.savefig\(content|``", line)
+    }
+    assert lines == {
+        '_support/pictures.py: self.savefig(file, format="png", bbox_inches="tight")',
+        "studies/cache.py: np.savez_compressed(buffer, **values)  # type: ignore[arg-type]",
+        "transient/rolling_history.py: np.save(file, self.numbers, allow_pickle=False)",
+    }
+
+
+@pytest.mark.parametrize("space", [0, 6_000, 30_000])
+def test_a_study_goes_on_after_a_full_disk(tmp_path, space):
+    """The database cannot be made, cannot grow, or the study cannot be written: what was kept is found again."""
+    path = tmp_path / "study.nc"
+    case = {"angular_speed": [1.0, 2.0, 4.0], "load": 100.0, "mesh": MESH, "cache": path, "progress": False}
+    with full_disk(space), pytest.raises(OSError) as raised:  # noqa: PT011
+        vr.sweep(paper.ball(), **case)
+    assert raised.value.filename in (str(path), f"{path}.points")
+    assert {file.name for file in tmp_path.iterdir()} == {"study.nc.points"}
+    study = vr.sweep(paper.ball(), **case)
+    np.testing.assert_array_equal(
+        study.resisting_torque, vr.sweep(paper.ball(), **case | {"cache": None}).resisting_torque
+    )
+    assert {file.name for file in tmp_path.iterdir()} == {"study.nc", "study.nc.points"}
+
+
 @pytest.mark.parametrize(
     "words",
     [
         ("solve", "case.toml", "--save", "out.nc"),
         ("solve", "case.toml", "--plot", "out.pdf"),
         ("export", "case.toml", "--for", "yade", "--output", "out.yade"),
+        ("sweep", "study.toml", "--output", "out.nc"),
     ],
 )
 def test_the_shell_says_which_file(tmp_path, words):
     case = example_text("case").replace("accuracy = 0.01", "accuracy = 0.3")
     (tmp_path / "case.toml").write_text(case)
+    (tmp_path / "study.toml").write_text(case + '\n[sweep]\n"rolling.load" = [50.0, 60.0]\n')
     with full_disk():
         done = command(*words, cwd=tmp_path)
     assert done.returncode == 2
