@@ -20,6 +20,7 @@ from ..analytic import ClosedForm, applicable
 from ..bodies import CoatedSphere, Drive
 from ..bodies.orders import critical_speed
 from ..solution.scalars import scalar_units
+from ..studies.dimensions import require_feasible
 from ..studies.runner import run_all
 
 if TYPE_CHECKING:
@@ -156,7 +157,7 @@ def compare_torques(
     speeds : (float, float), optional
         First and last Ω [rad/s]; by default from a thirtieth to ten times that of the case, below the critical one.
     points : int, default 25
-        Number of speeds, ≥ 2.
+        Number of speeds, from 2 to the largest number of points of a study, 1 000 000.
     progress : bool or callable, optional
         True shows a bar; or called as progress(stage, fraction) after every speed.
 
@@ -165,6 +166,7 @@ def compare_torques(
     ValueError, ConvergenceError
         As of `viscoroll.solve`.
     """
+    require_feasible({"speeds": points})
     low, high = speeds or (
         case.angular_speed / 30.0,
         min(10.0 * case.angular_speed, max(0.9 * critical_speed(case.ball), case.angular_speed)),

@@ -19,13 +19,13 @@ from .._support.units import UNITS
 from ..bodies import Counterpart, RollingBody
 from ..rheology.material_file import count_draws
 from ..rolling.propagation import Pair
-from ..studies.dimensions import Dimension
+from ..studies.dimensions import MOST_POINTS, Dimension, require_feasible
 from ..studies.plan import LoadCase, Plan
 from .case import BODIES, COUNTERPARTS, Case, build_case
 from .tables import StrictTable, checked, errors_in
 
 with extra("cli"):
-    from pydantic import Field
+    from pydantic import Field, ValidationInfo, field_validator
 
 __all__ = ["load_study", "place_of", "substituted"]
 
@@ -52,14 +52,18 @@ class _Range(StrictTable):
 
     start: float = Field(alias="from")
     stop: float = Field(alias="to")
-    count: int = Field(ge=2, le=1_000_000)
+    count: int = Field(ge=2, le=MOST_POINTS)
     scale: Literal["linear", "log"] = "linear"
 
+    @field_validator("scale")
+    @classmethod
+    def _has_logarithms(cls, scale: str, info: ValidationInfo) -> str:
+        start, stop = (info.data.get(name, 1.0) for name in ("start", "stop"))
+        if scale == "log" and not (start > 0.0 and stop > 0.0):
+            raise ValueError(f"from and to must be > 0 where the scale is log, got {start:g}, {stop:g}")
+        return scale
+
     def values(self) -> list[float] | list[int]:
-        if self.scale == "log" and not (self.start > 0.0 and self.stop > 0.0):
-            raise ValueError(
-                f"scale: from and to must be > 0 where the scale is log, got {self.start:g}, {self.stop:g}"
-            )
         spaced = np.geomspace if self.scale == "log" else np.linspace
         with np.errstate(over="ignore", invalid="ignore"):
             values = spaced(self.start, self.stop, self.count)
@@ -105,7 +109,10 @@ def _study(document: dict[str, Any], folder: Path) -> Plan:
         raise ValueError('sweep must be a table of what varies, as "rolling.load" = [50.0, 100.0]')
     draws = checked(_DrawsFile, {"draws": document.pop("draws")}).draws if "draws" in document else None
     places = [place_of(key) for key in table]
-    values = [_values(key, entry) for key, entry in table.items()]
+    entries = {key: _entry(key, entry) for key, entry in table.items()}
+    counts = {key: entry.count if isinstance(entry, _Range) else len(entry) for key, entry in entries.items()}
+    require_feasible({f'of "{key}"': count for key, count in counts.items()})
+    values = [entry.values() if isinstance(entry, _Range) else entry for entry in entries.values()]
     dimensions = [
         Dimension(name=name, values=tuple(numbers), unit=UNITS.get(_leaf(place)))
         for name, place, numbers in zip(_names(places), places, values, strict=True)
@@ -184,7 +191,8 @@ def place_of(key: str) -> _Place:
     return tuple(int(part) if part.isdigit() else part for part in re.findall(r"\w+", key))
 
 
-def _values(key: str, entry: object) -> list[float] | list[int]:
+def _entry(key: str, entry: object) -> list[float] | list[int] | _Range:
+    """Return what the table of a study has under a key, checked, before the numbers of a range are made."""
     if isinstance(entry, list) and all(isinstance(v, int | float) and not isinstance(v, bool) for v in entry):
         return entry
     if not isinstance(entry, dict):
@@ -194,7 +202,7 @@ def _values(key: str, entry: object) -> list[float] | list[int]:
     if "from" not in entry and any(isinstance(value, list | dict) for value in entry.values()):
         raise ValueError(f'sweep.{key}: write the whole place in quotes, as "{key}.{next(iter(entry))}"')
     try:
-        return checked(_Range, entry).values()
+        return checked(_Range, entry)
     except ValueError as error:
         raise ValueError(f'sweep."{key}".{error}') from None
 

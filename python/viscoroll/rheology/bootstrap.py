@@ -22,6 +22,10 @@ __all__ = ["wild_copies"]
 _LEAST = 0.1
 
 
+#: Largest number of copies: each is fitted anew, in some milliseconds, and 1000 give the ends of an interval to 5 %.
+_MOST_COPIES = 100_000
+
+
 def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, seed: int) -> Iterator[Floats]:
     """Yield copies of data about what was fitted to them.
 
@@ -44,10 +48,10 @@ def wild_copies(data: Floats, expected: Floats, columns: Floats, *, count: int, 
     Raises
     ------
     ValueError
-        For a negative seed or count.
+        For a negative seed, and a count out of range.
     """
-    if as_int("count", count) < 2:
-        raise ValueError(f"count must be >= 2, got {count}")
+    if not 2 <= as_int("count", count) <= _MOST_COPIES:
+        raise ValueError(f"count must be in [2, {_MOST_COPIES}], got {count}")
     if as_int("seed", seed) < 0:
         raise ValueError(f"seed must be >= 0, got {seed}")
     q, _ = np.linalg.qr(columns)

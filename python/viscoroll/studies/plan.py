@@ -11,7 +11,7 @@ from ..bodies import Counterpart, RollingBody
 from ..interior import softens
 from ..materials import Draws
 from ..rolling.propagation import Pair
-from .dimensions import LOAD_CASE, Dimension, label, split
+from .dimensions import LOAD_CASE, Dimension, label, require_feasible, split
 from .draws import Way, drawn_parameters
 from .factories import Bodies
 from .identity import PointKeys, digest
@@ -172,12 +172,15 @@ def plan_sweep(
     ------
     TypeError
         For parameters that neither `viscoroll.solve` nor the factory has, and for missing ones.
+    ValueError
+        For too many points.
     """
     ground = Bodies(parameters.get("on"), noun="on", kind=Counterpart)
     divided = {
         name: value if name == "on" and ground.is_made else split(name, value) for name, value in parameters.items()
     }
     dimensions = tuple(value for value in divided.values() if isinstance(value, Dimension))
+    require_feasible({dimension.name: len(dimension.values) for dimension in dimensions})
     fixed = {name: value for name, value in divided.items() if not isinstance(value, Dimension)}
     pairs = _Pairs(Bodies(ball, noun="ball", kind=RollingBody), ground, sorted(parameters.keys() - LOAD_CASE))
     cases = []
