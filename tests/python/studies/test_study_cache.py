@@ -53,7 +53,9 @@ def solves(monkeypatch):
 
 
 def same_numbers(one, other):
-    xarray.testing.assert_identical(one.drop_attrs(deep=False), other.drop_attrs(deep=False))
+    one, other = one.copy(), other.copy()
+    one.attrs, other.attrs = {}, {}
+    xarray.testing.assert_identical(one, other)
 
 
 def test_a_complete_cache_is_read(tmp_path, paper_ball, solves):
