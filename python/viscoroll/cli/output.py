@@ -53,7 +53,7 @@ def check_target(option: str, path: Path | None, suffixes: tuple[str, ...]) -> N
 def progress_bar() -> Iterator[Report]:
     """Yield the function that receives a computation's progress, and show a bar if the terminal can redraw lines."""
     if not MESSAGES.is_interactive:  # a disabled bar writes an empty line before Rich 15
-        yield lambda stage, fraction: None
+        yield lambda _stage, _fraction: None
         return
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=MESSAGES, transient=True) as bar:

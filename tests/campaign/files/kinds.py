@@ -20,7 +20,7 @@ from viscoroll.case.motion import load_motion
 from viscoroll.case.study import load_study
 from viscoroll.rheology import ShiftFactors
 
-from . import contents, results, states
+from . import caches, contents, results, states
 from .judging import command_failure, infinite, reading_failure
 from .mutations import mutated
 
@@ -244,4 +244,5 @@ _TEXTS = {
 KINDS: dict[str, Check] = {name: files.check for name, files in _TEXTS.items()} | {
     "state": states.check,
     "study result": results.check,
+    "study cache": caches.check,
 }
