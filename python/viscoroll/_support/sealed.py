@@ -18,10 +18,10 @@ _MARK = b"\nviscoroll sha256 "
 _LENGTH = len(_MARK) + 64
 
 
-def seal(path: Path) -> None:
-    """Append the checksum of its content to a file."""
-    checksum = _checksum(path.read_bytes())
-    with path.open("ab") as file:
+def seal(draft: Path) -> None:
+    """Append the checksum of its content to the draft of a file."""
+    checksum = _checksum(draft.read_bytes())
+    with draft.open("ab") as file:
         file.write(_MARK + checksum)
 
 
