@@ -80,7 +80,7 @@ class RoundBody;
 
 /// @brief Shape of one side of a contact.
 struct BodyShape {
-  std::vector<NamedLayer> layers = {};  ///< from the innermost outwards; none of a rigid body
+  std::vector<NamedLayer> layers = {};  ///< from the innermost outwards; empty for a rigid body
   Curvatures curvatures = {};
   double radius = 0.0;                                     ///< of a body that turns; 0 of a plane or groove [m]
   double width = std::numeric_limits<double>::infinity();  ///< that supports the load; infinite without faces [m]

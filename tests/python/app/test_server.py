@@ -16,20 +16,10 @@ from contextlib import closing
 
 import pytest
 from specimens import command
-from viscoroll.app import PageServer, answer, scalars
+from viscoroll.app import answer, scalars
 from viscoroll.case import example_text
 
 CASE = tomllib.loads(example_text())
-
-
-@pytest.fixture
-def server():
-    with PageServer(CASE) as running:
-        thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
-        thread.start()
-        yield running
-        running.shutdown()
-        thread.join()
 
 
 def asked(server, method, path, body=None):

@@ -9,28 +9,17 @@ import signal
 import socket
 import subprocess
 import sys
-import threading
 import time
 import tomllib
 from pathlib import Path
 from urllib.request import url2pathname
 
 import pytest
-from viscoroll.app import PageServer, answer
+from viscoroll.app import answer
 from viscoroll.app import server as server_module
 from viscoroll.case import example_text
 
 CASE = tomllib.loads(example_text())
-
-
-@pytest.fixture
-def server():
-    with PageServer(CASE) as running:
-        thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
-        thread.start()
-        yield running
-        running.shutdown()
-        thread.join()
 
 
 def exchange(server, raw, *, timeout=20.0):

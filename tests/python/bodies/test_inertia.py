@@ -321,5 +321,5 @@ def test_growth_scales_the_arcs_between_nodes(thickness, poisson_ratio, load, ex
     one = vr.solve(growing, on=still, load=load, angular_speed=23.5, mesh=vr.Mesh(nodes_per_revolution=660))
     other = vr.solve(still, on=growing, load=load, angular_speed=11.75, mesh=vr.Mesh(nodes_per_revolution=1320))
     power = (one.penetration / other.penetration - 1.0) / (2.0 * growth)
-    # Of no layer the limit: at most 0.06 above or below (thicker, thinner).
+    # These layers deviate from the limits of thick and thin layers by at most 0.06.
     assert power == pytest.approx(exponent, abs=0.07)

@@ -1,0 +1,21 @@
+"""The server of the page, as the tests of its answers and of attacks need it."""
+
+from __future__ import annotations
+
+import threading
+import tomllib
+
+import pytest
+from viscoroll.app import PageServer
+from viscoroll.case import example_text
+
+
+@pytest.fixture
+def server():
+    """Yield a running server whose page begins with the example case."""
+    with PageServer(tomllib.loads(example_text())) as running:
+        thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
+        thread.start()
+        yield running
+        running.shutdown()
+        thread.join()
