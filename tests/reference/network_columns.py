@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.integrate import trapezoid
 from scipy.optimize import brentq
 
 
@@ -64,7 +65,7 @@ class Columns:
         pulls = np.flatnonzero((stress < 0.0) & (x < 0.0))
         end = pulls[0] if pulls.size else points
         stress, x = np.maximum(stress[:end], 0.0), x[:end]
-        return -np.trapezoid(stress, x), -np.trapezoid(stress * x, x), lowest / peak
+        return -trapezoid(stress, x), -trapezoid(stress * x, x), lowest / peak
 
     def arm_stress(self, x):
         """Stress of the Maxwell arm [Pa]: σ' + σ/τ = E ε', with ε' = V x/(R h), in closed form from x[0] on."""

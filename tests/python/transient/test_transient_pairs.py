@@ -9,6 +9,7 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 import viscoroll as vr
+from scipy.integrate import trapezoid
 from specimens import RUBBER, one_layer
 from viscoroll import paper
 
@@ -58,7 +59,7 @@ def force_balance(h, curvature):
     relative = 1.0 / h.ball.outer_radius + curvature
 
     def integral(force, way):
-        return np.trapezoid(force, way)
+        return trapezoid(force, way)
 
     work = integral(relative * h.resisting_torque, h.way) + integral(h.load, h.penetration)
     lost = np.ptp(h.dissipated_energy)
