@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import runpy
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -56,3 +57,13 @@ def test_all_files_name_the_version_of_the_library():
         found = re.search(pattern, (ROOT / file).read_text(), re.MULTILINE)
         assert found is not None, file
         assert found[1] == vr.__version__, file
+
+
+def test_the_recipe_of_conda_has_the_bounds_of_pyproject():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    lines = [f"python{project['requires-python']}", *project["dependencies"], *extras["cli"], *extras["plot"]]
+    declared = {line.replace("matplotlib", "matplotlib-base").replace(">=", " >=") for line in lines}
+    recipe = (ROOT / "conda" / "recipe.yaml").read_text()
+    run = recipe[recipe.index("  run:") : recipe.index("tests:")]
+    assert set(re.findall(r"^    - (\S+ >=\S+)$", run, re.MULTILINE)) == declared
