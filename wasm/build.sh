@@ -11,9 +11,6 @@ sources="CMakeLists.txt CMakePresets.json LICENSE cpp licenses wasm"
 build='emcmake cmake --preset wasm && cmake --build --preset wasm --parallel "$(nproc)"'
 oldest=3.1.69
 system=build/debian-13
-# The first mirror in the apt sources of this system, in either of their formats.
-mirror=${MIRROR:-$(cat /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null |
-  sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb +(\[[^]]*\] +)?([^ ]+).*/\2/p' | grep -v security | head -n 1)}
 
 is_recent() { # [of a version of Emscripten, which Debian writes with more behind it]
   [ -n "$1" ] && [ "$(printf '%s\n' "$oldest" "$1" | sort -V | head -n 1)" = "$oldest" ]
@@ -28,12 +25,17 @@ install() {
   DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@"
 }
 
+debian_mirror() { # print the mirror that apt takes Debian's packages from: apt reads both formats of its sources
+  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' | head -n 1
+}
+
 in_system() { DEBIAN_FRONTEND=noninteractive LC_ALL=C chroot "$system" "$@"; }
 
 make_system() {
   install debootstrap
   rm -rf "$system"
-  [ -n "$mirror" ] || { echo "make wasm found no mirror in /etc/apt; give one as MIRROR=..." >&2; exit 1; }
+  mirror=${MIRROR:-$(debian_mirror)}
+  [ -n "$mirror" ] || { echo "make wasm found no mirror of Debian in the apt sources; give one as MIRROR=..." >&2; exit 1; }
   debootstrap --variant=minbase --include=ca-certificates trixie "$system" "$mirror"
   cp -L /etc/resolv.conf "$system/etc/"
   cp -L /etc/apt/apt.conf.d/*proxy* "$system/etc/apt/apt.conf.d/" 2>/dev/null || true
