@@ -165,8 +165,11 @@ def test_a_rising_load_widens_the_tables():
 def test_a_state_of_endless_sides_is_refused():
     options = {"load": 100.0, "mesh": COARSE, "lattices": 1}
     state = vr.RollingHistory(endless(FLAT), **options).state
-    with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
+    with pytest.raises(ValueError, match=r"start must be a state of .*sides=FREE.*, got one of .*sides=ENDLESS"):
         vr.RollingHistory(FLAT, **options, start=state)
+    unnamed = vr.RollingState(state.numbers)  # the core compares the influence of both treads
+    with pytest.raises(ValueError, match="start must be a state of the same ball and mesh"):
+        vr.RollingHistory(FLAT, **options, start=unnamed)
 
 
 @pytest.mark.parametrize("drive", [{}, {"drive": vr.Drive(torque=0.0)}], ids=["free", "towed"])
