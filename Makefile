@@ -9,8 +9,6 @@ SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohmann-json3-dev python3-dev python3-venv
 # The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
 CLANG ?= 16
-# The newest Clang of Debian 12: WebAssembly is built by one like it.
-NEWEST_CLANG ?= 19
 APT_BENCH := libbenchmark-dev linux-perf
 APT_DOCS := doxygen
 DEPS ?= deps
@@ -20,7 +18,7 @@ SOURCES := $(shell git ls-files pyproject.toml README.md python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
 .PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft test-oldest everything dist docs \
-        sanitize coverage campaign wasm lint check-clang format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-page clean
+        sanitize coverage campaign wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-page clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -36,7 +34,6 @@ help:
 	@echo "make test-clang      build library and Python module by Clang and run all tests of both"
 	@echo "make test-oldest     run the tests of the command line, studies and files with the oldest versions that"
 	@echo "                     pyproject.toml declares"
-	@echo "make check-clang     read the library's sources by a new Clang, warnings as errors"
 	@echo "make everything      run all checks that 'make lint test' does not run; more than an hour"
 	@echo "make test-pocketfft  run the C++ tests with PocketFFT for the transforms, and a program that uses the library"
 	@echo "make dist      make sources and wheel as pip gets them, in dist/, and check them"
@@ -107,12 +104,6 @@ test-clang: deps-clang
 	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet $(call WITH_LIBRARY,build/clang) '.[test]'
 	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
-check-clang: $(DEPS)
-	@if command -v apt-get >/dev/null && ! command -v clang++-$(NEWEST_CLANG) >/dev/null; then \
-	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends clang-$(NEWEST_CLANG); fi
-	cmake --preset clang-syntax -DCMAKE_CXX_COMPILER=clang++-$(NEWEST_CLANG)
-	cmake --build --preset clang-syntax --parallel $(JOBS)
-
 # Prints the oldest versions that pyproject.toml declares, of the package and of all extras that the tests need.
 OLDEST_VERSIONS = import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
   extras = [project["optional-dependencies"][name] for name in ("cli", "plot", "files", "studies", "test")]; \
@@ -133,7 +124,7 @@ test-oldest: $(LIBRARY).stamp
 	  tests/python/cli tests/python/case tests/python/studies tests/python/rheology tests/python/support \
 	  tests/python/export tests/python/analytic tests/python/transient/test_motion.py tests/python/solution
 
-everything: check-clang test-clang test-pocketfft test-oldest wasm test-page docs dist sanitize
+everything: test-clang test-pocketfft test-oldest wasm test-page docs dist sanitize
 
 # The header comes out of a Python package.
 build/headers: | $(VENV)/bin/pip

@@ -71,16 +71,34 @@ void reject(std::string_view name, std::string_view requirement, double value) {
 namespace {
 
 /// "0 Pa", or "0" of a number without unit.
-std::string zero_of(std::string_view unit) { return unit.empty() ? "0" : "0 " + std::string(unit); }
+std::string with_unit(double value, std::string_view unit) {
+  return unit.empty() ? text(value) : text(value) + " " + std::string(unit);
+}
+
+void require_at_most_largest(std::string_view name, double value, std::string_view unit) {
+  if (value > kLargestNumber) reject(name, "at most " + with_unit(kLargestNumber, unit), value);
+}
 
 }  // namespace
 
 void require_positive(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value > 0.0)) reject(name, "> " + zero_of(unit), value);
+  if (!(std::isfinite(value) && value > 0.0)) reject(name, "> " + with_unit(0.0, unit), value);
+  if (value < kSmallestNumber) reject(name, "at least " + with_unit(kSmallestNumber, unit), value);
+  require_at_most_largest(name, value, unit);
 }
 
 void require_nonnegative(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value >= 0.0)) reject(name, ">= " + zero_of(unit), value);
+  if (!(std::isfinite(value) && value >= 0.0)) reject(name, ">= " + with_unit(0.0, unit), value);
+  require_at_most_largest(name, value, unit);
+}
+
+void require_length(std::string_view name, double value, double radius, std::string_view body) {
+  const double least = radius / kLargestLengthRatio;
+  if (value >= least) return;
+  reject(name,
+         "at least " + rounded(1.0 / kLargestLengthRatio) + " of the radius of " + std::string(body) + ", " +
+             rounded(least) + " m",
+         text(value) + " m");
 }
 
 void require_friction(double value) {

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kDepth = 24.0;        // e-folds beyond which material is out of reach of the surface
 constexpr double kDepthInside = 36.0;  // e-folds beyond which nothing is left of what the surface bears
-constexpr double kStepExponent = 4.0;  // largest exponent of a step: Taylor terms cancel little
-constexpr double kStepRatio = 0.25;    // largest relative growth of a radius in a step: the series' radius is 1
 
 /// Compliance of a half-space for waves of k = 1, in units of 1 / modulus.
 template <class Scalar>

@@ -1,8 +1,6 @@
 #include "viscoroll/cylinder.hpp"
 
-#include <cmath>
-#include <string>
-
+#include "modal/layer_checks.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -21,11 +19,8 @@ void validate(const CoatedCylinder& cylinder) {
                    cylinder.core_radius);
   }
   detail::require_positive("core_radius", cylinder.core_radius, "m");
-  for (std::size_t j = 0; j < cylinder.layers.size(); ++j) {
-    validate(cylinder.layers[j], "layers[" + std::to_string(j) + "].");
-  }
-  const double radius = outer_radius(cylinder);
-  if (!std::isfinite(radius)) detail::reject("outer radius", "finite", radius);
+  detail::require_layers(cylinder.layers);
+  detail::require_lengths(cylinder.layers, cylinder.core_radius);
 }
 
 }  // namespace viscoroll

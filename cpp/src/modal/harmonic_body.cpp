@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -26,12 +27,35 @@ void require_rolling(const LayeredBody& body, double angular_speed) {
   require_positive("angular_speed", angular_speed, "rad/s");
 }
 
+namespace {
+
+/// Refuse a speed at which the shear waves of a damped layer are too short for the steps through it.
+void require_resolved_waves(const HarmonicBody& body) {
+  const double longest = body.metric().is_curved() ? std::log1p(kStepRatio) : std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < body.orders().size(); ++i) {
+    const double m = body.orders()[i];
+    const LayerStack<cplx> stack = body.layers_at(i);
+    for (const Medium<cplx>& medium : stack.media) {
+      if (medium.inertia == 0.0 || medium.is_endless()) continue;
+      const double mach = std::sqrt(std::abs(stack.mach2(medium)));
+      const double step = std::min(longest, body.metric().depth(medium.outer, medium.inner));
+      if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;
+      reject("angular_speed",
+             "so low that no layer moves much more than 5 times as fast as its shear waves, which are not resolved beyond",
+             text(body.angular_speed()) + " rad/s, where it moves " + rounded(mach) + " times as fast");
+    }
+  }
+}
+
+}  // namespace
+
 HarmonicBody::HarmonicBody(LayeredBody body, double angular_speed, std::vector<double> orders, double measured_order)
     : body_(std::move(body)), angular_speed_(angular_speed), orders_(std::move(orders)) {
   require_rolling(body_, angular_speed);
   moduli_ = harmonic_moduli(body_.layers, angular_speed, orders_, measured_order);
   require_subcritical(body_, angular_speed, highest_frequency(angular_speed, orders_, measured_order));
   require_damped_waves(*this);
+  require_resolved_waves(*this);
 }
 
 double HarmonicBody::stiffest_modulus() const {

@@ -1,8 +1,8 @@
 #include "viscoroll/plane.hpp"
 
 #include <cmath>
-#include <string>
 
+#include "modal/layer_checks.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -45,9 +45,7 @@ void validate(const Groove& groove) {
 }
 
 void validate(const CoatedPlane& plane) {
-  for (std::size_t j = 0; j < plane.layers.size(); ++j) {
-    validate(plane.layers[j], "layers[" + std::to_string(j) + "].");
-  }
+  detail::require_layers(plane.layers);
   if (plane.base) validate(as_layer(*plane.base), "base.");
 }
 

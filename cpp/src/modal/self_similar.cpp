@@ -250,9 +250,13 @@ std::unique_ptr<SelfSimilarSpectrum> SelfSimilarSpectrum::try_make(const Harmoni
   if (is_sphere && most > kLowOrders) bounds.push_back(kLowOrders);
   while (bounds.back() < most) bounds.push_back(std::min(64.0 * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
-  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
     append_panels(
-        bounds[p], bounds[p + 1], [&](const auto& nodes) { return inertia_series.sample(nodes); },
+        bounds[p], bounds[p + 1],
+        [&](const auto& nodes) {
+          worker.checkpoint();
+          return inertia_series.sample(nodes);
+        },
         [&](const Panel<double>& panel) { return inertia_series.is_resolved(panel); }, parts[p]);
   });
   for (auto& part : parts) std::ranges::move(part, std::back_inserter(spectrum->panels_));

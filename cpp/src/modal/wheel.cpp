@@ -4,6 +4,7 @@
 #include <string>
 
 #include "modal/circle.hpp"
+#include "modal/layer_checks.hpp"
 #include "validate.hpp"
 
 namespace viscoroll {
@@ -25,13 +26,36 @@ void validate(const CoatedWheel& wheel) {
   }
   detail::require_positive("core_radius", wheel.core_radius, "m");
   detail::require_positive("width", wheel.width, "m");
-  for (std::size_t j = 0; j < wheel.layers.size(); ++j) {
-    validate(wheel.layers[j], "layers[" + std::to_string(j) + "].");
-  }
+  detail::require_layers(wheel.layers);
+  detail::require_lengths(wheel.layers, wheel.core_radius);
   const double radius = outer_radius(wheel);
-  if (!std::isfinite(radius)) detail::reject("outer radius", "finite", radius);
+  detail::require_length("width", wheel.width, radius, "the body");
+  constexpr double kWidest = 1000.0;
+  if (wheel.width > kWidest * radius) {
+    detail::reject("width",
+                   "at most " + detail::text(kWidest) + " times the outer radius, " + detail::text(kWidest * radius) +
+                       " m (a CoatedCylinder has no ends)",
+                   detail::text(wheel.width) + " m");
+  }
+  // The elements of the section are as fine everywhere in the layers as its narrower side asks for.
+  constexpr double kThickest = 1000.0;
+  const double thickness = coating_thickness(wheel);
+  if (wheel.sides == Sides::free && thickness > kThickest * wheel.width) {
+    detail::reject("width",
+                   "at least " + detail::text(1.0 / kThickest) + " of the thickness of the layers, " +
+                       detail::text(thickness / kThickest) + " m, where the sides are free",
+                   detail::text(wheel.width) + " m");
+  }
   if (!(wheel.crown_radius >= 0.5 * wheel.width)) {
     detail::reject("crown_radius", "at least half of the width, " + detail::text(0.5 * wheel.width) + " m",
+                   detail::text(wheel.crown_radius) + " m");
+  }
+  // The layers' crown enters by what it changes: beyond this radius the change is round-off, which no series resolves.
+  constexpr double kFlattest = 1e6;
+  if (std::isfinite(wheel.crown_radius) && wheel.crown_radius > kFlattest * radius) {
+    detail::reject("crown_radius",
+                   "at most " + detail::text(kFlattest) + " times the outer radius, " +
+                       detail::text(kFlattest * radius) + " m, or infinite (straight)",
                    detail::text(wheel.crown_radius) + " m");
   }
   const double drop = crown_drop(wheel, 0.5 * wheel.width);

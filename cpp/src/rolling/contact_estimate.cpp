@@ -100,7 +100,7 @@ double contact_radius(const RollingPair& pair, const std::vector<Part>& parts, d
   };
   double low = 0.0;
   double high = radius;
-  while (!bears(high)) high *= 2.0;
+  while (!bears(high) && std::isfinite(high)) high *= 2.0;
   // To the last digits: meshes are made to this measure, and results shall be smooth functions of the load.
   while (high - low > 1e-14 * high) {
     const double middle = 0.5 * (low + high);

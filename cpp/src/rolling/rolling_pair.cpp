@@ -84,6 +84,9 @@ RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
     reject("layers", "a list of at least one layer, of what rolls or of what it rolls on (on.layers), or on.base given",
            "none: two rigid bodies");
   }
+  for (const auto& [name, layer] : pair.on->layers()) {
+    require_length("on." + name + ".thickness", layer.thickness, pair.body->radius(), "what rolls");
+  }
   pair.on->require_room_for(*pair.body);
   return pair;
 }

@@ -79,10 +79,14 @@ WeightPanels::WeightPanels(const LayerSpectrum& layers, double lowest_m, double 
   if (is_sphere && most > kLowOrders) bounds.push_back(kLowOrders);
   while (bounds.back() < most) bounds.push_back(std::min(kPart * bounds.back(), most));
   std::vector<std::vector<Panel<double>>> parts(bounds.size() - 1);
-  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker&) {
+  parallel_for(parts.size(), threads, watch, "solving layers", [&](std::size_t p, const Worker& worker) {
     append_panels(
-        bounds[p], bounds[p + 1], [&](const auto& nodes) { return functions_at(layers, nodes); }, is_resolved,
-        parts[p]);
+        bounds[p], bounds[p + 1],
+        [&](const auto& nodes) {
+          worker.checkpoint();
+          return functions_at(layers, nodes);
+        },
+        is_resolved, parts[p]);
   });
   for (auto& part : parts) std::ranges::move(part, std::back_inserter(panels_));
 }

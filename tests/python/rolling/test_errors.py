@@ -49,6 +49,56 @@ def test_positive_numbers(make, valid, name, unit, value):
         make(**valid | {name: value})
 
 
+@pytest.mark.parametrize(("value", "limit"), [(1e-41, "at least 1e-40"), (1e300, r"at most 1e\+40")])
+@pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
+def test_numbers_out_of_range(make, valid, name, unit, value, limit):
+    with pytest.raises(ValueError, match=rf"^{name} must be {limit} {unit}, got "):
+        make(**valid | {name: value})
+
+
+def coated(body=vr.CoatedSphere, core_radius=0.05, layers=({},), **changes):
+    return body(core_radius=core_radius, layers=[vr.Layer(**LAYER | layer) for layer in layers], **changes)
+
+
+THIN = coated(layers=({"thickness": 1e-9}, {"shear_modulus": vr.Elastic(modulus=6e6)}))
+DAMPED = {"shear_modulus": vr.KelvinVoigt(modulus=1e6, viscosity=1e3)}
+UNBOUNDED = [
+    # Each of these once took minutes or more, without end where lengths differ most.
+    (lambda: coated(core_radius=1e8), {}, r"layers\[0\].thickness must be at least 1e-09 of .*, 0.1 m, got 0.001 m"),
+    (
+        lambda: coated(vr.CoatedCylinder, core_radius=1e8),
+        {},
+        r"layers\[0\].thickness must be at least 1e-09 of the radius",
+    ),
+    (lambda: coated(vr.CoatedWheel, core_radius=1e8, width=0.02), {}, r"layers\[0\].thickness must be at least 1e-09"),
+    (lambda: coated(core_radius=1e-12), {}, "core_radius must be at least 1e-09 of the radius"),
+    (lambda: THIN, {}, r"mesh.nodes_per_revolution must be at least 1\.02e\+04 where the thinnest layer .* got \d+$"),
+    (
+        lambda: vr.CoatedSphere(core_radius=0.05),
+        {"on": vr.CoatedPlane(layers=[vr.Layer(**LAYER | {"thickness": 1e-20})])},
+        r"on.layers\[0\].thickness must be at least 1e-09 of the radius of what rolls, 5e-11 m, got 1e-20 m",
+    ),
+    (
+        lambda: coated(layers=(DAMPED,)),
+        {"angular_speed": 2e9},
+        "angular_speed must be so low .* 2.28e.03 times as fast$",
+    ),
+    (lambda: coated(vr.CoatedWheel, width=1e-9), {}, "width must be at least 0.001 of the thickness .* got 1e-09 m"),
+    (lambda: coated(vr.CoatedWheel, width=1e9), {}, "width must be at most 1000 times the outer radius, 5"),
+    (
+        lambda: coated(vr.CoatedWheel, width=0.02, crown_radius=1e9),
+        {},
+        "crown_radius must be at most 1e.06 times the outer radius, 5.*, or infinite .straight., got 1e.09 m",
+    ),
+]
+
+
+@pytest.mark.parametrize(("body", "changes", "message"), UNBOUNDED)
+def test_refused_where_the_work_would_have_no_bound(body, changes, message):
+    with pytest.raises(ValueError, match=message):
+        vr.solve(body(), **CASE | changes)
+
+
 @pytest.mark.parametrize("value", ["1.0", None, 1j, [1.0], np.ones(2), True])
 @pytest.mark.parametrize(("make", "valid", "name", "unit"), POSITIVE)
 def test_numbers_that_are_none(make, valid, name, unit, value):
@@ -243,7 +293,7 @@ def test_load_too_large_for_the_coating(paper_ball):
         vr.solve(paper_ball, load=20000.0, angular_speed=2.5)
 
 
-@pytest.mark.parametrize("load", [1e7, 1e9, 1e12, 1e30, 1e150, 1e300])
+@pytest.mark.parametrize("load", [1e7, 1e9, 1e12, 1e30])
 def test_absurd_loads(paper_ball, load):
     with pytest.raises(ValueError, match="load must be small enough for the coating"):
         vr.solve(paper_ball, load=load, angular_speed=2.5)

@@ -1,0 +1,23 @@
+"""The campaign of numbers that are far too small or large: its cases, and a slice of it."""
+
+from __future__ import annotations
+
+import pytest
+from campaign.extremes import draw, run_case
+from campaign.runner import run
+
+
+def test_the_number_changes_alone():
+    case = draw(33, 5)
+    given, changed = {"ball": case.base.ball, **case.base.arguments}, case.arguments
+    again = [name for name, value in changed().items() if value is not given[name] and value != given[name]]
+    assert again == [case.path[0]]
+
+
+@pytest.mark.slow
+def test_extreme_numbers_are_solved_or_refused():
+    kinds = {
+        outcome.case: outcome.kind for outcome in run(33, range(30), jobs=1, limit=120.0, draw=draw, run_case=run_case)
+    }
+    assert set(kinds.values()) <= {"solved", "refused", "no convergence"}, kinds
+    assert list(kinds.values()).count("refused") > 5
