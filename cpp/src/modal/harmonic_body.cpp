@@ -40,9 +40,11 @@ void require_resolved_waves(const HarmonicBody& body) {
       const double mach = std::sqrt(std::abs(stack.mach2(medium)));
       const double step = std::min(longest, body.metric().depth(medium.outer, medium.inner));
       if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;
-      reject("angular_speed",
-             "so low that no layer moves much more than 5 times as fast as its shear waves, which are not resolved beyond",
-             text(body.angular_speed()) + " rad/s, where it moves " + rounded(mach) + " times as fast");
+      reject(
+          "angular_speed",
+          "so low that no layer moves much more than 5 times as fast as its shear waves, which is as far as they are "
+          "resolved",
+          text(body.angular_speed()) + " rad/s, where it moves " + rounded(mach) + " times as fast");
     }
   }
 }

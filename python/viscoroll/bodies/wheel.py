@@ -28,12 +28,13 @@ class CoatedWheel(RoundBody):
     core_radius : float
         Radius of the hub, in the middle [m], > 0.
     width : float
-        Of the tread, from face to face [m], > 0.
+        Of the tread, from face to face [m], > 0, at most 1000 times the outer radius. Where the sides are free, at least
+        0.001 of the thickness of the layers.
     layers : sequence of Layer
         From the hub outwards, as thick as they are in the middle; none: a rigid wheel.
     crown_radius : float, default infinity
-        Radius of the tread's profile across the path [m], at least half of the width: its middle stands out. Infinite:
-        a flat tread.
+        Radius of the tread's profile across the path [m], at least half of the width: its middle stands out. At most
+        1e6 times the outer radius, or infinite: a flat tread.
     hub : Hub or str, default Hub.STRAIGHT
         Of a crowned tread: "straight", a cylinder, on which the tread is thinner at its sides; "crowned", which follows
         the profile, so that the tread is as thick everywhere.
