@@ -28,8 +28,8 @@ class CoatedWheel(RoundBody):
     core_radius : float
         Radius of the hub, in the middle [m], > 0.
     width : float
-        Of the tread, from face to face [m], > 0, at most 1000 times the outer radius. Where the sides are free, at least
-        0.001 of the thickness of the layers.
+        Of the tread, from face to face [m], > 0, at most 1000 times the outer radius. Where the sides are free, at
+        least 0.001 of the thickness of the layers.
     layers : sequence of Layer
         From the hub outwards, as thick as they are in the middle; none: a rigid wheel.
     crown_radius : float, default infinity
