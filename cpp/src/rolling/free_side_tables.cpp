@@ -25,7 +25,7 @@ std::shared_ptr<const SurfaceOperator> FreeSideTables::operator_on(const Surface
   auto difference = sum->difference();
   return std::make_shared<FreeSidesOperator>(
       endless_->operator_on(nodes, formulation, execution), std::move(difference), std::move(factors),
-      [sum = std::move(sum)](int phi_reach) { return sum->factors({.phi_reach = phi_reach, .power = true}); },
+      [kept = std::move(sum)](int phi_reach) { return kept->factors({.phi_reach = phi_reach, .power = true}); },
       nodes.grid().radius * nodes.grid().theta_spacing);
 }
 
