@@ -148,7 +148,9 @@ void validate(const ShearModulus& modulus, std::string_view prefix) { std::visit
 
 std::vector<cplx> complex_modulus(const ShearModulus& modulus, std::span<const double> omega) {
   validate(modulus);
-  for (const double w : omega) require_nonnegative("omega", w, "rad/s");
+  for (const double w : omega) {
+    if (!(std::isfinite(w) && w >= 0.0)) detail::reject("omega", ">= 0 rad/s", w);
+  }
   // A custom function that leaves an entry unwritten is caught as not finite.
   std::vector<cplx> mu(omega.size(), cplx(std::numeric_limits<double>::quiet_NaN()));
   std::visit(Evaluator{omega, mu}, modulus);
