@@ -30,8 +30,8 @@ void require_positive(std::string_view name, double value, std::string_view unit
 /// @throws std::invalid_argument unless `value` is finite, >= 0 and not above the range of positive numbers
 void require_nonnegative(std::string_view name, double value, std::string_view unit);
 
-/// Largest ratio of two lengths of a body: places are stored from the center, to 1e-16 of the radius, so that a layer
-/// this thin is known to seven digits.
+/// Largest ratio of two lengths of a body. The places of boundaries are stored from the center, to 1e-16 of the radius,
+/// which leaves seven digits of the thickness of a layer this thin.
 inline constexpr double kLargestLengthRatio = 1e9;
 
 /// @param[in] value length of a body [m]

@@ -13,7 +13,7 @@ namespace viscoroll {
 /// @brief One homogeneous, isotropic, linear viscoelastic layer.
 /// Exactly one of `poisson_ratio` and `bulk_modulus` is given.
 struct Layer {
-  double thickness = 0.0;               ///< [m], at least 1e-9 of the radius of what rolls
+  double thickness = 0.0;               ///< [m], at least 1e-9 of the radius of the rolling body
   ShearModulus shear_modulus;           ///< mu*(w) [Pa]
   std::optional<double> poisson_ratio;  ///< [-], real and constant, in (-1, 0.5]; 0.5 is incompressible
   std::optional<double> bulk_modulus;   ///< [Pa], > 0, real and constant: Poisson's ratio then follows mu*(w)

@@ -27,7 +27,8 @@ struct CoatedWheel {
   double core_radius = 0.0;   ///< of the hub, in the middle of its width [m], > 0
   std::vector<Layer> layers;  ///< from the hub outwards, as thick as they are in the middle; none: a rigid wheel
   double width = 0.0;         ///< from face to face [m], > 0, at most 1000 times the outer radius
-  /// Of the tread's profile, across the path [m], from half the width to 1e6 times the outer radius; infinite: flat.
+  /// Radius of the tread's profile across the path [m], from half the width to 1e6 times the outer radius; infinite
+  /// where the tread is flat.
   double crown_radius = std::numeric_limits<double>::infinity();
   Hub hub = Hub::straight;
   Sides sides = Sides::free;

@@ -85,7 +85,7 @@ RollingPair rolling_pair(const RollingBody& body, const Counterpart& on) {
            "none: two rigid bodies");
   }
   for (const auto& [name, layer] : pair.on->layers()) {
-    require_length("on." + name + ".thickness", layer.thickness, pair.body->radius(), "what rolls");
+    require_length("on." + name + ".thickness", layer.thickness, pair.body->radius(), "the rolling body");
   }
   pair.on->require_room_for(*pair.body);
   return pair;

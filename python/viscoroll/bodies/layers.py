@@ -25,7 +25,7 @@ class Layer(ParameterTable):
     Parameters
     ----------
     thickness : float
-        [m], > 0, and at least 1e-9 of the radius of what rolls.
+        [m], > 0, and at least 1e-9 of the radius of the rolling body.
     shear_modulus : ShearModulus, callable or float
         μ*(ω) [Pa]: a modulus of this package, a number, which is an elastic modulus, or a function of an array of
         angular frequencies [rad/s], which are ≥ 0 and include 0, that returns complex values [Pa] with loss ≥ 0,

@@ -76,7 +76,7 @@ UNBOUNDED = [
     (
         lambda: vr.CoatedSphere(core_radius=0.05),
         {"on": vr.CoatedPlane(layers=[vr.Layer(**LAYER | {"thickness": 1e-20})])},
-        r"on.layers\[0\].thickness must be at least 1e-09 of the radius of what rolls, 5e-11 m, got 1e-20 m",
+        r"on.layers\[0\].thickness must be at least 1e-09 of the radius of the rolling body, 5e-11 m, got 1e-20 m",
     ),
     (
         lambda: coated(layers=(DAMPED,)),
