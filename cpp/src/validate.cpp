@@ -70,7 +70,7 @@ void reject(std::string_view name, std::string_view requirement, double value) {
 
 namespace {
 
-/// "0 Pa", or "0" of a number without unit.
+/// "0 Pa", or "0" where the unit is empty.
 std::string with_unit(double value, std::string_view unit) {
   return unit.empty() ? text(value) : text(value) + " " + std::string(unit);
 }

@@ -16,7 +16,8 @@ inline constexpr double kStepExponent = 4.0;
 /// Largest relative growth of a radius in a step: the radius of convergence of the series is 1.
 inline constexpr double kStepRatio = 0.25;
 
-/// Largest exponent of a step with shear waves that are shorter than the order: 81 Taylor terms sum it to round-off.
+/// Largest exponent of a step where shear waves are shorter than the order: kMaxTerms Taylor terms (layer_step.cpp) sum
+/// it to round-off.
 inline constexpr double kWaveExponent = 20.0;
 
 /// @brief An order with the layers as it sees them.
