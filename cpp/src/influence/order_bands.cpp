@@ -97,8 +97,8 @@ std::vector<OrderBand> split(double spacing, double top, double rough_orders, co
 double spacing_of(int nodes_per_revolution) { return 2.0 * std::numbers::pi / nodes_per_revolution; }
 
 double highest_order(int nodes_per_revolution, double finest_order) {
-  // The number of orders, and with it the work, grows as this ratio. A mesh of fewer nodes does not resolve a contact on
-  // the layer.
+  // The number of orders, and with it the work, grows as this ratio. A mesh of fewer nodes does not resolve a contact
+  // on the layer.
   constexpr double kMostPerNode = 5000.0;
   if (finest_order > kMostPerNode * nodes_per_revolution) {
     reject("mesh.nodes_per_revolution",

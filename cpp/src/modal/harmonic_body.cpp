@@ -42,7 +42,7 @@ void require_resolved_waves(const HarmonicBody& body) {
       if (mach * std::min(m * step, kStepExponent) <= kWaveExponent) continue;
       reject(
           "angular_speed",
-          "so low that no layer moves much more than 5 times as fast as its shear waves, which is as far as they are "
+          "so low that every layer moves at most about 5 times as fast as its shear waves, for shorter waves are not "
           "resolved",
           text(body.angular_speed()) + " rad/s, where it moves " + rounded(mach) + " times as fast");
     }
