@@ -2,8 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
-#include <latch>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -27,9 +27,26 @@ void run(std::size_t count, int threads, const std::function<void(std::size_t, c
   parallel_for(count, threads, watch, "", body);
 }
 
+/// std::latch. Where the system has no futex (Windows), that of GCC 12 reads its count before it locks, so that it can
+/// miss the last arrival and wait for ever.
+class Latch {
+ public:
+  explicit Latch(int expected) : expected_(expected) {}
+  void arrive_and_wait() {
+    std::unique_lock lock(mutex_);
+    if (--expected_ == 0) all_here_.notify_all();
+    all_here_.wait(lock, [this] { return expected_ == 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable all_here_;
+  int expected_;
+};
+
 /// Calls `parallel_for` so that all its threads work at the same time.
 void run_at_once(int threads, const std::function<void(std::size_t, const Worker&)>& body) {
-  std::latch all_here(threads);
+  Latch all_here(threads);
   run(static_cast<std::size_t>(threads), threads, [&](std::size_t i, const Worker& worker) {
     all_here.arrive_and_wait();
     body(i, worker);

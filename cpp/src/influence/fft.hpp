@@ -74,12 +74,11 @@ class RealFft {
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
 
-  /// @brief So many lines, numbers from line to line of either kind, and scratch memory.
+  /// @brief So many lines, and numbers from line to line of either kind.
   struct Lines {
     std::size_t count = 1;
     std::size_t real_stride = 0;
     std::size_t spectrum_stride = 0;
-    double* scratch = nullptr;  ///< `scratch_size` numbers on a cache line, for several lines
   };
 
   /// @return size of the scratch memory for several lines of `length` numbers. The caller keeps this memory from call
@@ -89,14 +88,16 @@ class RealFft {
   /// @param[in,out] real `length` numbers each, on cache lines, overwritten
   /// @param[out] spectrum `length / 2 + 1` numbers each, on cache lines
   /// @param[in] lines how many
-  void forward(double* real, std::complex<double>* spectrum, const Lines& lines) const;
-  void forward(double* real, std::complex<double>* spectrum) const { forward(real, spectrum, Lines{}); }
+  /// @param scratch `scratch_size` numbers on a cache line; none are needed for a single line
+  void forward(double* real, std::complex<double>* spectrum, const Lines& lines, double* scratch) const;
+  void forward(double* real, std::complex<double>* spectrum) const { forward(real, spectrum, Lines{}, nullptr); }
 
   /// @param[in,out] spectrum `length / 2 + 1` numbers each, on cache lines, overwritten
   /// @param[out] real `length` numbers each, on cache lines
   /// @param[in] lines how many
-  void backward(std::complex<double>* spectrum, double* real, const Lines& lines) const;
-  void backward(std::complex<double>* spectrum, double* real) const { backward(spectrum, real, Lines{}); }
+  /// @param scratch as for `forward`
+  void backward(std::complex<double>* spectrum, double* real, const Lines& lines, double* scratch) const;
+  void backward(std::complex<double>* spectrum, double* real) const { backward(spectrum, real, Lines{}, nullptr); }
 
   /// @return as `ComplexFft::fast_length`
   [[nodiscard]] static int fast_length(int length);

@@ -100,14 +100,14 @@ RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
-void RealFft::forward(double* real, std::complex<double>* spectrum, const Lines& lines) const {
+void RealFft::forward(double* real, std::complex<double>* spectrum, const Lines& lines, double* /*scratch*/) const {
   for (std::size_t l = 0; l < lines.count; ++l, real += lines.real_stride, spectrum += lines.spectrum_stride) {
     assert(is_aligned(real) && is_aligned(spectrum));
     fftw_execute_dft_r2c(impl_->forward.get(), real, as_fftw(spectrum));
   }
 }
 
-void RealFft::backward(std::complex<double>* spectrum, double* real, const Lines& lines) const {
+void RealFft::backward(std::complex<double>* spectrum, double* real, const Lines& lines, double* /*scratch*/) const {
   for (std::size_t l = 0; l < lines.count; ++l, real += lines.real_stride, spectrum += lines.spectrum_stride) {
     assert(is_aligned(real) && is_aligned(spectrum));
     fftw_execute_dft_c2r(impl_->backward.get(), as_fftw(spectrum), real);

@@ -118,11 +118,12 @@ struct RealFft::Impl {
 
   /// @param[in] from,to real lines and spectra, or the reverse
   template <class From, class To>
-  void transform(From* from, std::size_t from_stride, To* to, std::size_t to_stride, const Lines& lines) const {
+  void transform(From* from, std::size_t from_stride, To* to, std::size_t to_stride, const Lines& lines,
+                 [[maybe_unused]] double* scratch) const {
     std::size_t count = lines.count;
 #ifdef __GNUC__
     if (count >= kTogether) {
-      auto* together = reinterpret_cast<Lanes*>(lines.scratch);
+      auto* together = reinterpret_cast<Lanes*>(scratch);
       for (; count >= kTogether; count -= kTogether) {
         transform_together(plan, length, from, to, lines, together);
         from += kTogether * from_stride;
@@ -151,12 +152,12 @@ RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
-void RealFft::forward(double* real, complex<double>* spectrum, const Lines& lines) const {
-  impl_->transform(real, lines.real_stride, spectrum, lines.spectrum_stride, lines);
+void RealFft::forward(double* real, complex<double>* spectrum, const Lines& lines, double* scratch) const {
+  impl_->transform(real, lines.real_stride, spectrum, lines.spectrum_stride, lines, scratch);
 }
 
-void RealFft::backward(complex<double>* spectrum, double* real, const Lines& lines) const {
-  impl_->transform(spectrum, lines.spectrum_stride, real, lines.real_stride, lines);
+void RealFft::backward(complex<double>* spectrum, double* real, const Lines& lines, double* scratch) const {
+  impl_->transform(spectrum, lines.spectrum_stride, real, lines.real_stride, lines, scratch);
 }
 
 }  // namespace viscoroll::detail

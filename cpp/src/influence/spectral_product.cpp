@@ -157,8 +157,8 @@ ComplexBuffer SpectralProduct::transform(const std::function<void(int, double*, 
     phi_fft_.forward(columns, spectrum.data() + block * kColumns * column_stride_,
                      {.count = std::min(kColumns, columns_ - block * kColumns),
                       .real_stride = line_stride_,
-                      .spectrum_stride = column_stride_,
-                      .scratch = scratches[worker.number].data()});
+                      .spectrum_stride = column_stride_},
+                     scratches[worker.number].data());
   });
   return spectrum;
 }
@@ -280,7 +280,7 @@ void SpectralProduct::multiply(const Parts& operands, const std::vector<Spectral
                      double* line = work.lines.data() + c * line_stride_;
                      std::fill(line + rows, line + line_stride_, 0.0);
                    }
-                   phi_fft_.forward(work.lines.data(), work.columns.data() + part * size, lines);
+                   phi_fft_.forward(work.lines.data(), work.columns.data() + part * size, lines, work.scratch.data());
                  }
                  for (std::size_t part = 0; part < results.size(); ++part) {
                    std::ranges::fill(work.sums, cplx());
@@ -296,7 +296,7 @@ void SpectralProduct::multiply(const Parts& operands, const std::vector<Spectral
                                    as_pairs(work.sums.data()));
                      }
                    }
-                   phi_fft_.backward(work.sums.data(), work.lines.data(), lines);
+                   phi_fft_.backward(work.sums.data(), work.lines.data(), lines, work.scratch.data());
                    rows_.scatter(work.lines.data(), line_stride_, part, block);
                  }
                });
