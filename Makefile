@@ -11,14 +11,15 @@ APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohman
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev linux-perf
 APT_DOCS := doxygen
+APT_MINGW := g++-mingw-w64-x86-64-posix wine wine64
 DEPS ?= deps
 
 LIBRARY_SOURCES := $(shell git ls-files CMakeLists.txt CMakePresets.json cpp)
 SOURCES := $(shell git ls-files pyproject.toml README.md python)
 JOBS := $(shell nproc 2>/dev/null || echo 2)
 
-.PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft test-oldest everything dist docs \
-        sanitize coverage campaign wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-page clean
+.PHONY: help demo test test-cpp test-python test-page test-package test-clang test-pocketfft test-oldest test-mingw everything dist docs \
+        sanitize coverage campaign wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-mingw deps-page clean
 
 help:
 	@echo "make demo      solve the paper's example and draw it"
@@ -36,6 +37,7 @@ help:
 	@echo "                     pyproject.toml declares"
 	@echo "make everything      run all checks that 'make lint test' does not run; more than an hour"
 	@echo "make test-pocketfft  run the C++ tests with PocketFFT for the transforms, and a program that uses the library"
+	@echo "make test-mingw      build the library for Windows by MinGW-w64, and run its C++ tests and a program by Wine"
 	@echo "make dist      make sources and wheel as pip gets them, in dist/, and check them"
 	@echo "make wasm      build the npm package for browsers and Node.js, build/wasm/package"
 	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
@@ -124,7 +126,7 @@ test-oldest: $(LIBRARY).stamp
 	  tests/python/cli tests/python/case tests/python/studies tests/python/rheology tests/python/support \
 	  tests/python/export tests/python/analytic tests/python/transient/test_motion.py tests/python/solution
 
-everything: test-clang test-pocketfft test-oldest wasm test-page docs dist sanitize
+everything: test-clang test-pocketfft test-oldest test-mingw wasm test-page docs dist sanitize
 
 # The header comes out of a Python package.
 build/headers: | $(VENV)/bin/pip
@@ -138,6 +140,28 @@ test-pocketfft: build/headers
 	cmake --install build/pocketfft --component library --prefix build/package/pocketfft/prefix
 	cmake -S tests/package -B build/package/pocketfft/build -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/pocketfft/prefix
 	cmake --build build/package/pocketfft/build && build/package/pocketfft/build/consumer
+
+# GoogleTest is compiled for Windows. The header-only packages of Debian hold for Windows, too, but the folder of those of
+# nlohmann-json holds the headers of Linux as well: they are copied.
+# Wine's server, and the programs that it starts, stay for ten minutes: else they may end while the next program connects.
+MINGW := build/mingw
+test-mingw: export WINEPREFIX = $(CURDIR)/$(MINGW)/wine
+test-mingw: export WINEDEBUG = -all
+test-mingw: deps-mingw build/headers
+	cmake -S /usr/src/googletest -B $(MINGW)/googletest -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/tests/mingw/toolchain.cmake \
+	  -DCMAKE_BUILD_TYPE=Release -DBUILD_GMOCK=OFF -DCMAKE_INSTALL_PREFIX=$(MINGW)/prefix
+	cmake --build $(MINGW)/googletest --parallel $(JOBS) --target install
+	mkdir -p $(MINGW)/prefix/include $(MINGW)/prefix/share/cmake
+	cp -r /usr/include/nlohmann $(MINGW)/prefix/include
+	cp -r /usr/share/cmake/nlohmann_json $(MINGW)/prefix/share/cmake
+	cmake --preset mingw
+	wineserver --persistent=600 && wineboot >/dev/null 2>&1
+	cmake --build --preset mingw --parallel $(JOBS)
+	ctest --preset mingw --parallel $(JOBS)
+	cmake --install $(MINGW) --component library --prefix $(MINGW)/library
+	cmake -S tests/package -B $(MINGW)/package -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/tests/mingw/toolchain.cmake \
+	  -DCMAKE_PREFIX_PATH=$(CURDIR)/$(MINGW)/library
+	cmake --build $(MINGW)/package && wine $(MINGW)/package/consumer.exe
 
 wasm: build/headers
 	wasm/build.sh
@@ -247,6 +271,10 @@ deps-bench: $(DEPS)
 deps-clang: $(DEPS)
 	@if command -v apt-get >/dev/null && ! command -v clang++-$(CLANG) >/dev/null; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends clang-$(CLANG); fi
+
+deps-mingw: $(DEPS)
+	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_MINGW) >/dev/null 2>&1; then \
+	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_MINGW); fi
 
 deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
