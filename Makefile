@@ -151,7 +151,7 @@ test-mingw: deps-mingw build/headers
 	cmake -S /usr/src/googletest -B $(MINGW)/googletest -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/tests/mingw/toolchain.cmake \
 	  -DCMAKE_BUILD_TYPE=Release -DBUILD_GMOCK=OFF -DCMAKE_INSTALL_PREFIX=$(MINGW)/prefix
 	cmake --build $(MINGW)/googletest --parallel $(JOBS) --target install
-	mkdir -p $(MINGW)/prefix/include $(MINGW)/prefix/share/cmake
+	mkdir -p $(MINGW)/prefix/include $(MINGW)/prefix/share/cmake $(MINGW)/wine
 	cp -r /usr/include/nlohmann $(MINGW)/prefix/include
 	cp -r /usr/share/cmake/nlohmann_json $(MINGW)/prefix/share/cmake
 	cmake --preset mingw
