@@ -165,6 +165,7 @@ TEST(ContactStiffness, IsTheInverseOfTheComplianceOfItsNodes) {
   EXPECT_TRUE(stiffness.cover(surface, nodes(7, 50)));
   EXPECT_FALSE(stiffness.cover(surface, nodes(12, 49)));
   EXPECT_EQ(stiffness.nodes().size(), 43U);
+  EXPECT_EQ(stiffness.matrix(), stiffness.matrix().transpose().eval()) << "sums of forces take rows for columns";
   const auto largest_error = [&] {
     Eigen::MatrixXd product = stiffness.matrix() * tables.compliance(stiffness.nodes(), stiffness.nodes());
     for (Eigen::Index i = 0; i < product.rows(); ++i) {

@@ -19,7 +19,9 @@ Eigen::MatrixXd bordered_inverse(const Eigen::MatrixXd& inverse, const Eigen::Ma
   wide.topRightCorner(before, added) = -edge;
   wide.bottomLeftCorner(added, before) = -edge.transpose();
   wide.bottomRightCorner(added, added) = complement;
-  return wide;
+  // The inverse of an ill-conditioned complement is symmetric only up to its own round-off, but sums of forces are
+  // found by rows and by columns alike.
+  return 0.5 * (wide + wide.transpose());
 }
 
 }  // namespace viscoroll::detail
