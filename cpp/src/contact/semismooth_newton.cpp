@@ -52,6 +52,11 @@ bool SemismoothNewton::iterate(double friction, const StepLimits& limits) {
       find_sets(friction);
       residuals.push_back(state_.residual);
       if (is_reached(residuals)) return true;
+      // The equations are corrected now. Later steps are compared with this state, not with residuals that knew nothing
+      // of the error.
+      residuals.erase(residuals.end() - 2);
+      best = state_;
+      best_sets = sets_;
     }
     if (is_in_vain(residuals, limits)) return false;
     const bool is_free = step < limits_.free_steps;
