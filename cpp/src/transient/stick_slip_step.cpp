@@ -1,6 +1,7 @@
 #include "transient/stick_slip_step.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -41,8 +42,9 @@ VectorField without_friction(const StickSlipProblem& problem, const VectorField&
   return force;
 }
 
-/// The same conditions, but that a node sticks where all slip: the one that is nearest to it. All slipping along a line
-/// at tractions of their own, they would say nothing of the way of a center that forces move.
+/// The same conditions, except that one node sticks where all slip: the nearest to sticking. If all slip along a line
+/// at the tractions of their own pressures, the conditions say nothing of the displacement of a center that forces
+/// move.
 class OneSticks : public StickSlipSystem {
  public:
   explicit OneSticks(StickSlipSystem& system) : system_(system) {}
@@ -56,14 +58,34 @@ class OneSticks : public StickSlipSystem {
 
   void solve(double friction, const ContactSets& sets, double tolerance, ContactSolution& state) override {
     ContactSets held = sets;
-    if (!held.states.empty() && std::ranges::none_of(held.states, &TangentialState::stick)) {
-      *std::ranges::max_element(held.states, {}, &TangentialState::rigidity) = sticking();
+    if (held.states.empty() || std::ranges::any_of(held.states, &TangentialState::stick)) {
+      held_node_ = kNone;
+    } else {
+      hold_one(held);
     }
     system_.solve(friction, held, tolerance, state);
   }
 
  private:
+  static constexpr Index kNone = -1;
+
+  /// If the node that stuck in the last step slips again, sticking took more traction than friction gives: the other
+  /// nodes move the center on, until one of those sticks that slip in the other direction.
+  void hold_one(ContactSets& sets) {
+    Eigen::Array2d exceeded(0.0, 0.0);
+    const auto last = std::ranges::find(sets.contact, held_node_);
+    if (last != sets.contact.end()) {
+      exceeded = sets.states[static_cast<std::size_t>(last - sets.contact.begin())].direction;
+    }
+    const auto next = std::ranges::max_element(sets.states, {}, [&](const TangentialState& state) {
+      return std::pair((state.direction * exceeded).sum() < 0.0, state.rigidity);
+    });
+    held_node_ = sets.contact[static_cast<std::size_t>(next - sets.states.begin())];
+    *next = sticking();
+  }
+
   StickSlipSystem& system_;
+  Index held_node_ = kNone;
 };
 
 /// @param[in] system of `newton`

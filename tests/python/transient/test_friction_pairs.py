@@ -178,6 +178,27 @@ def test_a_locked_ball_slides_over_a_mat():
     assert h.slip_energy[-1] == pytest.approx(20.0 * 5e-3, rel=0.05)  # sticks at first
 
 
+@pytest.mark.parametrize("nodes", [100, 200])
+@pytest.mark.parametrize("on", ["mat", "half-space", "roller"])
+@pytest.mark.parametrize(("modulus", "load", "friction"), [(1e6, 1e3, 0.1), (1e7, 5e4, 0.1), (5e7, 1e3, 0.3)])
+def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
+    """On the shifted lattice all nodes may slip, where forces do not tell the place of the center."""
+    layer = vr.Layer(thickness=10e-3, shear_modulus=vr.Elastic(modulus=modulus), poisson_ratio=0.5)
+    counterbody = {
+        "mat": vr.CoatedPlane(layers=[layer]),
+        "half-space": vr.CoatedPlane(
+            layers=[], base=vr.HalfSpace(shear_modulus=layer.shear_modulus, poisson_ratio=0.3)
+        ),
+        "roller": vr.CoatedCylinder(core_radius=50e-3, layers=[layer]),
+    }[on]
+    soft = vr.Layer(thickness=10e-3, shear_modulus=vr.Elastic(modulus=3e6), poisson_ratio=0.0)
+    roller = vr.CoatedCylinder(core_radius=50e-3, layers=[soft])
+    options = {"on": counterbody, "load": load, "mesh": vr.Mesh(nodes_per_revolution=nodes), "lattices": 2}
+    pressed = vr.RollingHistory(roller, friction=friction, **options)
+    # To the round-off that instants are solved to.
+    assert abs(pressed.now.driving_force) < 1e-9 * load
+
+
 def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
     """Mirror images never slide, so friction changes nothing but terms of the order (a/R)^4."""
     twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
