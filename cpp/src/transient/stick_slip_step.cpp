@@ -118,6 +118,23 @@ class OneSticks : public StickSlipSystem {
   return is_found;
 }
 
+/// If all nodes slip along a line, their forces are the same for a range of displacements of the center, and say
+/// nothing of where in it the center goes. Nothing moves it: it stays where it is, if that is in the range. The search
+/// alone ends at either end of the range, depending on round-off, and a symmetric contact would move to one side.
+/// @param[in,out] state,sets of a state that was found
+void let_center_rest(const StickSlipProblem& problem, const StickSlipSystem& system, ContactSolution& state,
+                     ContactSets& sets) {
+  if (std::ranges::count_if(sets.states, &TangentialState::stick) > 1 || problem.center({}).way != 0.0) return;
+  ContactSolution resting = state;
+  resting.slip -= *state.creepage * problem.by_center;
+  resting.creepage = 0.0;
+  ContactSets slipping = find_sets(system, problem.friction, resting);
+  if (std::ranges::any_of(slipping.states, &TangentialState::stick)) return;
+  if (!(resting.residual < kFrictionSettings.instant_round_off)) return;
+  state = std::move(resting);
+  sets = std::move(slipping);
+}
+
 }  // namespace
 
 StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& guess, ContactStiffness& stiffness) {
@@ -141,8 +158,9 @@ StickSlip solve_stick_slip(const StickSlipProblem& problem, const VectorField& g
                            plain.systems() + held.systems(), held.state().residual);
   };
   const SemismoothNewton& newton = found();
-  const ContactSolution& state = newton.state();
-  const ContactSets& sets = newton.sets();
+  ContactSolution state = newton.state();
+  ContactSets sets = newton.sets();
+  let_center_rest(problem, *system, state, sets);
   StickSlip result{.force = state.force, .penetration = state.penetration, .way = *state.creepage, .slip = state.slip};
   for (std::size_t i = 0; i < sets.contact.size(); ++i) {
     if (!(result.force(sets.contact[i], kDown) < 0.0)) continue;

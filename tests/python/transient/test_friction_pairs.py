@@ -197,6 +197,7 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     pressed = vr.RollingHistory(roller, friction=friction, **options)
     # To the round-off that instants are solved to.
     assert abs(pressed.now.driving_force) < 1e-9 * load
+    assert abs(pressed.now.center_way) < 1e-9 * pressed.now.semi_axis_x
 
 
 def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
