@@ -121,7 +121,8 @@ class RollingHistory {
   /// @param[in] center_way of the center since the first instant [m], with friction; none: forces move the center
   /// @param[in] observer progress and cancellation
   /// @return the instant at the end
-  /// @throws std::invalid_argument for bad input; the history is then as it was before
+  /// @throws std::invalid_argument for bad input, and a drive that friction cannot balance; the history is then as it
+  /// was before
   /// @throws ConvergenceError where no usable state was found; likewise
   /// @throws Cancelled where the observer stopped it; likewise
   RollingInstant advance(double time, double angle, double load, std::optional<double> center_way = std::nullopt,
@@ -158,7 +159,7 @@ class RollingHistory {
 /// @param[in] motion knots
 /// @param[in] observer progress and cancellation
 /// @return all instants, that of the start first
-/// @throws std::invalid_argument for bad input
+/// @throws std::invalid_argument for bad input, and a drive that friction cannot balance
 /// @throws ConvergenceError where no usable state was found
 /// @throws Cancelled where the observer stopped it
 [[nodiscard]] std::vector<RollingInstant> roll(RollingHistory& history, const Motion& motion,

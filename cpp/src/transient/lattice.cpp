@@ -1,9 +1,11 @@
 #include "transient/lattice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "rolling/refusals.hpp"
@@ -84,21 +86,72 @@ Touch Lattice::before_contact(const PairStep* step, const Yielding& yielding, co
   return touch;
 }
 
-/// Search a contact. Where there is no state of stick and slip and the load is too large for the coating even without
-/// friction, the load is the cause and is refused.
+/// Search a contact. If there is none, the load or the drive may be the cause, and is refused.
 template <class Search>
-auto Lattice::with_bearable_load(const PairStep* step, const Yielding& yielding, const StepEnd& end,
-                                 const Checkpoint& checkpoint, const Search& search) {
+auto Lattice::explaining_failure(const Attempt& attempt, const Search& search) {
   try {
     return search();
   } catch (const ConvergenceError&) {
-    for (bool is_within = false; !is_within;) {
-      Touch touch = before_contact(step, yielding, end, checkpoint);
-      touch.contact = touch_smooth(*pair_, touch, last_forces(), yielding.sum * end.load, inverse_);
-      is_within = fits(touch, end.load);
-      if (is_within) require_depth(pair_->pair, end.load, touch.contact.penetration);
-    }
+    require_bearable_load(attempt);
+    require_reachable_drive(attempt);
     throw;
+  }
+}
+
+/// A load that is too large for the coating even without friction.
+void Lattice::require_bearable_load(const Attempt& attempt) {
+  const double load = attempt.end.load;
+  for (bool is_within = false; !is_within;) {
+    Touch touch = before_contact(attempt.step, attempt.yielding, attempt.end, attempt.checkpoint);
+    touch.contact = touch_smooth(*pair_, touch, last_forces(), attempt.yielding.sum * load, inverse_);
+    is_within = fits(touch, load);
+    if (is_within) require_depth(pair_->pair, load, touch.contact.penetration);
+  }
+}
+
+/// A force on the center, or a moment about it, that friction does not balance even where the body slides as a whole,
+/// forward or back: section 6 of theory.md has the same in steady rolling.
+void Lattice::require_reachable_drive(const Attempt& attempt) {
+  const CenterCondition& center = attempt.center;
+  if (!pair_->has_friction() || center.way != 0.0) return;
+  std::array<RollingInstant, 2> sliding;
+  try {
+    sliding = {slid(attempt, Sense::back), slid(attempt, Sense::forward)};
+  } catch (const ConvergenceError&) {
+    return;  // there is nothing to compare with
+  }
+  const RoundBody& body = *pair_->pair.body;
+  const auto require = [&](double RollingInstant::* member, const std::string& name, double given,
+                           std::string_view unit) {
+    const auto [least, most] = std::minmax(sliding[0].*member, sliding[1].*member);
+    if (given > least && given < most) return;
+    const auto in_units = [unit](const std::string& number) { return number + " " + std::string(unit); };
+    reject(name,
+           "between " + in_units(rounded(least)) + " and " + in_units(rounded(most)) + " at angle " +
+               rounded(attempt.end.angle) + " rad, else the " + std::string(body.name()) + " slides without end",
+           in_units(text(given)));
+  };
+  if (center.torque != 0.0) {
+    const double given = *pair_->driving_torque;
+    require(&RollingInstant::driving_torque, "driving_torque", given, body.form().torque_unit);
+  } else {
+    require(&RollingInstant::driving_force, "driving_force", 0.0 - center.value, body.form().load_unit);
+  }
+}
+
+/// The contact of a body that slides as a whole: its center goes by a radius, far beyond what any node is displaced by.
+RollingInstant Lattice::slid(const Attempt& attempt, Sense sense) {
+  const double radius = pair_->nodes.grid.radius;
+  const CenterCondition led{
+      .force = 0.0, .torque = 0.0, .way = 1.0, .value = sense == Sense::forward ? radius : -radius};
+  for (;;) {
+    Touch touch = before_contact(attempt.step, attempt.yielding, attempt.end, attempt.checkpoint);
+    touch.contact = search(touch, attempt.end, led);
+    if (!fits(touch, attempt.end.load)) continue;
+    find_displacements(*pair_, touch);
+    RollingInstant instant;
+    static_cast<void>(tell_moments(*pair_, touch, instant));
+    return instant;
   }
 }
 
@@ -209,13 +262,14 @@ void Lattice::start(Start start, const StepEnd& at, double center_speed, const C
   };
   const Yielding yielding = this->yielding(parts_in, checkpoint);
   now_.angle = at.angle;
-  with_bearable_load(nullptr, yielding, at, checkpoint, [&] {
+  const CenterCondition unpushed;
+  explaining_failure({nullptr, yielding, at, unpushed, checkpoint}, [&] {
     // With friction, pressing depends on its path: the load rises in steps, without a force on the center.
     const int count = pair_->has_friction() ? kPressingSteps : 1;
     for (int i = 1; i <= count; ++i) {
       StepEnd end = at;
       end.load *= static_cast<double>(i) / count;
-      const Touch contact = touch(nullptr, yielding, end, {}, checkpoint);
+      const Touch contact = touch(nullptr, yielding, end, unpushed, checkpoint);
       take(contact, end);
       for (std::size_t b = 0; b < memories_.size(); ++b) {
         if (relaxed) {
@@ -238,7 +292,7 @@ void Lattice::advance(const PairStep& step, const StepEnd& end, const Checkpoint
   const auto parts_in = [&](std::size_t b) { return pair_->bodies[b].parts_after(step.parts[b]); };
   const Yielding yielding = this->yielding(parts_in, checkpoint);
   const CenterCondition center = center_condition(*pair_, now_, duration, end);
-  const Touch contact = with_bearable_load(&step, yielding, end, checkpoint,
+  const Touch contact = explaining_failure({&step, yielding, end, center, checkpoint},
                                            [&] { return touch(&step, yielding, end, center, checkpoint); });
   take(contact, end);
   for (std::size_t b = 0; b < memories_.size(); ++b) {

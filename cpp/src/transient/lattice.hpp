@@ -70,6 +70,16 @@ class Lattice {
   [[nodiscard]] ContactField field() const;
 
  private:
+  /// A contact to be found.
+  struct Attempt {
+    const PairStep* step;  ///< none for a first contact
+    const Yielding& yielding;
+    const StepEnd& end;
+    const CenterCondition& center;
+    const Checkpoint& checkpoint;
+  };
+  enum class Sense { back, forward };
+
   /// @param[in] parts_in gives the parts of the forces that have yielded in a body, by its number
   template <class Parts>
   [[nodiscard]] Yielding yielding(const Parts& parts_in, const Checkpoint& checkpoint);
@@ -80,11 +90,13 @@ class Lattice {
   [[nodiscard]] Touch before_contact(const PairStep* step, const Yielding& yielding, const StepEnd& end,
                                      const Checkpoint& checkpoint) const;
   [[nodiscard]] StickSlip search(const Touch& touch, const StepEnd& end, const CenterCondition& center);
-  /// @param[in] end its load is refused where it is the cause that a search fails
+  /// @param[in] attempt of the search, by which a failure is explained
   /// @param[in] search called without arguments
   template <class Search>
-  auto with_bearable_load(const PairStep* step, const Yielding& yielding, const StepEnd& end,
-                          const Checkpoint& checkpoint, const Search& search);
+  auto explaining_failure(const Attempt& attempt, const Search& search);
+  void require_bearable_load(const Attempt& attempt);
+  void require_reachable_drive(const Attempt& attempt);
+  [[nodiscard]] RollingInstant slid(const Attempt& attempt, Sense sense);
   void require_reach(const ContactPlace& place) const;
   void require_open_track(const ContactPlace& place) const;
   [[nodiscard]] bool fits(const Touch& touch, double load);

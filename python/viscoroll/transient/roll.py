@@ -92,7 +92,8 @@ def roll(
     Raises
     ------
     ValueError
-        For bad input, and for coatings that this method is not for; the message names parameter, value and range.
+        For bad input, for coatings that this method is not for, and for a drive that friction cannot balance; the
+        message names parameter, value and range.
     TypeError
         For arguments of another type.
     ConvergenceError

@@ -227,7 +227,7 @@ class RollingHistory:
         Raises
         ------
         ValueError
-            For bad input; the history is then as it was before.
+            For bad input, and for a drive that friction cannot balance; the history is then as it was before.
         ConvergenceError
             Where no contact was found; likewise.
         """

@@ -200,6 +200,21 @@ def test_rollers_are_pressed_on_one_another(on, modulus, load, friction, nodes):
     assert abs(pressed.now.center_way) < 1e-9 * pressed.now.semi_axis_x
 
 
+def test_friction_too_small_to_push_a_ball_over_its_mat():
+    """The mat comes to push back with 2.5 N, of which friction gives 1 N; a torque of 0.63 N m takes all of 30 N."""
+    motion = {"time": [0.0, 0.02], "way": [0.0, 1.4e-3], "load": 100.0}
+    options = {"on": MAT, "mesh": vr.Mesh(nodes_per_revolution=200), "lattices": 1}
+    slides = r"at angle 0\.\d+ rad, else the ball slides without end, got"
+    with pytest.raises(ValueError, match=rf"driving_force must be between 0\.\d+ N and 2\.\d+ N {slides} 0 N"):
+        vr.roll(STEEL, **motion, **options, friction=0.01)
+    with pytest.raises(ValueError, match=r"driving_torque must be between -0\.62\d N m and 0\.62\d N m .* 0\.64 N m"):
+        vr.roll(STEEL, **motion, **options, friction=0.3, drive=vr.Drive(torque=0.64))
+    # More friction, or the torque alone that keeps the ball rolling.
+    assert vr.roll(STEEL, **motion, **options, friction=0.03).stick_share[-1] > 0.0
+    towed = vr.roll(STEEL, **motion, **options, friction=0.01, drive=TOWED)
+    assert towed.driving_force.max() > 2.0
+
+
 def test_two_soft_balls_alike_are_one_on_its_mirror_plane():
     """Mirror images never slide, so friction changes nothing but terms of the order (a/R)^4."""
     twin = vr.CoatedSphere(core_radius=BALL.core_radius, layers=BALL.layers)
