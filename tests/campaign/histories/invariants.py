@@ -75,8 +75,11 @@ def scales(history: vr.History) -> dict[str, float]:
 
 
 def turnover(history: vr.History) -> float:
-    """Return all energy that comes and goes: what is stored and given back, and what is lost [J]."""
-    return float(np.abs(np.diff(history.stored_energy)).sum() + history.dissipated_energy[-1])
+    """Return all energy that comes and goes: what is stored and given back, and what is dissipated [J].
+
+    With friction the counterbody may dissipate less than nothing, and so may both in total.
+    """
+    return float(sum(np.abs(np.diff(series)).sum() for series in (history.stored_energy, history.dissipated_energy)))
 
 
 def _motion(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, float]]:

@@ -110,6 +110,12 @@ def test_doctored_histories_are_seen(sound, name):
     assert name in violations(history_case(), replace(sound, **DOCTORED[name](sound)))
 
 
+def test_the_size_of_energies_is_positive(sound):
+    """With friction the counterbody may dissipate less than nothing, and more of that than the slip dissipates."""
+    gaining = replace(sound, dissipated_energy=-2.0 * sound.dissipated_energy)
+    assert turnover(gaining) > turnover(sound) > 0.0
+
+
 def test_torque_without_force_is_seen():
     case = history_case(friction=0.0)
     history = vr.roll(case.ball, **case.arguments)
