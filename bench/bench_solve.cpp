@@ -30,7 +30,8 @@ Options options_for(const Mesh& mesh, Compliance compliance) {
   return {.mesh = mesh, .compliance = compliance, .curvature = Curvature::paper};
 }
 
-/// The paper's example against the independent computation of theory.md section 8, known to five digits [N m].
+/// The paper's example against the independent computation of docs/theory/reference-values.md, known to five digits [N
+/// m].
 void paper_example(benchmark::State& state, int nodes, int order, Compliance compliance, double reference) {
   const CoatedSphere sphere = cases::paper_sphere();
   const Options options = options_for({nodes, order}, compliance);
@@ -370,7 +371,7 @@ BENCHMARK_CAPTURE(order_by_order, unlike_layers, cases::unlike_layers(), 500)->U
 BENCHMARK_CAPTURE(order_by_order, unlike_layers_all_orders, cases::unlike_layers(), std::nullopt)
     ->Unit(kUnit)
     ->UseRealTime();
-// Mach number squared of 0.5 (theory.md section 7): the series in it no longer serves.
+// Mach number squared of 0.5 (docs/theory/inertia.md): the series in it no longer serves.
 BENCHMARK_CAPTURE(order_by_order, fast_rolling, cases::paper_sphere(0.45 * 6e6 / (2.5 * 2.5 * 20e-3 * 20e-3), 5e-3),
                   500)
     ->Unit(kUnit)

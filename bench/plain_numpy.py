@@ -27,7 +27,7 @@ HALF_WINDOW = 20
 LOAD = 100.0
 ANGULAR_SPEED = 2.5
 
-#: Independent computation, docs/theory.md section 8 [N m].
+#: Independent computation, docs/theory/reference-values.md [N m].
 TORQUE = 11.348e-3
 
 

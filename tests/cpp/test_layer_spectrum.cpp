@@ -83,7 +83,7 @@ struct Modes {
 Eigen::Matrix4d stiffness(const Material& material, double k) {
   const double b = (1.0 - 2.0 * material.poisson_ratio) / (2.0 * (1.0 - material.poisson_ratio));
   const double a = 1.0 - 2.0 * b;
-  Eigen::Matrix4d rates;    // of u, v, s, tau per k y, theory.md section 15
+  Eigen::Matrix4d rates;    // of u, v, s, tau per k y, docs/theory/planes-and-pairs.md
   rates << 0.0, a, b, 0.0,  //
       -1.0, 0.0, 0.0, 1.0,  //
       0.0, 0.0, 0.0, 1.0,   //

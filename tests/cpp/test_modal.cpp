@@ -180,7 +180,7 @@ TEST(HighestKink, TakesForRoughWhatHasNoValue) {
 }
 
 TEST(CriticalSpeed, OfOneLayerIsItsRayleighWave) {
-  // 0.9553 sqrt(mu0 / rho), the root of the Rayleigh equation at Poisson's ratio 1/2 (theory.md section 7).
+  // 0.9553 sqrt(mu0 / rho), the root of the Rayleigh equation at Poisson's ratio 1/2 (docs/theory/inertia.md).
   EXPECT_NEAR(critical_speed(cases::paper_sphere()), 0.95531 * std::sqrt(6e6 / 1000.0) / 21e-3, 0.01);
   EXPECT_TRUE(std::isinf(critical_speed(cases::paper_sphere(0.0))));
 }

@@ -117,7 +117,7 @@ TEST(CylinderCompliance, IsMichells) {
 }
 
 TEST(CylinderCompliance, SwellsAndTwistsAtOrderZero) {
-  // A tube under uniform pressure, and turned against its core: theory.md section 14.
+  // A tube under uniform pressure, and turned against its core: docs/theory/rollers.md.
   const double mu = 2e6;
   const double nu = 0.3;
   const double lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
@@ -188,7 +188,7 @@ CoatedCylinder rubber_roller() {
 }
 
 TEST(Roller, RollsAsComputedIndependently) {
-  // Moments per length by an independent code in NumPy, with 0.3 % of its own (docs/theory.md, section 14).
+  // Moments per length by an independent code in NumPy, with 0.3 % of its own (docs/theory/rollers.md).
   const std::array<std::array<double, 2>, 3> known{{{0.1, 2.806}, {1.0, 2.456}, {10.0, 0.2888}}};
   for (const auto& [speed, moment] : known) {
     const Result result = solve(rubber_roller(), {.load = 5e3, .angular_speed = speed}, {.accuracy = 1e-3});

@@ -91,8 +91,8 @@ TEST(CreepSpectrum, OfAKelvinVoigtSolidYieldsNothingAtOnce) {
 }
 
 TEST(CreepSpectrum, FitsATableAndTellsHowWell) {
-  // The fractional solid as a table of nine decades; docs/theory.md section 13 has 6.5e-5 for three times per
-  // decade of the function itself, and a table has the kinks of its interpolation.
+  // The fractional solid as a table of nine decades; docs/theory/transient.md. With three times per decade
+  // the function itself is within 6.5e-5, and a table has the kinks of its interpolation.
   const FractionalZener solid{6e6, 3e6, 0.125, 0.5};
   MasterCurve curve{.frequency = {0.0}, .storage = {3e6}, .loss = {0.0}, .extrapolation = Extrapolation::hold};
   for (int i = 0; i <= 180; ++i) {

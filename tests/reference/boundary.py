@@ -68,7 +68,7 @@ def to_rectangular(matrix, phi, theta):
 
 
 def to_turned(matrix, phi, theta):
-    """C_RR and what belongs to it, theory.md section 6, likewise: W is r, and u_r moves a node along U and V, too."""
+    """C_RR and its other blocks, docs/theory/friction.md: W is r, and u_r moves a node along U and V, too."""
     q = np.broadcast_to(np.eye(3), (phi.size, 3, 3)).copy()
     q[:, 0, 1] = -np.sin(theta) * np.cos(phi)
     q[:, 0, 2] = -np.cos(theta)

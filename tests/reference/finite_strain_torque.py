@@ -20,7 +20,7 @@ each. Three viscosities are objective and the linear one at small strain, their 
     lagrange   Edot : Edot, E = (C - 1)/2       Piola's second stress 2 eta Edot
 
 and, to keep a constant nu, nu/(1-2nu) J (tr D)^2 more, for lagrange nu/(1-2nu) (tr Edot)^2. Torque = power / Omega,
-here in units of P Omega r_o eta / G: linear theory has 1 as the load goes to zero (docs/theory.md, section 5).
+here in units of P Omega r_o eta / G: linear theory has 1 as the load goes to zero (docs/theory/normal-contact.md).
 """
 
 from __future__ import annotations

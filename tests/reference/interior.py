@@ -39,7 +39,7 @@ class Shell:
 
 
 def _equations(nu, mu, m, n, membrane):
-    """Theory.md section 3, z' = (B + q M) z in s = ln r, in the components of the paper."""
+    """docs/theory/layers.md, z' = (B + q M) z in s = ln r, in the components of the paper."""
     i = mpmath.mpc(0, 1)
     a, b = nu / (1 - nu), (1 - 2 * nu) / (2 * (1 - nu))
     gamma = mu * (3 * a + 2 * b)

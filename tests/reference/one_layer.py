@@ -29,7 +29,7 @@ def ball_equations(k):
 
 
 def roller_equations(k):
-    """Return the same in plane strain, u_k and sigma_rk divided by i: docs/theory.md, section 14, with a = 1, b = 0."""
+    """Return the same in plane strain, u_k and sigma_rk divided by i: docs/theory/rollers.md, with a = 1, b = 0."""
     one, zero = np.ones_like(k), np.zeros_like(k)
     rows = [
         [-one, k, zero, zero],

@@ -52,7 +52,7 @@ def coating(nodes):
 
 
 def main() -> None:
-    """Print the moments of docs/theory.md, section 14: of the coated roller, and of a bare one on a half-plane."""
+    """Print the moments of docs/theory/rollers.md: of the coated roller, and of a bare one on a half-plane."""
     table = coating(7000)
     for angular_speed in (0.1, 1.0, 10.0):
         moment, depth = steady(table, angular_speed, 5e3, 130)

@@ -2,7 +2,7 @@
 
 Both have a layer of 10 mm, the roller around 50 mm, of which each creeps by a relaxation function of its own: a force a
 node and body is all the memory. Between them is the gap of a parabola, as flat theory has it, or that of the roller's
-circle at its own nodes, as the library has it: docs/theory.md, section 13. Loads and moments are per length.
+circle at its own nodes, as the library has it: docs/theory/transient-bodies.md. Loads and moments are per length.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """A rigid ball that rolls on a flat rubber layer, frictionless: python -m tests.reference.rolling_plane [spacing [m]].
 
 Periodic transforms of closed forms of the layer's compliance, a grid of its own on the plane, and any gap: which of
-three that agree to the second order of x/R is used changes the moment by some tenths of a percent (docs/theory.md,
-section 15).
+three that agree to the second order of x/R is used changes the moment by some tenths of a percent
+(docs/theory/planes-and-pairs.md).
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ def steady_rises(curve, angular_speed, *, convection, shift_rate, limit):
 
 
 def main() -> None:
-    """Print the states of docs/theory.md, section 12."""
+    """Print the states of docs/theory/temperature.md."""
     curve = torque_curve(1e-4, 100.0)
     for angular_speed in (2.5, 25.0, 100.0):
         states = steady_rises(curve, angular_speed, convection=10.0, shift_rate=0.1, limit=120.0)

@@ -1,7 +1,7 @@
 """Transient rolling of the ball of section 14, without friction: python -m tests.reference.transient.
 
 Memory is one force a node: 1/mu* of the solid is that of springs which yield at once by J_0 and, behind a dashpot, by
-J_1 in the retardation time (docs/theory.md, section 13). The contact of each instant is dense, and a ring of nodes
+J_1 in the retardation time (docs/theory/transient.md). The contact of each instant is dense, and a ring of nodes
 turns with the ball.
 """
 
@@ -84,7 +84,7 @@ def start(angular_speed, turn, relaxed, nodes):
 
 
 def main(*meshes: int) -> None:
-    """Print torques of the starts of docs/theory.md, section 13, at 0.05, 0.1, 0.2 and 0.3 rad, and the largest."""
+    """Print torques of the starts of docs/theory/transient.md, at 0.05, 0.1, 0.2 and 0.3 rad, and the largest."""
     for nodes in meshes or (300, 500):
         for angular_speed, relaxed in ((2.5, False), (2.5, True), (0.5, False), (0.5, True)):
             angle, torque = start(angular_speed, 0.35, relaxed, nodes)

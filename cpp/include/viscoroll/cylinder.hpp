@@ -9,7 +9,7 @@
 namespace viscoroll {
 
 /// @brief Layers bonded to one another and to a rigid core, as long as one likes: plane strain, all forces and powers
-/// per length. Without a core a line load would have no finite compliance (theory.md section 14).
+/// per length. Without a core a line load would have no finite compliance (docs/theory/rollers.md).
 struct CoatedCylinder {
   double core_radius = 0.0;   ///< [m], > 0
   std::vector<Layer> layers;  ///< from the core outwards; none: a rigid cylinder

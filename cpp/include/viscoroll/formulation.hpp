@@ -7,7 +7,8 @@ namespace viscoroll {
 /// @brief The compliance in the contact condition (46). Their difference is of the order of the strain: a measure of
 /// what linear theory does not know.
 enum class Compliance {
-  radial,    ///< C_RR (the paper's section 12): pressure along the radius; the one nearer to finite strain, theory.md 5
+  radial,    ///< C_RR (the paper's section 12): pressure along the radius; the one nearer to finite strain,
+             ///< docs/theory/normal-contact.md
   vertical,  ///< C_WW, the vertical block of Q^T C_s Q: pressure on the normals of the undeformed sphere
 };
 

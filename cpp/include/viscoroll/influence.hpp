@@ -27,7 +27,7 @@ struct InfluenceTables {
   }
 };
 
-/// @brief Sum the orders of the coating into influence tables, theory.md section 4.
+/// @brief Sum the orders of the coating into influence tables, docs/theory/influence-tables.md.
 /// @param[in] sphere rigid core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] mesh spacing and truncation

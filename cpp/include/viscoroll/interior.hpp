@@ -3,7 +3,7 @@
 ///
 /// Components are those along r, phi and theta, of tensors rr, phiphi, thetatheta, rphi, rtheta and phitheta; stress is
 /// positive in tension. On every body r points out of it, phi is the way of its material through the contact, and theta
-/// the way of the axis that is theta of what rolls. Theory.md section 10.
+/// the way of the axis that is theta of what rolls. See docs/theory/inside.md.
 #pragma once
 
 #include <array>

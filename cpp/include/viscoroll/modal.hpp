@@ -25,7 +25,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Surface compliance of single orders: displacement d_mn(r_o) [m] per surface stress f_mn(r_o) [Pa], both in
 /// the order (r, phi, theta), with the core rigid and inertia in full. Paper equation (31), by a recursion that
-/// carries the compliance outwards and so neither overflows nor loses digits (theory.md section 3).
+/// carries the compliance outwards and so neither overflows nor loses digits (docs/theory/layers.md).
 /// @param[in] sphere rigid core and layers
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] m orders in phi, any sign
@@ -42,7 +42,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Surface compliance of the exact sphere without inertia, of single degrees l and orders m of the vector
 /// spherical harmonics Y, Psi = r grad Y / sqrt(l (l + 1)) and Phi = e_r x Psi: displacement [m] per surface stress
-/// [Pa]. Theory.md section 3.
+/// [Pa]. See docs/theory/layers.md.
 /// @param[in] sphere core and layers, whose densities do not count
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] degree l, >= 0
@@ -56,7 +56,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
                                                             const Observer& observer = {});
 
 /// @brief Matrix of the system z' = B z in s = ln r, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi,
-/// r sigma_rtheta): paper equation (23) in the form of theory.md section 3, finite at Poisson's ratio 1/2.
+/// r sigma_rtheta): paper equation (23) in the form of docs/theory/layers.md, finite at Poisson's ratio 1/2.
 /// @param[in] layer the layer that holds the point
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] radius r [m], > 0
@@ -77,7 +77,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Lowest rolling speed at which the steady problem of this library ceases to hold: the surface outruns the
 /// Rayleigh wave of the outer layer's short-time modulus, or an order of the undamped coating resonates (a soft layer
-/// below a stiff one does so earlier). Above it waves are radiated. Theory.md section 7.
+/// below a stiff one does so earlier). Above it waves are radiated. See docs/theory/inertia.md.
 /// @param[in] sphere rigid core and layers
 /// @param[in] highest_frequency angular frequency at which a `CustomModulus` stands for its short-time limit [rad/s]
 /// @param[in] curvature how much of it the equations keep
@@ -88,7 +88,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Surface compliance of a plane, for waves of single wave numbers: displacement [m] per surface stress [Pa],
 /// both along the outward normal, along the way in which material crosses the contact (xi) and across both (zeta), with
-/// inertia. Theory.md section 15.
+/// inertia. See docs/theory/planes-and-pairs.md.
 /// @param[in] plane layers and base, not rigid
 /// @param[in] speed V at which material crosses the contact [m/s], > 0: a wave has the frequency V k_xi
 /// @param[in] k_xi,k_zeta wave numbers [1/m], any sign, as many of each, not both 0
@@ -100,7 +100,7 @@ using ComplexMatrix6 = std::array<std::complex<double>, 36>;
 
 /// @brief Surface compliance of the tread of a wheel, as if it had no sides, for waves around and across: displacement
 /// [m] per surface stress [Pa], both outwards, around (phi) and along the axis (z), with the curvature of the crown
-/// that the layers follow and inertia. Theory.md, wheels.
+/// that the layers follow and inertia. See docs/theory/wheels.md.
 /// @param[in] wheel hub and layers, at least one
 /// @param[in] angular_speed Omega [rad/s], > 0
 /// @param[in] m orders around, any sign

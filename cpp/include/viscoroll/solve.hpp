@@ -14,7 +14,7 @@
 namespace viscoroll {
 
 /// @brief Solve steady rolling of what rolls on something, a rigid plane unless told otherwise: paper sections 11 to 13
-/// with the solvers of theory.md sections 5 and 6.
+/// with the solvers of docs/theory/normal-contact.md and friction.md.
 /// @param[in] body rigid core and layers
 /// @param[in] load_case load, rolling speed, friction and drive
 /// @param[in] options how to solve
@@ -26,7 +26,7 @@ namespace viscoroll {
 [[nodiscard]] Result solve(const RollingBody& body, const LoadCase& load_case, const Options& options = {});
 
 /// @brief The same on something that deforms or is curved: on a coated plane, a half-space, in a groove or on another
-/// ball, roller or wheel (theory.md sections 14 to 16).
+/// ball, roller or wheel (docs/theory/rollers.md, planes-and-pairs.md and wheels.md).
 /// @param[in] body what rolls, rigid if it has no layers, unless `on` is a rigid plane
 /// @param[in] on what it rolls on; not both may be rigid
 /// @param[in] load_case load, rolling speed, friction and drive; both surfaces pass the contact at Omega times the
@@ -36,7 +36,7 @@ namespace viscoroll {
                            const Options& options = {});
 
 /// @brief Solve anew with who touches, sticks and slips as it was: nodes neither join nor leave, so that quotients of
-/// small differences are derivatives (theory.md section 18).
+/// small differences are derivatives (docs/theory/sensitivities.md).
 /// @param[in] body,on,load_case as of `solve`, a little different from what the state was solved for
 /// @param[in] state of a result
 /// @param[in] options how to solve, on the mesh of that result

@@ -35,7 +35,7 @@ struct CoatedSphere {
   InnerBoundary inner_boundary = InnerBoundary::rigid;  ///< what lies within
 };
 
-/// @brief How much of the sphere's curvature the equations of the layers keep. Theory.md section 3.
+/// @brief How much of the sphere's curvature the equations of the layers keep. See docs/theory/layers.md.
 enum class Curvature {
   sphere,  ///< the paper's orders (m, n) with the membrane stiffness of a sphere, (k^2 - 2) mu
   paper,   ///< equation (26) as printed, k^2 mu, with which the paper's tables were made

@@ -21,8 +21,8 @@ enum class Sides {
   endless,  ///< none: the tread goes on, but bears pressure within the width alone
 };
 
-/// @brief Layers bonded to one another and to a rigid hub. Without a hub a wheel has no finite approach (theory.md,
-/// wheels).
+/// @brief Layers bonded to one another and to a rigid hub. Without a hub a wheel has no finite approach (see
+/// docs/theory/wheels.md).
 struct CoatedWheel {
   double core_radius = 0.0;   ///< of the hub, in the middle of its width [m], > 0
   std::vector<Layer> layers;  ///< from the hub outwards, as thick as they are in the middle; none: a rigid wheel

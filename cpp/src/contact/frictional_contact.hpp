@@ -1,6 +1,6 @@
 /// @file
 /// @brief Steady rolling contact with Coulomb friction: who touches, who sticks, and how fast what rolls moves.
-/// Theory.md section 6.
+/// See docs/theory/friction.md.
 #pragma once
 
 #include "contact/contact_problem.hpp"

@@ -1,6 +1,6 @@
 /// @file
 /// @brief Contacts in which it is given who touches, sticks and slips: what parameters change before nodes join or
-/// leave. Docs/theory.md section 18.
+/// leave. See docs/theory/sensitivities.md.
 #pragma once
 
 #include "contact/contact_problem.hpp"

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Frictionless contact: who touches, and with which force. Theory.md section 5.
+/// @brief Frictionless contact: who touches, and with which force. See docs/theory/normal-contact.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 /// @file
 /// @brief States of stick and slip at a given friction, whatever solves the linear systems: the semismooth Newton
-/// iteration of docs/theory.md section 6.
+/// iteration of docs/theory/friction.md.
 #pragma once
 
 #include <limits>

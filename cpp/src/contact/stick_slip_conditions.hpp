@@ -1,5 +1,5 @@
 /// @file
-/// @brief What contact, stick and slip ask of a state, docs/theory.md section 6.
+/// @brief What contact, stick and slip ask of a state, docs/theory/friction.md.
 #pragma once
 
 #include "contact/stick_slip_system.hpp"

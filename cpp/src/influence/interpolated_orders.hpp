@@ -1,5 +1,5 @@
 /// @file
-/// @brief Few orders at which a smooth compliance is found for sums over many, theory.md section 4.
+/// @brief Few orders at which a smooth compliance is found for sums over many, docs/theory/influence-tables.md.
 ///
 /// Over some octaves the compliance is a polynomial in the logarithm of the order, to the last digits, while the waves
 /// and patches oscillate that it is multiplied by in a sum. These are known: they are summed with the polynomials once

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence tables of line contact: from the compliance of orders m alone, theory.md section 14.
+/// @brief Influence tables of line contact: from the compliance of orders m alone, docs/theory/rollers.md.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The orders that are summed in one direction, theory.md section 4.
+/// @brief The orders that are summed in one direction, docs/theory/influence-tables.md.
 ///
 /// A sum cut at an order N_t, as in the paper, takes every whole order up to it. The sum over all orders needs far
 /// fewer: it is split by smooth steps P_b from 1 to 0, each at twice the order of the one before or a little less, into

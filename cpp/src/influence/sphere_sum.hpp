@@ -1,5 +1,5 @@
 /// @file
-/// @brief Influence on the exact sphere, summed from vector spherical harmonics: theory.md section 4.
+/// @brief Influence on the exact sphere, summed from vector spherical harmonics: docs/theory/influence-tables.md.
 ///
 /// It depends on the offset in phi and on both thetas. Degrees up to some hundred are kept one by one, by what their
 /// harmonics are at the nodes; above, where the surface is flat to a wave, the sums over orders of `synthesis.hpp`

@@ -1,6 +1,6 @@
 /// @file
 /// @brief All degrees l of one order m on the exact sphere, at the nodes of a mesh: vector spherical harmonics, and
-/// what their compliances make of them. Theory.md section 4.
+/// what their compliances make of them. See docs/theory/influence-tables.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief From the compliance of all orders to influence tables on the surface, theory.md section 4.
+/// @brief From the compliance of all orders to influence tables on the surface, docs/theory/influence-tables.md.
 ///
 /// With patches alike at every node the compliance is translation invariant on the (phi, theta) torus, so one table per
 /// entry serves all pairs of nodes. The orders of `order_bands.hpp` are summed along theta, then along phi, as products

@@ -2,7 +2,7 @@
 /// @brief All components of displacement, stress and strain from the state at a place.
 ///
 /// A state holds u_r, v_phi, v_theta and the stresses on the surface r = const, r sigma = (s, tau_phi, tau_theta);
-/// those across it follow from the strains along the surface. Formulas in theory.md section 10, none of which divides
+/// those across it follow from the strains along the surface. Formulas in docs/theory/inside.md, none of which divides
 /// by b.
 #pragma once
 

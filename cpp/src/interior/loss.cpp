@@ -1,4 +1,4 @@
-// Energy lost inside the coating: w(r, theta) and its volume integral, theory.md section 11.
+// Energy lost inside the coating: w(r, theta) and its volume integral, docs/theory/dissipation.md.
 #include <algorithm>
 #include <array>
 #include <cmath>

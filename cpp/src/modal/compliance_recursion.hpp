@@ -57,7 +57,7 @@ using DepthState = Eigen::Matrix<std::complex<double>, 6, 3>;
 ///
 /// On its way outwards every step of the recursion inverts F = T21 Y + T22, the stresses at its outer end per stresses
 /// at its inner one. Kept, these inverses take the stresses at the surface down again, f = F^-1 f_outer and u = Y f:
-/// they fall with depth, so nothing overflows. Below 36 e-folds the state is 0. Theory.md section 10.
+/// they fall with depth, so nothing overflows. Below 36 e-folds the state is 0. See docs/theory/inside.md.
 /// @param[in] orders all with layers of the same places
 /// @param[out] states for each order, at the inner boundary of the innermost layer and at the outer one of each
 void depth_states(std::span<const OrderInLayers<std::complex<double>>> orders,

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Where steady rolling without radiated waves ends, theory.md section 7.
+/// @brief Where steady rolling without radiated waves ends, docs/theory/inertia.md.
 #pragma once
 
 #include "modal/harmonic_body.hpp"

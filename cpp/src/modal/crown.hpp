@@ -3,7 +3,7 @@
 ///
 /// The equations of a wheel know that its surface is a ring along the path, not that it is one across. In the first
 /// order both curvatures add up, and the other one by itself is a cylinder whose axis lies along the path
-/// (theory.md section 16).
+/// (docs/theory/wheels.md).
 #pragma once
 
 #include <complex>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Response of the exact sphere to vector spherical harmonics, theory.md section 3.
+/// @brief Response of the exact sphere to vector spherical harmonics, docs/theory/layers.md.
 ///
 /// With Y_lm the scalar harmonics, Psi = r grad Y / sqrt(L) and Phi = e_r x Psi, L = l (l + 1), displacement
 /// u Y + v Psi + w Phi and stress s Y + tau Psi + chi Phi obey the equations of layer_system.hpp with k^2 = L and the

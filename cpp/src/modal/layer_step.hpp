@@ -14,15 +14,16 @@
 /// - Sphere: ' = d/d ln r, stresses times r, c = d = 1, gamma = 3 - 4b, and f = g is the membrane stiffness, as in
 ///   layer_system.hpp.
 /// - Cylinder in plane strain, k along its ring: c = 1 and d = 0, gamma = 4 (1 - b) and f = 0, and g = k^2 is of what
-///   moves along its axis. Theory.md section 14.
-/// - Plane: ' = d/dy, lengths per radius of the metric; as on the cylinder, but c = 0. Section 15.
+///   moves along its axis. See docs/theory/rollers.md.
+/// - Plane: ' = d/dy, lengths per radius of the metric; as on the cylinder, but c = 0. See
+///   docs/theory/planes-and-pairs.md.
 ///
 /// Inertia adds q M u to the rates of the stresses, q = rho Omega^2 r^2 / mu. On a ring q grows as (1 + x)^2 up to the
 /// radius r (1 + x), and M, that of `inertia_matrix` turned, couples the six; on a plane it is -m^2.
 ///
 /// On a wheel, a ring along and straight across, kappa, the order across at a radius, grows with it, so that the
 /// direction of k turns from radius to radius and no direction parts from the others. The six are those of r, phi and
-/// z, with e = m v_phi - u_r, t = e + kappa v_z and a = 1 - 2b (theory.md section 16):
+/// z, with e = m v_phi - u_r, t = e + kappa v_z and a = 1 - 2b (docs/theory/wheels.md):
 ///
 ///     u_r'   = a t + b s              s'       = a s + m tau_phi + kappa tau_z - 2 (a t + e)
 ///     v_phi' = v_phi - m u_r + tau_phi   tau_phi' = -tau_phi - m a s + 2m (a t + e) + kappa (kappa v_phi + m v_z)

@@ -1,9 +1,9 @@
 /// @file
 /// @brief The ordinary differential equations of one order in one layer of a sphere, in real form.
 ///
-/// Theory.md section 3 writes z' = B z, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi, r sigma_rtheta), ' = d/d ln
-/// r, with a = lambda / (lambda + 2 mu), b = mu / (lambda + 2 mu), gamma = mu (3a + 2b) and epsilon = mu (a + b). Two
-/// observations make it short:
+/// docs/theory/layers.md writes z' = B z, z = (u_r, u_phi, u_theta, r sigma_rr, r sigma_rphi, r sigma_rtheta), ' = d/d
+/// ln r, with a = lambda / (lambda + 2 mu), b = mu / (lambda + 2 mu), gamma = mu (3a + 2b) and epsilon = mu (a + b).
+/// Two observations make it short:
 ///
 /// - With the tangential components written as i times new unknowns, u_phi = i v_phi, sigma_rphi = i tau_phi and so on,
 ///   every imaginary unit drops out: the matrix is real where the moduli are, and the compliance is symmetric.

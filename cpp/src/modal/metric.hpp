@@ -72,7 +72,7 @@ struct Metric {
 
   /// @brief What the surface of a sphere adds to the stiffness against tangential displacements, per mu: L - 2 on a
   /// sphere, where L = 2 are rigid motions; k^2 in the paper's equation (26), and where it is straight across.
-  /// Theory.md section 3.
+  /// See docs/theory/layers.md.
   /// @param[in] k2 k^2 = m^2 + n^2; L = l (l + 1) of the exact sphere
   [[nodiscard]] constexpr double membrane_stiffness(double k2) const {
     if (!is_sphere() || curvature == Curvature::paper) return k2;

@@ -1,4 +1,4 @@
-// A roller, or another one that it rolls on, touching along a line: theory.md section 14.
+// A roller, or another one that it rolls on, touching along a line: docs/theory/rollers.md.
 #include <algorithm>
 #include <cmath>
 #include <memory>

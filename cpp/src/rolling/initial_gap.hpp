@@ -1,6 +1,6 @@
 /// @file
-/// @brief The gap between two undeformed bodies, and the lever of the pressure that belongs to it: theory.md
-/// section 15.
+/// @brief The gap between two undeformed bodies, and the lever of the pressure that belongs to it:
+/// See docs/theory/planes-and-pairs.md.
 #pragma once
 
 #include <Eigen/Core>

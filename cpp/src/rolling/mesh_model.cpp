@@ -15,7 +15,7 @@ namespace {
 /// of a Kelvin-Voigt material does, and lets pressures zigzag behind the leading edge long before. Displacements that
 /// are taken s spacings downstream resist with |C| cos(a - pi s), in full at s = a / pi. Up to the phase that a modulus
 /// with one relaxation time has where it falls by half, as the paper's rubber, they are taken at the nodes, as the
-/// paper has it. Theory.md section 5.
+/// paper has it. See docs/theory/normal-contact.md.
 /// @param[in] normal,along compliance of that order
 double stable_collocation(std::complex<double> normal, std::complex<double> along) {
   const double halved = std::atan(1.0 / std::sqrt(8.0)) / std::numbers::pi;

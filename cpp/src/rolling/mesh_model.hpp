@@ -17,7 +17,7 @@ struct Swelling {
   double counterpart = 1.0;
 
   /// @return drop and slope of the counterpart where a node of what rolls meets it, per those where it would at rest:
-  /// the node has moved out along the surface, which bends less (theory.md section 7)
+  /// the node has moved out along the surface, which bends less (docs/theory/inertia.md)
   [[nodiscard]] double met() const { return own * own / counterpart; }
   friend bool operator==(const Swelling&, const Swelling&) = default;
 };

@@ -1,4 +1,5 @@
-// A plane, or a groove whose layers are a plane's, under a spot or a line: theory.md sections 14 and 15.
+// A plane, or a groove whose layers are a plane's, under a spot or a line: docs/theory/rollers.md and
+// planes-and-pairs.md.
 #include <memory>
 #include <optional>
 #include <string>

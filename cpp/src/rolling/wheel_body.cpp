@@ -1,4 +1,4 @@
-// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: theory.md section 16.
+// A wheel, or another one that it rolls on, touching in a spot that may reach its sides: docs/theory/wheels.md.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -69,7 +69,7 @@ Nodes nodes_of(const CoatedWheel& wheel, const Mesh& mesh, const Body& on) {
 }
 
 /// What the torque of a tread without sides lacks, by the distance from the contact to the sides of a tread that ends:
-/// what finite elements of its section find, at Poisson's ratio 1/2 (theory.md section 16).
+/// what finite elements of its section find, at Poisson's ratio 1/2 (docs/theory/wheels.md).
 double error_of_sides(const CoatedWheel& wheel, double across) {
   constexpr double kAtSides = 0.11;
   constexpr double kFall = 2.2;  // per thickness

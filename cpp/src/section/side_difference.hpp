@@ -1,6 +1,6 @@
 /// @file
 /// @brief By how much a tread that ends at its faces yields more than one that goes on, crowned to the first order,
-/// order by order. Theory.md, free sides.
+/// order by order. See docs/theory/wheels.md.
 #pragma once
 
 #include <Eigen/Core>

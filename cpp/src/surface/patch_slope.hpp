@@ -8,7 +8,7 @@ namespace viscoroll::detail {
 
 /// @brief Mean slope from row to row over the patches of nodes, which are as long as their distance: of the differences
 /// over two rows and over four what leaves no error of second order, but for the last two rows, where hardly anything
-/// presses. Theory.md section 15.
+/// presses. See docs/theory/planes-and-pairs.md.
 /// @param[in] values at the nodes, row by row
 /// @param[in] row nodes in a row
 /// @param[in] distance of rows [m]

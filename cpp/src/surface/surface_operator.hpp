@@ -85,7 +85,7 @@ class SurfaceOperator {
   [[nodiscard]] virtual const Execution& execution() const = 0;
 
   /// @brief Where displacements are taken, downstream of the nodes [spacings]: 0, at the nodes, but where memory leaves
-  /// the surface no resistance to forces that alternate from row to row (theory.md section 5).
+  /// the surface no resistance to forces that alternate from row to row (docs/theory/normal-contact.md).
   [[nodiscard]] virtual double collocation() const { return 0.0; }
 
   /// @param[in] force on every node [N]
@@ -121,8 +121,8 @@ class SurfaceOperator {
   [[nodiscard]] virtual double row_distance() const = 0;
 
   /// @brief The force with which pressure pushes the rolling body back along the deformed surface of what it rolls on:
-  /// the sum of p dw/d(way of the material), w that surface's own displacement (theory.md section 15), by differences
-  /// between nodes.
+  /// the sum of p dw/d(way of the material), w that surface's own displacement (docs/theory/planes-and-pairs.md), by
+  /// differences between nodes.
   /// @param[in] force on every node [N]
   /// @return [N]
   [[nodiscard]] virtual double pushback(const VectorField& force) const;

@@ -20,7 +20,7 @@ struct SurfaceGrid {
   double phi_spacing;    ///< [rad]
   double theta_spacing;  ///< [rad]
   /// Whether nodes keep their distances, r_o times the spacings, along a plane, and the sphere's height above it is
-  /// that of its paraboloid: over a plane that deforms, whose nodes they are, too (theory.md section 15).
+  /// that of its paraboloid: over a plane that deforms, whose nodes they are, too (docs/theory/planes-and-pairs.md).
   bool is_paraboloid = false;
   /// Of a wheel, whose nodes lie at equal distances, r_o times the spacing, along its axis [m]; infinite: flat. None of
   /// a sphere.

@@ -83,7 +83,7 @@ class TableOperator : public SurfaceOperator {
   [[nodiscard]] double collocation() const override { return formulation_.collocation; }
   [[nodiscard]] bool takes_mirrored() const override;
   [[nodiscard]] double operations() const override;
-  /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), theory.md section 5.
+  /// The sum over all orders of -(2 pi r_o)^2 m Im(conj(s)^T C s), docs/theory/normal-contact.md.
   [[nodiscard]] Losses dissipation(const VectorField& force) const override;
 
  private:

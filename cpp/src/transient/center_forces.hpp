@@ -1,6 +1,6 @@
 /// @file
-/// @brief What the forces of a contact do to the center of what rolls: rows of sums over them, docs/theory.md section
-/// 15.
+/// @brief What the forces of a contact do to the center of what rolls: rows of sums over them,
+/// See docs/theory/planes-and-pairs.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief How the center goes while nodes stick and slip below it: docs/theory.md section 13.
+/// @brief How the center goes while nodes stick and slip below it: docs/theory/transient-friction.md.
 #pragma once
 
 #include "surface/surface_operator.hpp"

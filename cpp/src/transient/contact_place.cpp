@@ -12,7 +12,7 @@ using Eigen::Index;
 namespace {
 
 /// As at the lowest point, but that forces along the plane press with their share of r, and u_r moves the surface along
-/// the plane: theory.md section 6.
+/// the plane: docs/theory/friction.md.
 Axes level_axes(const Eigen::ArrayXd& forward_share, const Eigen::ArrayXd& sideways_share, double sense,
                 Index half_nodes) {
   const HalfField forward = as_field(forward_share, half_nodes);

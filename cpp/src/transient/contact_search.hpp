@@ -23,7 +23,7 @@ struct Departure {
   std::vector<HalfField> borne;  ///< displacement of every body before, of the rows of the window
 };
 
-/// @brief The contact of theory.md section 13, where nodes that met stay matched.
+/// @brief The contact of docs/theory/transient-bodies.md, where nodes that met stay matched.
 /// @param[in] pair,touch,last as above
 /// @param[in] departure where nodes come from
 /// @param[in] load [N]

@@ -1,5 +1,5 @@
 /// @file
-/// @brief A modulus as a creep function of discrete retardation times, docs/theory.md section 13.
+/// @brief A modulus as a creep function of discrete retardation times, docs/theory/transient.md.
 ///
 /// mu*(0) / mu*(s) = J_0 + sum_j J_j / (1 + s lambda_j), with weights that add up to 1: what yields at once and what
 /// yields in time, in units of what has yielded after an infinite time.

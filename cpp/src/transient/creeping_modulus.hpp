@@ -1,6 +1,6 @@
 /// @file
-/// @brief Moduli off the axis of real frequencies, where a body's retardation times are looked for: docs/theory.md
-/// section 13, layers of unlike relaxation functions.
+/// @brief Moduli off the axis of real frequencies, where a body's retardation times are looked for:
+/// docs/theory/transient.md, "Layers with different relaxation functions".
 ///
 /// In place of s stands the time -1/s, which is positive where a body of discrete times may have one of its own.
 #pragma once

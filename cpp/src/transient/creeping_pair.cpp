@@ -72,8 +72,8 @@ std::optional<Index> ring_of(const Body& body, const SurfaceGrid& grid) {
 constexpr Index kLongestTrack = 32768;
 
 /// On a plane, which has no radius of its own, the mesh may be that of a larger body with the same nodes: sums are good
-/// within a quarter of its revolution (theory.md section 15). The datum of a half-plane depends on it: along a line it
-/// is the same for all reaches, so that tables can be made longer.
+/// within a quarter of its revolution (docs/theory/planes-and-pairs.md). The datum of a half-plane depends on it: along
+/// a line it is the same for all reaches, so that tables can be made longer.
 Crossing on_track(Crossing crossing, Index reach) {
   if (crossing.form.is_line()) reach = kLongestTrack;
   const auto nodes = static_cast<Index>(crossing.mesh.nodes_per_revolution);

@@ -1,6 +1,6 @@
 /// @file
-/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table, docs/theory.md section
-/// 13.
+/// @brief One instant of a frictionless contact: an elastic problem with a symmetric table,
+/// See docs/theory/transient.md.
 #pragma once
 
 #include <Eigen/Core>

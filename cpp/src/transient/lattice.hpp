@@ -1,5 +1,5 @@
 /// @file
-/// @brief One lattice of material nodes that rolls, stands and turns back: docs/theory.md section 13.
+/// @brief One lattice of material nodes that rolls, stands and turns back: docs/theory/transient.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 ///
 /// C(k, s) = C_0(k) + sum_j C_j(k) / (1 + s lambda_j). An order k of its own has its own times, and positive weights at
 /// them; `common_times.hpp` shares these out. The order's times need not be known for it: sums over them are integrals
-/// of C around the intervals where they lie, so that layers solved at complex moduli are all it takes. Docs/theory.md
-/// section 13.
+/// of C around the intervals where they lie, so that layers solved at complex moduli are all it takes.
+/// See docs/theory/transient.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@ namespace viscoroll::detail {
 ///
 /// At s = -1/time every modulus is real, and the energy of an order is a sum of the layers' own, each of the sign of
 /// its modulus. Only where two of these signs differ can it be singular, so that a displacement goes on without
-/// forces: docs/theory.md section 13.
+/// forces: docs/theory/transient.md.
 /// @param[in] moduli of the layers
 /// @param[in] has_elastic_part whether something else of it is positive at all times, as bulk moduli are
 /// @return ascending, apart from each other; one of no length where only there all moduli vanish together

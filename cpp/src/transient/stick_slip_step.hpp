@@ -1,5 +1,5 @@
 /// @file
-/// @brief One instant of a contact with Coulomb friction, docs/theory.md section 13.
+/// @brief One instant of a contact with Coulomb friction, docs/theory/transient-friction.md.
 #pragma once
 
 #include <Eigen/Core>

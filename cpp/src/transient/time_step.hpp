@@ -9,7 +9,7 @@
 namespace viscoroll::detail {
 
 /// @brief Exponential integration of lambda_j a_j' + a_j = F: exact for forces that are linear in time, so of second
-/// order in the step. Theory.md section 13.
+/// order in the step. See docs/theory/transient.md.
 struct TimeStep {
   /// What a term of the spectrum becomes: a_new = decay a + on_old F_old + on_new F_new, and the energy it loses,
   /// change dF.K dF + mixed dF.K e + state e.K e with dF = F_new - F_old and e = F_old - a.

@@ -55,7 +55,7 @@ def low_speed_torque(*, load: ArrayLike, angular_speed: ArrayLike, radius: float
 
     References
     ----------
-    docs/theory.md, section 5; for spheres N. V. Brilliantov and T. Pöschel, Europhys. Lett. 42 (1998) 511-516.
+    docs/theory/normal-contact.md; for spheres N. V. Brilliantov and T. Pöschel, Europhys. Lett. 42 (1998) 511-516.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def loss_time(shear_modulus: ShearModulusLike) -> float:
 
     References
     ----------
-    docs/theory.md, section 5.
+    docs/theory/normal-contact.md.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """What a network without rate loses on a path of strain that turns: springs and dry sliders side by side, in shear.
 
 Each element follows the strain until it is off by its yield strain, and is dragged along from there (as in plasticity
-with von Mises' stress). Weights are those of the hyperbolic first loading x/(1 + x), theory.md section 17.
+with von Mises' stress). Weights are those of the hyperbolic first loading x/(1 + x), docs/theory/filled-rubber.md.
 """
 
 from __future__ import annotations

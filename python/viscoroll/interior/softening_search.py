@@ -3,8 +3,8 @@
 A pass solves the contact with one modulus for each layer, follows the strain inside and takes from it the layer's
 amplitude ḡ, weighted by what its network loses. At a given load a contact grows where its layers soften, so that
 ḡ ∝ |μ|^-α with α from 1/3 to 2/3: by that law, α from the last two passes, the next amplitude is the root of what the
-modulus of the network makes of it. There is one state (theory.md section 17); where a guess gets no nearer to it plain
-repetition goes on, which does.
+modulus of the network makes of it. There is one state (docs/theory/filled-rubber.md). Where a guess gets no
+nearer to it, plain repetition goes on, which does.
 """
 
 from __future__ import annotations

@@ -173,8 +173,8 @@ def half_range(p: Floats) -> Floats:
 def harmonic_squares(path: StrainPath) -> tuple[Floats, Floats]:
     """Return orders m, which need not be whole, and what each loses by its loss modulus, 4π m |p_m|².
 
-    Their product with μ''_m is the energy that a linear material loses per volume and revolution [J/m³], theory.md
-    section 11.
+    Their product with μ''_m is the energy that a linear material loses per volume and revolution [J/m³],
+    docs/theory/dissipation.md.
 
     Returns
     -------
@@ -292,7 +292,7 @@ def _depths(inside: Inside, layer: int, points: int, reach: float) -> tuple[Floa
 
 
 def _measure(inside: Inside, depth: Floats) -> Floats:
-    """Return the measure of the volume integral at depths, but for dr and dθ; theory.md section 11."""
+    """Return the measure of the volume integral at depths, but for dr and dθ; docs/theory/dissipation.md."""
     radius = inside.radius
     match body := inside.body:
         case CoatedSphere():

@@ -135,7 +135,7 @@ class MasingNetwork(Network):
 
     References
     ----------
-    Closed forms of docs/theory.md, section 17.
+    Closed forms of docs/theory/filled-rubber.md.
 
     Examples
     --------

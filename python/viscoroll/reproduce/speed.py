@@ -24,7 +24,7 @@ _SLOWEST, _FASTEST = 0.05, 25.0
 #: Speed of the "deepest penetration" of the paper's footnote 1 [rad/s].
 _DEEPEST = 0.3
 _THICKNESSES = (1e-3, 5e-3)
-#: Steps of the torque as rows of nodes enter the contact [-]: theory.md, section 8.
+#: Steps of the torque as rows of nodes enter the contact [-]: docs/theory/reference-values.md.
 _STAIRCASE = 0.01
 
 

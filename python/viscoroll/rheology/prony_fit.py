@@ -77,7 +77,7 @@ class PronyFit:
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Prony]:
         """Return series that the data might have given as well: fitted anew to data with other signs of the errors.
 
-        A bootstrap of the data (`docs/theory.md`, section 9). It knows nothing of errors that points have in common, as
+        A bootstrap of the data (`docs/theory/materials.md`). It knows nothing of errors that points have in common, as
         of a specimen's dimensions, nor of shift factors: `Superposition.draws` finds these anew.
 
         Parameters

@@ -166,7 +166,7 @@ class Superposition:
     def draws(self, count: int = 100, *, seed: int = 0) -> Draws[Superposition]:
         """Return superpositions that the data might have given as well: other signs of the errors, and all found anew.
 
-        A bootstrap of the data (`docs/theory.md`, section 9): shift factors, series and tables of each draw are its
+        A bootstrap of the data (`docs/theory/materials.md`): shift factors, series and tables of each draw are its
         own, but for factors of the user, which are kept. It knows nothing of errors that points have in common, as of
         a specimen's dimensions.
 

@@ -19,7 +19,7 @@ _SAME = 1e-4
 
 
 class KeptContact:
-    """The nodes of a result, on which its equations are solved for other input (`docs/theory.md`, section 18).
+    """The nodes of a result, on which its equations are solved for other input (`docs/theory/sensitivities.md`).
 
     Parameters
     ----------

@@ -141,7 +141,7 @@ def sensitivity(
 
     Who touches, sticks and slips is kept, and what is left has smooth equations, a solve of which takes a fraction of
     the first one's time: derivatives are those of the whole problem on this mesh, of which joining nodes change the
-    second ones alone (`docs/theory.md`, section 18). By lengths, on which nodes depend, they are as coarse as it is.
+    second ones alone (`docs/theory/sensitivities.md`). By lengths, on which nodes depend, they are as coarse as it is.
 
     Parameters
     ----------

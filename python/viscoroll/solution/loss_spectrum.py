@@ -54,8 +54,8 @@ def loss_spectrum(result: Solution, *, of: Of | None = None) -> LossSpectrum:
     """Split the power lost in a body by harmonics.
 
     P_bulk = -Ω A Σ_mn m Im(σ̄ᵀ C σ) with the orders σ_mn of the tractions, the compliance C of the surface and its area
-    of waves A: (2π r_o)² of a torus, 2π r_o of a roller, per length (`docs/theory.md`, sections 5 and 14); on the exact
-    sphere, too. C is that of a wheel without sides or crown.
+    of waves A: (2π r_o)² of a torus, 2π r_o of a roller, per length (`docs/theory/normal-contact.md`,
+    `rollers.md`); on the exact sphere, too. C is that of a wheel without sides or crown.
 
     Parameters
     ----------

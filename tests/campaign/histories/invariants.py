@@ -114,7 +114,7 @@ def _energies(case: HistoryCase, history: vr.History) -> Iterator[tuple[str, flo
     """Let what is lost never come back, and nothing store less than nothing, but where approach has no datum.
 
     With friction a counterpart is told to lose what a way of the center beside the rolled one takes, which may be less
-    than nothing: docs/theory.md section 13, power of friction between any two.
+    than nothing: docs/theory/transient-friction.md, "Energy balance".
     """
     energy = turnover(history) + float(np.abs(history.stored_energy).max())
     others = history.counterpart_dissipated_energy

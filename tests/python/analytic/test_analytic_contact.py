@@ -30,7 +30,8 @@ def nearly_solid(**material):
 
 def press(ball, *, load, nodes):
     mesh = vr.Mesh(nodes_per_revolution=nodes, max_order=3 * nodes // 2)
-    # The torus of the paper is nearer to a half-space than that of SPHERE where a ball is of one piece (theory.md 3).
+    # With this curvature the pressure is nearer to that of a half-space: at a/R = 0.2 its peak is 0.4 % below Hertz's,
+    # with SPHERE 1.3 %.
     return vr.solve(ball, load=load, angular_speed=1.0, mesh=mesh, curvature=vr.Curvature.PAPER)
 
 
@@ -96,7 +97,7 @@ def test_squeezed_layer_is_a_film():
     assert float(mpmath.diff(pressure, contact.radius)) == pytest.approx(0.0, abs=1e-6 * contact.max_pressure)
 
 
-def test_bonded_layer_of_theory_section_5():
+def test_bonded_layer():
     load, approach = bonded_layer(5, 0.5)
     assert load / 5**3 == close(53.046949, rel=1e-7)
     assert approach / 5**2 == close(0.359125, rel=2e-6)

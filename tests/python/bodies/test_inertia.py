@@ -27,7 +27,7 @@ def roll(ball, mesh=None):
     )
 
 
-#: T_r / T_r0 and d / d_0 by the group (67): theory.md section 7, converged to 1e-3.
+#: T_r / T_r0 and d / d_0 by the group (67): docs/theory/inertia.md, converged to 1e-3.
 RATIOS = {
     0.1: (1.050, 1.013),
     0.2: (1.108, 1.027),
@@ -233,7 +233,7 @@ def test_incompressible_layers_do_not_swell(paper_ball):
 
 
 def test_critical_speed_is_that_of_the_rayleigh_wave():
-    # 0.955 sqrt(mu_0 / rho) at Poisson's ratio 1/2; for h = 5 mm that is the group (67) of 0.58 (theory.md section 7).
+    # 0.955 sqrt(mu_0 / rho) at Poisson's ratio 1/2; for h = 5 mm the group (67) is 0.58: docs/theory/inertia.md.
     ball = paper.ball(thickness=5e-3)
     critical = vr.critical_speed(ball)
     assert critical * 25e-3 == pytest.approx(0.955 * math.sqrt(6e6 / 1000.0), rel=1e-3)

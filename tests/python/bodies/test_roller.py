@@ -52,7 +52,7 @@ def coating():
 
 @pytest.mark.parametrize(("angular_speed", "moment"), [(0.1, 2.806), (1.0, 2.456), (10.0, 0.2888)])
 def test_roller_on_a_rigid_plane(coating, angular_speed, moment):
-    # By an independent program (docs/theory.md, section 14): in the limit of the mesh, to its own 0.3 %, and on one
+    # By an independent program (docs/theory/rollers.md): in the limit of the mesh, to its own 0.3 %, and on one
     # mesh, where its sums and the library's differ by 2e-9.
     given = {"load": 5e3, "angular_speed": angular_speed}
     r = vr.solve(ROLLER, accuracy=1e-3, **given)

@@ -50,7 +50,7 @@ def test_amplitude_is_half_of_the_largest_distance():
     assert half_range(path_of(np.maximum(np.sin(TURN), 0.0))) == pytest.approx(0.5, rel=1e-5)  # pulse 0 … 1, by nodes
 
 
-#: What harmonics lose over π g² N'' in pulses of one component, in closed form; theory.md section 17.
+#: What harmonics lose over π g² N'' in pulses of one component, in closed form; docs/theory/filled-rubber.md.
 PULSES = {
     "parabola": (lambda x: 1.0 - x**2, 16.0 / np.pi**2),
     "half an ellipse": (lambda x: np.sqrt(1.0 - x**2), 2.0),

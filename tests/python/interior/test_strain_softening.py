@@ -107,7 +107,7 @@ def test_sublayers_are_layers():
 
 
 def test_sublayers_hardly_matter(soft_roller):
-    """Theory.md section 17: torque within some 3 % at equal load."""
+    """docs/theory/filled-rubber.md: torque within some 3 % at equal load."""
     cut = softened(roller(), sublayers=3)
     assert cut.torque_bounds == pytest.approx(soft_roller.torque_bounds, rel=0.04)
 

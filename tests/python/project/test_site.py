@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import re
+import subprocess
 import tomllib
 from pathlib import Path
 from types import ModuleType
@@ -48,6 +49,23 @@ def test_links_between_files_lead_somewhere(page):
     targets = re.findall(r"\]\((?!https?:|#)([^)#\s]+)", page.read_text(encoding="utf-8"))
     missing = [t for t in targets if not t.startswith("api/generated/") and not (page.parent / t).exists()]
     assert missing == []
+
+
+def test_sources_cite_chapters_and_headings_of_the_theory():
+    """A source cites a chapter by its file, maybe with a heading of it: docs/theory/friction.md, "Limits"."""
+    sources = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
+    cited = []
+    for source in sources:
+        if source.endswith((".py", ".hpp", ".cpp", ".md")) and (ROOT / source).exists():
+            text = re.sub(r"\n\s*(?:///?|#)?\s*", " ", (ROOT / source).read_text(encoding="utf-8"))
+            cited += [(source, *found) for found in re.findall(r'docs/theory/([\w-]+)\.md(?:, "([A-Z][^"]*)")?', text)]
+    assert len(cited) > 100
+    headings = {
+        path.stem: re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+        for path in (ROOT / "docs" / "theory").glob("*.md")
+    }
+    wrong = [one for one in cited if one[1] not in headings or (one[2] and one[2] not in headings[one[1]])]
+    assert wrong == []
 
 
 def tables() -> ModuleType:

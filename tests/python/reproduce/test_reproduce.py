@@ -83,7 +83,7 @@ def test_torque_against_speed(compute):
 def test_friction_peaks_in_the_boundary_layer_and_falls_as_the_paper_says(compute):
     figure = compute("figure9")
     ratio = figure.torques / figure.torques[0]
-    # Theory.md section 6 at pi/250: 1.070 and 0.912.
+    # docs/theory/friction.md at pi/250: 1.070 and 0.912.
     assert ratio.max() == pytest.approx(1.07, abs=0.02)
     assert ratio[-1] == pytest.approx(0.91, abs=0.02)
     # Neither without slip nor where all sticks is power lost by it.
@@ -119,8 +119,8 @@ def test_every_load_has_a_speed_of_largest_torque(compute):
 def test_inertia_ends_at_the_critical_speed(compute):
     figure = compute("figure13")
     assert agreements(figure) == [True, False, True]
-    assert figure.critical_group == pytest.approx(0.58, abs=0.005)  # theory.md, section 7
-    # Theory.md, section 7; 160 nodes per revolution are 7 % off the converged ratios.
+    assert figure.critical_group == pytest.approx(0.58, abs=0.005)  # docs/theory/inertia.md
+    # docs/theory/inertia.md; 160 nodes per revolution are 7 % off the converged ratios.
     assert figure.torques / figure.torques[0] == pytest.approx([1.0, 1.108, 1.364], rel=0.07)
 
 
@@ -274,7 +274,7 @@ def test_default_speeds_stay_below_the_critical_one():
 
 
 def test_figure_6_starts_from_both_states(compute):
-    """Overshoots of docs/theory.md section 13: 0.2, 6.8, 8.9 % fresh and 36.6, 362, 612 % relaxed."""
+    """Overshoots of docs/theory/transient.md: 0.2, 6.8, 8.9 % fresh and 36.6, 362, 612 % relaxed."""
     figure = compute("figure6")
     fresh = [figure.overshoot(vr.Start.FRESH, speed) for speed in (0.5, 2.5, 4.0)]
     relaxed = [figure.overshoot(vr.Start.RELAXED, speed) for speed in (0.5, 2.5, 4.0)]
@@ -291,6 +291,6 @@ def test_figure_8_overshoots_more_with_friction_when_fresh(compute):
     fresh = figure.overshoots(vr.Start.FRESH)
     assert max(fresh[:2]) < 0.005  # without friction and at 0.5: 0.00 and 0.05 % at π/150
     assert 0.01 < fresh[-1] < 0.08  # at 2: 3.4 % at π/150, 5.7 % on the coarse mesh
-    # A flat spot overshoots whatever the friction: docs/theory.md has 4.1 to 5.5 %.
+    # A flat spot overshoots whatever the friction, by 4.1 to 5.5 % on fine meshes.
     assert 0.02 < min(figure.overshoots(vr.Start.RELAXED)) < max(figure.overshoots(vr.Start.RELAXED)) < 0.12
     assert figure.verdicts()[0].agrees

@@ -17,7 +17,7 @@ def test_error_is_within_what_was_asked_for(paper_ball, accuracy, compliance):
     r = vr.solve(paper_ball, load=100.0, angular_speed=2.5, accuracy=accuracy, compliance=compliance, curvature=PAPER)
     assert r.status is vr.Status.CONVERGED
     assert r.error_estimate <= accuracy
-    # Converged values on fine meshes: 11.38 mN m (theory.md section 8) and 11.19 mN m with the vertical compliance.
+    # Converged on fine meshes (docs/theory/reference-values.md): 11.38 mN m, with the vertical compliance 11.19 mN m.
     converged = {vr.Compliance.RADIAL: 11.38e-3, vr.Compliance.VERTICAL: 11.19e-3}[compliance]
     assert r.resisting_torque == pytest.approx(converged, rel=accuracy)
 

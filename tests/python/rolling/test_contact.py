@@ -98,8 +98,8 @@ def test_window_grows_until_the_contact_fits():
     assert r.status is vr.Status.CONVERGED
 
 
-# Rigid paraboloid of radius R on an incompressible layer bonded to a rigid base, exact (theory.md section 5): contact
-# radius over thickness a/h, penetration d R / a^2 and load P R / (G a^3).
+# Rigid paraboloid of radius R on an incompressible layer bonded to a rigid base, exact
+# (docs/theory/normal-contact.md): contact radius over thickness a/h, penetration d R / a^2 and load P R / (G a^3).
 BONDED_LAYER = [
     (0.5, 0.696246, 5.754165),
     (1.0, 0.559415, 7.522668),

@@ -92,7 +92,7 @@ def test_curved_patches(paper_ball):
     assert 0.0 < abs(curved.resisting_torque / flat.resisting_torque - 1.0) < 5e-3
 
 
-# Ratios T_r(mu) / T_r(0) of theory.md section 6, an independent NumPy computation, printed to three digits.
+# Ratios T_r(mu) / T_r(0) of docs/theory/friction.md, an independent NumPy computation, printed to three digits.
 @pytest.mark.parametrize(
     ("mu", "ratio"),
     [
@@ -108,7 +108,7 @@ def test_curved_patches(paper_ball):
         (math.inf, 0.84),
     ],
 )
-def test_theory_section_6(paper_ball, mu, ratio):
+def test_ratios_of_an_independent_program(paper_ball, mu, ratio):
     model = {"compliance": vr.Compliance.VERTICAL, "curvature": vr.Curvature.PAPER}
     without = roll(paper_ball, mu=0.0, **model).resisting_torque
     assert roll(paper_ball, mu=mu, **model).resisting_torque / without == pytest.approx(ratio, rel=5e-3)

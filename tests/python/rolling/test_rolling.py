@@ -25,11 +25,11 @@ def roll(ball, *, load=paper.LOAD, angular_speed=paper.ANGULAR_SPEED, nodes=500,
 
 @pytest.mark.parametrize(("key", "printed"), paper.TABLE_2.items())
 def test_table_2_of_the_paper(paper_ball, key, printed):
-    # The paper takes the arc r_o (pi/2 - phi) for the lever arm x, 0.3 % more (theory.md section 8).
+    # The paper takes the arc r_o (pi/2 - phi) for the lever arm x, 0.3 % more (docs/theory/reference-values.md).
     assert roll(paper_ball, nodes=key[0], order=key[1]).resisting_torque == pytest.approx(printed, rel=5e-3)
 
 
-# Independent NumPy computation of theory.md section 8 [mN m], printed to five digits.
+# Independent NumPy computation of docs/theory/reference-values.md [mN m], printed to five digits.
 @pytest.mark.parametrize(
     ("nodes", "order", "torque"),
     [
@@ -43,7 +43,7 @@ def test_table_2_of_the_paper(paper_ball, key, printed):
         (800, 1500, 11.412),
     ],
 )
-def test_theory_section_8(paper_ball, nodes, order, torque):
+def test_torques_of_an_independent_program(paper_ball, nodes, order, torque):
     assert roll(paper_ball, nodes=nodes, order=order).resisting_torque * 1e3 == pytest.approx(torque, rel=2e-4)
 
 
@@ -75,7 +75,7 @@ def test_power_laws_of_theory_section_8(thickness, factor, exponent):
 
 @pytest.mark.parametrize(("nodes", "order", "expected"), [(100, 500, 0.126), (200, 500, 0.021), (500, 500, 0.008)])
 def test_power_balance_measures_the_mesh_error(paper_ball, nodes, order, expected):
-    # The differences of theory.md section 5, there relative to the power of the torque.
+    # The differences of docs/theory/normal-contact.md, there relative to the power of the torque.
     r = roll(paper_ball, nodes=nodes, order=order)
     difference = r.resisting_torque * r.angular_speed - r.dissipated_power
     assert abs(difference) / (r.resisting_torque * r.angular_speed) == pytest.approx(expected, abs=6e-4)
@@ -101,8 +101,9 @@ def test_work_at_displaced_points_is_what_the_coating_loses(radial, thickness):
 
 @pytest.mark.parametrize(("thickness", "load"), [(1e-3, 100.0), (1e-3, 10.0), (5e-3, 50.0)])
 def test_low_speed_limit(thickness, load):
-    # T_r -> P Omega r_o sum(g tau) / g_inf for any load and thickness (theory.md section 5), 0.125 s here; approached
-    # slowly, so that three speeds are extrapolated. The shift Omega 0.125 s of the slowest is one mesh step.
+    # T_r -> P Omega r_o sum(g tau) / g_inf for any load and thickness (docs/theory/normal-contact.md), 0.125 s here.
+    # The limit is approached slowly, so that three speeds are extrapolated. The shift
+    # Omega 0.125 s of the slowest is one mesh step.
     ball = paper.ball(thickness=thickness, density=0.0)
     static = roll(ball, load=load, angular_speed=1e-6, nodes=400, order=600)
     nodes = 2 * round(np.pi * 16 * ball.outer_radius / static.semi_axis_x)

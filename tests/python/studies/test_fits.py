@@ -106,8 +106,8 @@ def test_tables_3_and_4_of_the_paper():
     }
     study = vr.sweep(paper.ball, thickness=[1e-3, 5e-3], load=LOAD, **case)
     thin, thick = (vr.fit_power_law(LOAD, torque) for torque in study.resisting_torque)
-    # The columns of table 3 are swapped (docs/theory.md). Nodes at the edge of small contacts scatter our torques, so
-    # our intervals are wider than the printed ones, which they must meet.
+    # The columns of table 3 are swapped (docs/theory/misprints.md). Nodes at the edge of small contacts scatter our
+    # torques, so our intervals are wider than the printed ones, which they must meet.
     assert thin.parameters["a"].lower < 2.321e-5
     assert thin.parameters["a"].upper > 2.097e-5
     assert thin.parameters["b"].lower < 1.368

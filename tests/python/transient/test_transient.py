@@ -1,7 +1,8 @@
 """Transient rolling: exact checks, and a program that shares nothing with the library, tests/reference/transient.py.
 
 The same mesh and steps give the same history; limits of fine meshes and their error bars are those of such a program
-(single lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature), listed in docs/theory.md.
+(single lattices at π/150, π/250 and π/400, extrapolated, with the paper's curvature):
+docs/theory/transient.md.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """A rigid ball on a soft plane, whose nodes rest and remember: values of an independent program.
 
 It has four lattices at π/150, π/250 and π/350 and keeps all of the track; its limits and bars are those of
-docs/theory.md. A mesh of 300 nodes a revolution (π/150) comes within 0.5 % of forces and 1e-4 mm of approaches, the
-bars of the limit among it; what is tighter is said.
+docs/theory/transient-bodies.md. A mesh of 300 nodes a revolution (π/150) comes within 0.5 % of forces and 1e-4 mm of
+approaches, the bars of the limit among it; what is tighter is said.
 """
 
 from __future__ import annotations
