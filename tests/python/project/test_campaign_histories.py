@@ -9,7 +9,7 @@ import pytest
 import viscoroll as vr
 from campaign import materials
 from campaign.histories.cases import HistoryCase, draw
-from campaign.histories.invariants import turnover, violations
+from campaign.histories.invariants import TURNED_BACK, turnover, violations
 from campaign.histories.running import run_case
 from campaign.histories.twins import twins
 from campaign.runner import Outcome, run
@@ -114,6 +114,19 @@ def test_the_size_of_energies_is_positive(sound):
     """With friction the counterbody may dissipate less than nothing, and more of that than the slip dissipates."""
     gaining = replace(sound, dissipated_energy=-2.0 * sound.dissipated_energy)
     assert turnover(gaining) > turnover(sound) > 0.0
+
+
+def test_sliding_that_turns_back_may_seem_to_give_work():
+    """A locked ball slides by 20 mm, and back in one step: by a mean of forces that are opposite."""
+    moved = {"time": [0.0, 1.0, 1.0], "angle": [0.0, 0.0, 0.0], "load": [1.0, 1.0, 1.0], "center_way": [0.0, 0.02, 0.0]}
+    case = history_case(**moved)
+    history = vr.roll(case.ball, **case.arguments)
+    given = 0.5 * history.friction * 0.02  # J, of a load of 1 N
+    assert given > 10.0 * TURNED_BACK * turnover(history)
+    back = replace(history, slip_energy=changed(history.slip_energy, -1, -given))
+    assert "energy gained by slip" not in violations(case, back)
+    forth = replace(history, slip_energy=changed(history.slip_energy, -2, -given))
+    assert "energy gained by slip" in violations(case, forth)
 
 
 def test_torque_without_force_is_seen():
