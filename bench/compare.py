@@ -1,7 +1,7 @@
-"""Hold new benchmarks against the last recorded ones of the same machine: python bench/compare.py [--tolerance 0.25].
+"""Compare new benchmarks with earlier ones of the same processor: python bench/compare.py [--tolerance 0.25].
 
-Times depend on the machine and on what else it does: this tells where to look, and decides no test. The exit code is 1
-where a case has become slower, or less accurate, than the tolerance allows.
+Times depend on the machine and on its load, so a difference is a hint where to look, not a failed test. The exit code
+is 1 if a case has become slower or less accurate by more than the tolerance.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from pathlib import Path
 
 RESULTS = Path(__file__).with_name("results.csv")
 
-#: Errors below it are round-off, and vary.
+#: Errors below this value are round-off and may vary.
 _ROUND_OFF = 1e-12
 
 
 @dataclass(frozen=True)
 class Change:
-    """A case before and now."""
+    """Results of a case at two commits, the earlier one first."""
 
     case: str
     commits: tuple[str, str]
@@ -30,11 +30,11 @@ class Change:
 
     @property
     def slower(self) -> float:
-        """Time by the time before, less one."""
+        """Relative increase of the time."""
         return self.seconds[1] / self.seconds[0] - 1.0
 
     def judgment(self, tolerance: float) -> str:
-        """Say what has changed by more than the tolerance."""
+        """Return "less accurate", "slower" or "faster" for a change above the tolerance, else an empty text."""
         if self.errors[1] > (1.0 + tolerance) * max(self.errors[0], _ROUND_OFF):
             return "less accurate"
         if self.slower > tolerance:
@@ -43,9 +43,9 @@ class Change:
 
 
 def changes(rows: list[dict[str, str]]) -> list[Change]:
-    """Return the last result of every case beside the one before it, of the same processor, threads and clock.
+    """Return the last result of every case and the one of an earlier commit with equal processor, threads and clock.
 
-    A case that the last commit of all did not measure is left out.
+    Cases without a result of the last recorded commit are left out.
     """
     series: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in rows:
@@ -68,7 +68,7 @@ def changes(rows: list[dict[str, str]]) -> list[Change]:
 
 
 def main() -> int:
-    """Print every case, what was before and what is now."""
+    """Print time and error of every case, before and now."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tolerance", type=float, default=0.25, help="relative change that is left unsaid")
     parser.add_argument("results", nargs="?", type=Path, default=RESULTS, help="file of bench/run.py")

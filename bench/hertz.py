@@ -1,16 +1,17 @@
-"""The elastic Hertz contact by this library and by others: python bench/hertz.py SOLVER NODES [--runs N].
+"""Elastic Hertz contact solved by viscoroll, Tamaas or ASPHER: python bench/hertz.py SOLVER NODES [--runs N].
 
-An incompressible elastic body, so large that it is a half-space, and a contact half as wide as a window of NODES by
-NODES. The peers press a rigid paraboloid on it, free beyond the window: their operators, patches of uniform pressure
-after Love, differ by 1e-12 of the largest displacement. This library presses a ball of one piece on a plane, of a
-contact so small that it is a paraboloid, and chooses its window by itself. Prints CPU seconds and errors as JSON.
+The body is elastic and incompressible, and so large that it is a half-space. The contact is half as wide as a window of
+NODES by NODES. Tamaas and ASPHER press a rigid paraboloid on a half-space that is free outside the window. Their
+operators, for patches of uniform pressure after Love, differ by 1e-12 of the largest displacement. viscoroll presses a
+solid ball on a plane, with a contact so small that the ball is a paraboloid there, and chooses its own window. The
+program prints CPU seconds and errors as JSON.
 """
 
 from __future__ import annotations
 
 import os
 
-# Read when libgomp and the BLAS are loaded, hence before any import that may load them.
+# libgomp and the BLAS read these variables when they are loaded: set them before any import that may load either.
 os.environ["OMP_NUM_THREADS"] = "1"
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
@@ -40,11 +41,12 @@ CONTACT_MODULUS = YOUNG_MODULUS / (1 - POISSON_RATIO**2)
 APPROACH = CONTACT_RADIUS**2 / RADIUS
 LOAD = 4 / 3 * CONTACT_MODULUS * CONTACT_RADIUS**3 / RADIUS
 
-# Bound of sum p (g - min g) / (sum p APPROACH), with g the displacement plus the undeformed gap: zero if and only if
-# pressure acts where the gap closes. Both peers stop on sum p (g - min g) / (sum p scale), Tamaas with the standard
-# deviation of the surface as scale (0.84 APPROACH) and ASPHER with its range (4 APPROACH), so each is given TOLERANCE
-# times APPROACH / scale. Recomputed from the pressures with Love's coefficients, by 128 to 1024 nodes: 3e-9 to 1.4e-8.
-# Here every gap and overclosure of a node ends below 1e-8 APPROACH, mostly far below.
+# Upper bound of sum p (g - min g) / (sum p APPROACH), where g is the displacement plus the undeformed gap. The sum is
+# zero if and only if pressure acts only where the gap is closed. Tamaas and ASPHER stop on
+# sum p (g - min g) / (sum p scale). The scale is the standard deviation of the surface in Tamaas (0.84 APPROACH) and
+# its range in ASPHER (4 APPROACH), so each gets the tolerance TOLERANCE APPROACH / scale. Recomputed from the pressures
+# with Love's coefficients, for 128 to 1024 nodes: 3e-9 to 1.4e-8. viscoroll ends with every gap and overclosure of a
+# node below 1e-8 APPROACH, mostly far below.
 TOLERANCE = 1e-8
 
 #: Nodes per revolution of the ball: a contact of 512 nodes is then 1/600 of the radius wide.
@@ -53,18 +55,18 @@ NODES_PER_REVOLUTION = 1_000_000
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """Cost of a solve and its relative errors against Hertz.
+    """Cost of a solve and its errors relative to the solution of Hertz.
 
     Parameters
     ----------
-    cpu_seconds
-        Time of the processor in the solve; tables, plans and buffers of the operator are made before.
-    operator_applications
-        Products with the compliance.
-    max_pressure, mean_pressure, contact_radius
-        Relative errors; the contact area, of which the latter two are functions, is that of the nodes under pressure.
-    table_seconds
-        Time of the processor that went into the table.
+    cpu_seconds : float
+        CPU time of the solve [s], without the preparation of tables, FFT plans and buffers of the operator.
+    operator_applications : int
+        Number of products with the compliance operator.
+    max_pressure, mean_pressure, contact_radius : float
+        Relative errors [-]. The latter two depend on the contact area, which is that of the nodes under pressure.
+    table_seconds : float
+        CPU time for the influence table [s].
     """
 
     cpu_seconds: float
@@ -89,7 +91,7 @@ def compared(
     radius: float,
     table: float,
 ) -> Run:
-    """Return the run whose solve gave `pressure` on patches of area `patch`, where Hertz's contact has `radius`."""
+    """Return the cost and the errors of `pressure` on patches of area `patch`; Hertz's contact has `radius`."""
     area = int(np.count_nonzero(pressure)) * patch
     load = float(pressure.sum()) * patch
     mean = load / (math.pi * radius**2)
@@ -104,7 +106,7 @@ def compared(
 
 
 def viscoroll(nodes: int) -> Run:
-    """Solve by this library."""
+    """Solve with viscoroll."""
     import viscoroll as vr
 
     layer = vr.Layer(thickness=RADIUS, shear_modulus=vr.Elastic(modulus=SHEAR_MODULUS), poisson_ratio=POISSON_RATIO)
@@ -125,11 +127,11 @@ def viscoroll(nodes: int) -> Run:
 
 
 def tamaas(nodes: int) -> Run:
-    """Solve by Tamaas: Polonsky-Keer-Rey with the non-periodic operator."""
+    """Solve with Tamaas: Polonsky-Keer-Rey with the non-periodic operator."""
     import tamaas as tm
 
     class Counter(tm.Functional):  # type: ignore[misc]
-        """Count evaluations of the gradient: Tamaas does not tell its iterations."""
+        """Count evaluations of the gradient: Tamaas does not report its iterations."""
 
         evaluations = 0
 
@@ -142,13 +144,13 @@ def tamaas(nodes: int) -> Run:
     tm.set_log_level(tm.LogLevel.warning)
     surface = -undeformed_gap(nodes)
     model = tm.ModelFactory.createModel(tm.model_type.basic_2d, [WINDOW, WINDOW], [nodes, nodes])
-    # The moduli before the operator: setting them later leaves it with wrong coefficients, silently.
+    # Set the moduli before the operator: if they are set later, it silently keeps wrong coefficients.
     model.E, model.nu = YOUNG_MODULUS, POISSON_RATIO
     start = time.process_time()
     tm.ModelFactory.registerNonPeriodic(model, "dcfft")
     scale = APPROACH / float(surface.std(ddof=1))
     solver = tm.PolonskyKeerRey(model, surface, TOLERANCE * scale)
-    solver.setIntegralOperator("dcfft")  # else the periodic problem is solved, silently
+    solver.setIntegralOperator("dcfft")  # without this, Tamaas silently solves the periodic problem
     solver.max_iter = 10_000
     counter = Counter()
     solver.addFunctionalTerm(counter)
@@ -161,12 +163,12 @@ def tamaas(nodes: int) -> Run:
     if not error <= solver.tolerance:
         raise RuntimeError(f"Tamaas: error {error:g} after {counter.evaluations} evaluations")
     pressure = np.array(model.traction)
-    # Two products an iteration, and one evaluation after the last.
+    # Two products per iteration, and one evaluation after the last iteration.
     return compared(seconds, 2 * counter.evaluations, pressure, (WINDOW / nodes) ** 2, CONTACT_RADIUS, table)
 
 
 def aspher(nodes: int) -> Run:
-    """Solve by ASPHER: FFT with the Fourier preconditioner."""
+    """Solve with ASPHER: FFT with the Fourier preconditioner."""
     import aspher as asp
 
     gap = undeformed_gap(nodes)
@@ -177,7 +179,7 @@ def aspher(nodes: int) -> Run:
     table = time.process_time() - start
 
     start = time.process_time()
-    # "fourier-fft" is the symbol |k| by FFT; plain "fourier" is since 0.1.3 its truncation to a stencil, and slower.
+    # "fourier-fft" applies the symbol |k| by FFT; since 0.1.3, "fourier" truncates it to a stencil and is slower.
     result = solver.solve(gap.ravel(), LOAD / WINDOW**2, tol=TOLERANCE * scale, precond="fourier-fft")
     seconds = time.process_time() - start
     if not result.converged:
@@ -187,7 +189,7 @@ def aspher(nodes: int) -> Run:
 
 
 def aspher_nested(nodes: int) -> Run:
-    """Solve by ASPHER with the start from coarser meshes, its quickest; products are those of the finest."""
+    """Solve with ASPHER started from coarser meshes, its fastest method; counts products on the finest mesh."""
     import aspher as asp
 
     gap = undeformed_gap(nodes)
@@ -196,7 +198,7 @@ def aspher_nested(nodes: int) -> Run:
 
     start = time.process_time()
     result = asp.solve_nested(nodes, gap.ravel(), LOAD / WINDOW**2, backend="fft", precond_engine="fft", **problem)
-    table = result.timings["build"]  # operators are built within
+    table = result.timings["build"]  # the call also builds the operators
     seconds = time.process_time() - start - table
     if not result.converged:
         raise RuntimeError(f"ASPHER: {result.status}, error {result.fw_error:g} after {result.iterations} iterations")
@@ -210,7 +212,7 @@ SOLVERS: dict[str, Callable[[int], Run]] = {
 
 
 def main() -> None:
-    """Print the runs of a solver."""
+    """Run a solver and print times, error and details."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("solver", choices=SOLVERS)
     parser.add_argument("nodes", type=int, help="nodes along a side of the window")

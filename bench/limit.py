@@ -1,15 +1,15 @@
-"""How far five cases are from what the machine could do, phase by phase: python bench/limit.py.
+"""Compare the times of five cases with the limits of the machine, phase by phase: python bench/limit.py.
 
-Writes the table of bench/README.md. Each phase of a case has work that must be done by the method, as counted below,
-and the time that it would take at the speed of one core (dense products of NumPy) or at the bandwidth of the memory
-(sums of large arrays), whichever is longer. Beside it stands the time that the phase took, by the stacks that `perf`
-samples.
+The script writes the table of bench/README.md. The method requires an amount of work in each phase of a case, as
+counted below. The lower bound of the time is that of this work at the speed of one core (dense products of NumPy) or at
+the memory bandwidth (sums of large arrays), whichever is longer. The table compares it with the measured time of the
+phase, from stacks sampled by `perf`.
 
-The counts are those of the method and not of the program: transforms of exactly twice the contact, every number read
-and written once. What is in the caches counts no bytes.
+The work is that of the method, not of the program: transforms of exactly twice the contact size, every number read and
+written once. Data in the caches counts no bytes.
 
-Last comes what of a phase one thread does alone where there are two, again by the samples: by Amdahl's law what more
-cores leave.
+The last column is the fraction of a phase that one of two threads runs alone, also from the samples. By Amdahl's law,
+this part remains with any number of cores.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ PAGE = Path(__file__).with_name("README.md")
 PLACE = ("<!-- limit: made by bench/limit.py -->\n", "<!-- end of limit -->")
 
 DOUBLE = 8.0
-#: Terms of a polynomial along one direction that tell a smooth function to thirteen digits, even and odd ones.
+#: Even and odd terms of a polynomial in one direction that represents a smooth function to thirteen digits.
 TERMS = 2 * 24
-#: Orders m that are summed, and orders n that tell each of them: of a window, whatever its mesh.
+#: Orders m that are summed, and orders n at which each is sampled, for a window on any mesh.
 ORDERS, SAMPLED = 250, 96
 #: Sample frequency of the profiler [Hz].
 FREQUENCY = 997
 
-#: Phases by the functions that a stack passes, the first that is found; a library's name stands for its functions.
+#: Phases by functions in a stack; the first match counts. The name of a library stands for all its functions.
 PHASES: list[tuple[str, tuple[str, ...]]] = [
     ("new pages of memory", ("asm_exc_page_fault", "do_syscall_64")),
     (
@@ -70,17 +70,17 @@ REST = "sets and all else"
 
 @dataclass(frozen=True)
 class Work:
-    """What a phase must do."""
+    """Minimum work of a phase."""
 
     flop: float = 0.0
     bytes: float = 0.0
 
     def __add__(self, other: Work) -> Work:
-        """Return the work of both."""
+        """Return the sum of two works."""
         return Work(self.flop + other.flop, self.bytes + other.bytes)
 
     def __mul__(self, times: float) -> Work:
-        """Return the work of so many."""
+        """Return the work of several repetitions."""
         return Work(times * self.flop, times * self.bytes)
 
 
@@ -90,33 +90,33 @@ def width(contact_nodes: float) -> float:
 
 
 def transforms_of_product(b: float, fields: int = 1, tables: int = 1) -> Work:
-    """Return a product on a contact of b by b nodes: fields there and back on twice as many, of which half are 0.
+    """Return the work of a product on b by b nodes: transforms both ways on twice as many nodes in each direction.
 
-    Lines of reals take 2.5 n log2(n) operations, of complex numbers twice that.
+    Half of the lines are zero. A line of n real numbers takes 2.5 n log2(n) operations, of complex numbers twice that.
     """
     lines = 2.5 * 2.0 * b * math.log2(2.0 * b) * b
     columns = 5.0 * 2.0 * b * math.log2(2.0 * b) * b
     flop = 2.0 * fields * (lines + columns) + 8.0 * tables * 2.0 * b * b
-    between = 4.0 * 2.0 * DOUBLE * b * b  # lines written and read again, both ways
+    between = 4.0 * 2.0 * DOUBLE * b * b  # lines written and read again, in both transforms
     return Work(flop, fields * (2.0 * DOUBLE * b * b + between) + tables * 2.0 * DOUBLE * 2.0 * b * b)
 
 
 def transforms_of_preconditioner(b: float, fields: int = 1) -> Work:
-    """Return the same of a product that is periodic in the contact."""
+    """Return the work of a product that is periodic in the contact."""
     flop = fields * (2.0 * 2.5 * b * b * math.log2(b * b)) + 8.0 * fields**2 * 0.5 * b * b
     return Work(flop, fields * (2.0 + 4.0) * DOUBLE * b * b + fields**2 * DOUBLE * b * b)
 
 
 def orthogonalization(unknowns: float, steps: float) -> Work:
-    """Return two passes over all directions before, of which each is read and taken off."""
+    """Return the work of two passes over all previous directions, each of which is read and subtracted."""
     pairs = 0.5 * steps * (steps + 1.0) * 2.0
     return Work(4.0 * unknowns * pairs, 3.0 * DOUBLE * unknowns * pairs)
 
 
 def tables(phi_reach: float, theta_reach: float, count: int = 1) -> Work:
-    """Return compliances of the orders, their sums along both directions, and every entry, written once.
+    """Return the work for compliances of the orders, their sums in both directions, and writing every entry once.
 
-    A compliance is a series of some two dozen complex terms; sums take multiplications of real and imaginary parts.
+    A compliance is a series of about two dozen complex terms; the sums multiply real and imaginary parts.
     """
     entries = count * (2.0 * phi_reach + 1.0) * (theta_reach + 1.0)
     compliances = ORDERS * SAMPLED * 4.0 * 24.0
@@ -126,7 +126,7 @@ def tables(phi_reach: float, theta_reach: float, count: int = 1) -> Work:
 
 
 def large_window(counters: Mapping[str, float]) -> dict[str, Work]:
-    """Return the work of pressing without friction: everything of one side of the path alone."""
+    """Return the work of a frictionless solve that uses the mirror symmetry: one side of the path only."""
     nodes, window = counters["contact_nodes"], counters["window"]
     products, passes = counters["operator_applications"], counters["iterations"]
     b = width(nodes)
@@ -142,10 +142,10 @@ def large_window(counters: Mapping[str, float]) -> dict[str, Work]:
 
 
 def small_solves(counters: Mapping[str, float], solves: int = 2000, models: int = 200) -> dict[str, Work]:
-    """Return the work of contacts that a matrix solves, of which mirror images are one; all within the caches."""
+    """Return the work of contacts solved by a matrix, with mirror images as one unknown; all data in the caches."""
     half = 0.5 * counters["contact_nodes"]
     window = 1.2 * width(counters["contact_nodes"])
-    every_node = 2.0 * half * window * window  # products that tell all gaps
+    every_node = 2.0 * half * window * window  # products that compute all gaps
     return {
         "tables": Work(2.0 * tables(window, window).flop * models),
         "factorizations": Work(2.0 / 3.0 * half**3 * solves),
@@ -157,7 +157,7 @@ def small_solves(counters: Mapping[str, float], solves: int = 2000, models: int 
 
 
 def small_friction(counters: Mapping[str, float]) -> dict[str, Work]:
-    """Return the work of three components with friction; all within the caches."""
+    """Return the work of a frictional solve with three components; all data in the caches."""
     b = width(counters["contact_nodes"])
     products = counters["operator_applications"]
     return {
@@ -169,9 +169,9 @@ def small_friction(counters: Mapping[str, float]) -> dict[str, Work]:
 
 
 def instants(counters: Mapping[str, float]) -> dict[str, Work]:
-    """Return the work of steps in time: the inverse of half the contact, and one product with what is in reach."""
+    """Return the work of time steps: inverse of half the contact, and one product with the rows within reach."""
     steps = counters["steps"]
-    # Of the steady contact on 1000 nodes a revolution, 1310 nodes, and of its tables, which reach half around.
+    # Steady contact at 1000 nodes per revolution: 1310 nodes. Its tables extend over half a revolution.
     half, rows, aside, reach = 675.0, 40.0, 21.0, 500.0
     return {
         "inverse of the contact": Work(2.0 * half * half) * steps,
@@ -182,7 +182,7 @@ def instants(counters: Mapping[str, float]) -> dict[str, Work]:
 
 @dataclass(frozen=True)
 class Case:
-    """A benchmark, and what it must do by what it counts."""
+    """A benchmark, and its minimum work as a function of its counters."""
 
     name: str
     title: str
@@ -200,13 +200,13 @@ CASES = [
 
 
 def speed() -> float:
-    """Return the operations of one core in a second, in a product of dense matrices [flop/s]."""
+    """Return the speed of one core in a product of dense matrices [flop/s]."""
     a = np.random.default_rng(1).random((1500, 1500))
     return 2.0 * 1500.0**3 / best_time(lambda: a @ a)
 
 
 def bandwidth() -> float:
-    """Return the bytes that one core reads and writes in a second, in sums of large arrays [B/s]."""
+    """Return the memory bandwidth of one core in sums of large arrays [B/s]."""
     a, b = np.ones(20_000_000), np.ones(20_000_000)
     c = np.zeros_like(a)
     return 3.0 * a.nbytes / best_time(lambda: np.add(a, b, out=c))
@@ -224,7 +224,7 @@ def best_time(work: Callable[[], object]) -> float:
 
 @dataclass(frozen=True)
 class Profile:
-    """What a benchmark counts, the samples of each phase by the thread that did most and by all, and the seconds."""
+    """Counters of a benchmark, samples of each phase in the busiest thread and in all threads, and its time [s]."""
 
     counters: dict[str, float]
     by_one: Counter[str]
@@ -233,7 +233,7 @@ class Profile:
 
 
 def profile(case: str, cores: set[int]) -> Profile:
-    """Return a run of a benchmark on some cores."""
+    """Return the profile of a benchmark on given cores."""
     os.sched_setaffinity(0, cores)
     chosen = [str(PROGRAM), f"--benchmark_filter=^{case}/", "--benchmark_format=json"]
     with tempfile.NamedTemporaryFile() as data:
@@ -255,14 +255,14 @@ def profile(case: str, cores: set[int]) -> Profile:
 
 
 def alone(two: Profile, phase: str | None = None) -> str:
-    """Return the share of a phase, or of all, that one of two threads does while the other one waits."""
+    """Return the fraction of a phase, or of the run, during which one of two threads works and the other waits."""
     one = two.by_one[phase] if phase else two.by_one.total()
     others = (two.by_all[phase] if phase else two.by_all.total()) - one
     return f"{100.0 * max(0.0, 1.0 - others / one):.0f} %" if one > 0 else ""
 
 
 def phase_of(stack: str) -> str:
-    """Return the phase of a stack: that of the first rule that one of its functions meets."""
+    """Return the phase of a stack: that of the first rule that matches one of its functions."""
     return next((phase for phase, names in PHASES if any(name in stack for name in names)), REST)
 
 

@@ -1,7 +1,8 @@
-"""The paper as written, in plain NumPy, on its own resolution: python bench/plain_numpy.py plain|viscoroll [--runs N].
+"""Example of the paper in plain NumPy or by viscoroll: python bench/plain_numpy.py plain|viscoroll [--runs N].
 
-Section 14 at pi/250 with N_t = 500 and the radial compliance: the product (32) over 50 radial sub-intervals for every
-order, the sum over all of them, and the contact condition (50). Prints CPU seconds and the error of the torque as JSON.
+The case is that of section 14 of the paper at its own resolution, pi/250 with N_t = 500, with the radial compliance.
+The plain program follows the paper as written: product (32) over 50 radial sub-intervals for every order, the sum over
+all orders, and the contact condition (50). The script prints CPU seconds and the error of the torque as JSON.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ HALF_WINDOW = 20
 LOAD = 100.0
 ANGULAR_SPEED = 2.5
 
-#: Independent computation, docs/theory/reference-values.md [N m].
+#: Resisting torque of an independent computation, docs/theory/reference-values.md [N m].
 TORQUE = 11.348e-3
 
 
 def radial_compliance() -> np.ndarray:
-    """Return C_RR of the orders m, n = 0 ... N_t, one m after the other."""
+    """Return C_RR for the orders m, n = 0 ... N_t, computed row by row in m."""
     layer = plain.Layer(20e-3, 21e-3, lambda omega: plain.prony(6e6, [0.5], [0.125], omega), 0.5, 1000.0)
     n = np.arange(MAX_ORDER + 1)
     rows = [
@@ -43,7 +44,7 @@ def radial_compliance() -> np.ndarray:
 
 
 def solve_plainly() -> float:
-    """Return the resisting torque [N m]."""
+    """Return the resisting torque of the plain program [N m]."""
     radius, spacing = paper.ball().outer_radius, 2.0 * np.pi / NODES_PER_REVOLUTION
     orders = np.arange(MAX_ORDER + 1)
     both_signs = np.where(orders == 0, 1.0, 2.0)
@@ -62,7 +63,7 @@ def solve_plainly() -> float:
 
 
 def solve_by_viscoroll() -> float:
-    """Return the same by the library, on one thread."""
+    """Return the resisting torque of viscoroll on one thread [N m]."""
     mesh = vr.Mesh(nodes_per_revolution=NODES_PER_REVOLUTION, max_order=MAX_ORDER)
     result = vr.solve(
         paper.ball(),
@@ -77,7 +78,7 @@ def solve_by_viscoroll() -> float:
 
 
 def main() -> None:
-    """Print the runs."""
+    """Run one of the programs and print times and error."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("solver", choices=("plain", "viscoroll"))
     parser.add_argument("--runs", type=int, default=5)

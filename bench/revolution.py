@@ -1,8 +1,9 @@
-"""A revolution of transient rolling from Python: python bench/revolution.py roll|advance NODES [--runs N].
+"""One revolution of transient rolling from Python: python bench/revolution.py roll|advance NODES [--runs N].
 
-One lattice on one thread, tables left out, as the cases `revolution/..._one_lattice` of bench_solve: by `roll`
-of a history that exists, or a call of `RollingHistory.advance` for each step, as an equation of motion does. Prints
-CPU seconds, the error of the torque averaged over the last spacing, and milliseconds a step as JSON.
+The history uses a single mesh (`lattices=1`) and one thread, and the time excludes its tables, as in the cases
+`revolution/..._one_lattice` of bench_solve. `roll` follows the motion in one call; `advance` calls
+`RollingHistory.advance` for each step, as an equation of motion does. The script prints CPU seconds, the error of the
+torque averaged over the last spacing, and milliseconds per step as JSON.
 """
 
 from __future__ import annotations
@@ -21,19 +22,19 @@ ANGULAR_SPEED = 2.5
 LOAD = 100.0
 STEPS_PER_SPACING = 4
 
-#: Of the steady state, on meshes of π/6600 and finer [N m].
+#: Resisting torque of the steady state, on meshes of π/6600 and finer [N m].
 TORQUE = 11.3867e-3
 
 
 def by_roll(stepper: vr.RollingHistory, turn: float) -> list[float]:
-    """Return the torques of the last steps, the history being followed in one call."""
+    """Return the torques of the last steps of a motion that is followed in one call."""
     knots = {"time": [0.0, turn / ANGULAR_SPEED], "angle": [0.0, turn], "load": [LOAD, LOAD], "center_way": []}
     instants = stepper._history.roll(**knots, progress=None)
     return instants.resisting_torque[-STEPS_PER_SPACING:].tolist()
 
 
 def by_advance(stepper: vr.RollingHistory, turn: float) -> list[float]:
-    """Return the torques of the last steps, each of which is a call."""
+    """Return the torques of the last steps of a motion with one call per step."""
     count = stepper.mesh.nodes_per_revolution * STEPS_PER_SPACING
     angles = np.linspace(0.0, turn, count + 1)[1:].tolist()
     torques = [stepper.advance(time=a / ANGULAR_SPEED, angle=a, load=LOAD).resisting_torque for a in angles]

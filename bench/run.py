@@ -1,6 +1,6 @@
 """Run the benchmarks and append medians with errors to results.csv: python bench/run.py [--runs N] [--keep-dirty].
 
-Every case runs in a process of its own, so that its peak memory is its own.
+Every case runs in a separate process, so that its peak memory is measured separately.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def cpu_name() -> str:
 
 
 def run(*command: object) -> tuple[Any, float]:
-    """Return what a command prints as JSON, and its peak memory [MB]."""
+    """Return the JSON output of a command, and its peak memory [MB]."""
     with tempfile.TemporaryFile("w+") as output:
         process = subprocess.Popen([str(part) for part in command], stdout=output)
         _, status, usage = os.wait4(process.pid, 0)
@@ -72,7 +72,7 @@ def row(case: str, clock: str, seconds: list[float], error: float, peak: float, 
 
 
 def transform_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
-    """Cases of bench_transforms, built with one library for the transforms or the other: wall time on one core."""
+    """Yield the cases of bench_transforms, built with FFTW and with PocketFFT: wall time on one core."""
     for program in TRANSFORMS:
         if not program.exists():
             print(f"{program.relative_to(ROOT)} left out: not built")
@@ -85,14 +85,14 @@ def transform_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, obje
 
 
 def repetitions(program: Path, name: str, runs: int) -> tuple[list[dict[str, Any]], float]:
-    """Return what a benchmark says of each run, and its peak memory [MB]."""
+    """Return the output of a benchmark for each run, and its peak memory [MB]."""
     several = [f"--benchmark_repetitions={runs}", "--benchmark_min_warmup_time=0.1"]
     output, peak = run(program, f"--benchmark_filter=^{name}$", *several, "--benchmark_format=json")
     return [repetition for repetition in output["benchmarks"] if repetition["run_type"] == "iteration"], peak
 
 
 def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
-    """Cases of bench_solve: wall time on all cores."""
+    """Yield the cases of bench_solve: wall time on all cores."""
     names = subprocess.run([PROGRAM, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
     for name in names.splitlines():
         case = name.removesuffix("/real_time").replace("/iterations:1", "")
@@ -119,7 +119,7 @@ def library_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object
 
 
 def script_cases(runs: int, only: re.Pattern[str]) -> Iterator[dict[str, object]]:
-    """Other solvers, and this one beside them: CPU time on one core."""
+    """Yield the cases of other solvers and of viscoroll from Python: CPU time on one core."""
     folder = Path(__file__).parent
     cases = [(f"hertz/{nodes}/{solver}", folder / "hertz.py", solver, nodes) for solver, nodes in HERTZ]
     cases += [(f"paper_resolution/{solver}", folder / "plain_numpy.py", solver) for solver in ("viscoroll", "plain")]

@@ -1,10 +1,11 @@
-"""What a designer of casters asks: how hot, how sheared and how pulled a tread is, by its thickness and speed.
+"""Temperature, shear and tension in the tread of a caster, as functions of its thickness and speed.
 
     python docs/caster.py docs/caster.png
 
-Ball-shaped treads of polyurethane, 100 mm across, on rigid cores that take no heat; 300 N, 15 W/(m² K) at the surface.
-For three thicknesses and five speeds: the hottest point of every steady state, the largest shear at the bond, and the
-largest tension inside. Moduli are those at the temperature that they make; open circles are unstable states.
+The treads are balls of polyurethane, 100 mm in diameter, on rigid cores that take up no heat. The load is 300 N and the
+heat transfer coefficient at the surface 15 W/(m² K). The picture shows, for three thicknesses and five speeds, the
+hottest point of every steady state, the largest shear at the bond and the largest tension inside. The moduli are those
+at the temperature that results from the power loss. Open circles are unstable states.
 """
 
 from __future__ import annotations
@@ -23,14 +24,14 @@ AMBIENT = 293.15  # [K]
 
 
 def tread(thickness: float) -> vr.CoatedSphere:
-    """Rubber-like polyurethane of some 85 Shore A: three relaxation times at 20 °C."""
+    """Return a tread of rubber-like polyurethane, about 85 Shore A, with three relaxation times at 20 °C."""
     material = vr.Prony(instantaneous_modulus=18e6, weights=[0.25, 0.15, 0.1], relaxation_times=[2e-4, 4e-3, 0.1])
     layer = vr.Layer(thickness=thickness, shear_modulus=material, poisson_ratio=0.495, conductivity=0.25)
     return vr.CoatedSphere(core_radius=50e-3 - thickness, layers=[layer])
 
 
 def answers(thickness: float, speed: float) -> list[tuple[bool, float, float, float]]:
-    """Return, for every steady state, whether it is stable, hottest point [°C], shear and tension [MPa]."""
+    """Return stability, hottest point [°C], largest shear and largest tension [MPa] of every steady state."""
     hot = vr.self_heating(
         tread(thickness),
         load=LOAD,
@@ -53,7 +54,7 @@ def answers(thickness: float, speed: float) -> list[tuple[bool, float, float, fl
 
 
 def main(path: str) -> None:
-    """Draw all answers as one picture."""
+    """Plot the results of all thicknesses and speeds in one picture."""
     warnings.simplefilter("ignore", vr.ResultWarning)
     figure = Figure(figsize=(12.0, 4.2), layout="constrained")
     axes = figure.subplots(1, 3)

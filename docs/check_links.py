@@ -1,4 +1,4 @@
-"""Check a built site: every link within it leads somewhere, nothing that a page needs comes from the net, all is drawn.
+"""Check a built site: internal links have a target, pages load no external files, all figures are drawn.
 
 python docs/check_links.py build/docs
 """
@@ -10,13 +10,13 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-#: Attributes that name another file, by tag; those of the first kind are followed by readers, the others by browsers.
+#: Attributes that refer to another file, by tag: links that readers follow, and files that browsers load.
 FOLLOWED = {"a": "href"}
 LOADED = {"img": "src", "script": "src", "link": "href", "source": "src", "iframe": "src"}
 
 
 class Page(HTMLParser):
-    """Names of the places of a page, and what it points at."""
+    """Anchors of a page, and the targets of its links and files."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -25,7 +25,7 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Note places and targets."""
+        """Collect anchors and targets."""
         values = dict(attrs)
         self.places |= {value for key in ("id", "name") if (value := values.get(key))}
         target = values.get((FOLLOWED | LOADED).get(tag, ""))
@@ -34,7 +34,7 @@ class Page(HTMLParser):
 
 
 def faults(site: Path) -> list[str]:
-    """Return a line for each link that leads nowhere and each file that a page loads from elsewhere."""
+    """Return one line for each broken link, each external file and each figure that is not drawn."""
     paths = [path.resolve() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
     pages = {path: Page(path.read_text(encoding="utf-8")) for path in paths}
     found = []

@@ -1,4 +1,4 @@
-"""Check a built site: a search for what people of the trades type finds the page that is meant for them.
+"""Check a built site: searches for typical terms of an application find the page about this application.
 
 python docs/check_search.py build/docs
 """
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-#: What is typed, and the page that it must lead to.
+#: Search terms, and the page that each must find.
 SEARCHED = {
     "caster": "jobs/caster",
     "rebound": "jobs/caster",
@@ -27,18 +27,18 @@ SEARCHED = {
 
 
 def words_of(query: str) -> list[str]:
-    """Return the words of a query that count: the site's search leaves out numbers and single letters."""
+    """Return the relevant words of a query: the search of the site ignores numbers and single letters."""
     return [word for word in re.findall(r"\w+", query.lower()) if len(word) > 1 and not word.isdigit()]
 
 
 def read_index(path: Path) -> dict[str, Any]:
-    """Return the index, which is the argument of a call in JavaScript."""
+    """Return the search index, which is the argument of a JavaScript call."""
     text = path.read_text(encoding="utf-8")
     return dict(json.loads(text[text.index("(") + 1 : text.rindex(")")]))
 
 
 def pages_with(index: dict[str, Any], stem: str) -> set[str]:
-    """Return the pages that have a word, in their text or their titles."""
+    """Return the pages that contain a word in their text or title."""
     found: set[str] = set()
     for table in (index["terms"], index["titleterms"]):
         places = table.get(stem, [])
@@ -47,7 +47,7 @@ def pages_with(index: dict[str, Any], stem: str) -> set[str]:
 
 
 def main(site: Path) -> int:
-    """Print which searches fail; return 1 if there are any."""
+    """Print the searches that fail; return 1 if there are any."""
     from sphinx.search.en import SearchEnglish
 
     index, language = read_index(site / "searchindex.js"), SearchEnglish({})

@@ -1,7 +1,7 @@
-"""Tables of the pages that are written nowhere by hand: each is made of what tests, benchmarks or the library know.
+"""Generate the tables of the documentation from tests, benchmarks, the README and the library.
 
-`make tables` writes them into the pages, between comments with their names, so that whoever reads the sources on a host
-of repositories sees them, too; `test_site.py` sees to it that they are as they would be made.
+`make tables` writes each table into its page, between two comments with its name, so that the tables also appear where
+a host of repositories displays the sources. `test_site.py` checks that they are up to date.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def validation_table(path: Path) -> str:
-    """Return what is held against what, how far the two are apart, and the tests that say so."""
+    """Return the table of validation: quantity, reference, deviation and tests."""
     rows = tomllib.loads(path.read_text(encoding="utf-8"))["row"]
     return table(
         ("what", "against", "found", "test"),
@@ -40,7 +40,7 @@ def validation_table(path: Path) -> str:
 
 
 def outside_tables(path: Path) -> dict[str, str]:
-    """Return a table for each benchmark of others: their number, ours, the difference, and the test that holds both."""
+    """Return a table for each published benchmark: their number, ours, the difference, and the test."""
 
     def difference(row: dict[str, str]) -> str:
         return f"{100.0 * (float(row['ours']) / float(row['theirs']) - 1.0):+.2f} %"
@@ -58,7 +58,7 @@ def outside_tables(path: Path) -> dict[str, str]:
 
 
 def benchmark_table(path: Path) -> str:
-    """Return the latest run of every benchmark."""
+    """Return the table of the latest run of every benchmark."""
     with path.open(encoding="utf-8", newline="") as file:
         latest = {row["case"]: row for row in csv.DictReader(file)}
     return table(
@@ -80,7 +80,7 @@ def benchmark_table(path: Path) -> str:
 
 
 def scalar_table() -> str:
-    """Return all scalar results with their units."""
+    """Return the table of all scalar results with their units."""
     return table(
         ("name", "unit", "of a roller", "what"),
         [
@@ -91,18 +91,18 @@ def scalar_table() -> str:
 
 
 def shown(unit: str) -> str:
-    """Return a unit for people: a number has none."""
+    """Return a unit as displayed in tables, `-` for a dimensionless number."""
     return "-" if unit == "1" else unit.replace("^2", "²")
 
 
 def of_the_readme(name: str) -> str:
-    """Return what stands in the README between comments with a name."""
+    """Return the text of the README between the two comments with a name."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     return text.split(f"<!-- {name} -->\n")[1].split(f"<!-- end of {name} -->")[0]
 
 
 def parts() -> dict[str, str]:
-    """Return all that is made, by the names that pages call it."""
+    """Return all generated texts, by the names that the pages use."""
     return {
         "validation": validation_table(DOCS / "validation.toml"),
         "benchmarks": benchmark_table(ROOT / "bench" / "results.csv"),
@@ -115,7 +115,7 @@ def parts() -> dict[str, str]:
 
 
 def pages() -> dict[Path, str]:
-    """Return the text of each page that holds some of it, as it should be."""
+    """Return the up-to-date text of each page that contains generated texts."""
     made = parts()
     texts = {path: path.read_text(encoding="utf-8") for path in sorted(DOCS.glob("*.md"))}
     return {

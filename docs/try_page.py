@@ -1,7 +1,7 @@
-"""The page "Try it" as plain files, which browsers open from anywhere, from a folder, too: no modules, no requests.
+"""Write the page "Try it" as plain files without modules and requests, which browsers can also open from a folder.
 
-The modules of JavaScript become one script; the library in WebAssembly and the tables of materials another one, where
-`make wasm` has made it.
+One script contains all JavaScript modules. If `make wasm` has built the library for WebAssembly, a second one contains
+the library and the tables of materials.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _MODULE = '<script type="module" src="main.js"></script>'
 
 
 def bundle(folder: Path, main: str = "main") -> str:
-    """Return the modules of a folder as one script: each is a function that returns what it exports."""
+    """Return the modules of a folder as one script, each as a function that returns its exports."""
     texts = {path.stem: _COMMENT.sub("", path.read_text(encoding="utf-8")) for path in folder.glob("*.js")}
     needs = {name: [needed for _, needed in _IMPORT.findall(text)] for name, text in texts.items()}
     order = [name for name in TopologicalSorter(needs).static_order() if name != main] + [main]
@@ -43,7 +43,7 @@ def bundle(folder: Path, main: str = "main") -> str:
 
 
 def write_page(folder: Path, library: Path) -> bool:
-    """Write the page into a folder; return whether it can solve, that is whether the library's script is there."""
+    """Write the page into a folder; return whether it can solve, that is, whether the script of the library exists."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     solves = library.exists()

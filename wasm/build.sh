@@ -1,8 +1,8 @@
 #!/bin/sh
-# Makes the npm package, build/wasm/package, by the Emscripten of Debian 13: that of this system where it has one, else
-# that of a bare Debian 13 under build/debian-13, which debootstrap makes there (3 GB), for it does not install on an older
-# one. The compiler of Debian 12 has no std::ranges. The sources are copied into the other system and the package out of
-# it: nothing is mounted, so that whoever removes build removes nothing else.
+# Builds the npm package, build/wasm/package, with Emscripten 3.1.69 (Debian 13) or later. If this system neither has
+# nor offers it, the script creates a minimal Debian 13 in build/debian-13 with debootstrap (3 GB), because this
+# Emscripten does not install on an older Debian. The Emscripten of Debian 12 lacks std::ranges. The script copies the
+# sources into that system and the package out of it. It mounts nothing, so that removing build/ removes nothing else.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -12,7 +12,7 @@ build='emcmake cmake --preset wasm && cmake --build --preset wasm --parallel "$(
 oldest=3.1.69
 system=build/debian-13
 
-is_recent() { # [of a version of Emscripten, which Debian writes with more behind it]
+is_recent() { # whether a version of Emscripten, without the suffix of Debian, is at least $oldest; empty: no
   [ -n "$1" ] && [ "$(printf '%s\n' "$oldest" "$1" | sort -V | head -n 1)" = "$oldest" ]
 }
 
@@ -25,7 +25,7 @@ install() {
   DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@"
 }
 
-debian_mirror() { # print the mirror that apt takes Debian's packages from: apt reads both formats of its sources
+debian_mirror() { # print the mirror from which apt gets Debian's packages; apt reads both formats of source lists
   apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' | head -n 1
 }
 
@@ -50,7 +50,7 @@ build_in_system() {
   mkdir -p "$inside/build"
   for name in $sources; do rm -rf "${inside:?}/$name"; done
   # shellcheck disable=SC2086  # names of files
-  cp -a $sources "$inside/" # with their times: what is compiled and has not changed stays
+  cp -a $sources "$inside/" # with modification times: unchanged files are not compiled again
   cp -a build/headers "$inside/build/"
   in_system sh -c "cd /viscoroll && $build"
   rm -rf build/wasm/package

@@ -110,7 +110,7 @@ void Lattice::require_bearable_load(const Attempt& attempt) {
 }
 
 /// A force on the center, or a moment about it, that friction does not balance even where the body slides as a whole,
-/// forward or back: section 6 of theory.md has the same in steady rolling.
+/// forward or back: docs/theory/friction.md has the same in steady rolling.
 void Lattice::require_reachable_drive(const Attempt& attempt) {
   const CenterCondition& center = attempt.center;
   if (!pair_->has_friction() || center.way != 0.0) return;
